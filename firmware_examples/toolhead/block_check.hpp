@@ -1,0 +1,101 @@
+// The check of one block before it is queued: each body that moves against each obstacle.
+#pragma once
+
+#include <flashbvh/contact.hpp>
+#include <flashbvh/first_contact.hpp>
+#include <flashbvh/triangle.hpp>
+
+#include "program_text.hpp"
+#include "scene.hpp"
+
+/// Bodies that come so near touch: for belts that give, ends that are rounded to 5 um, and what
+/// meshes are off.
+constexpr int32_t kMargin = 250;  // micrometres
+
+constexpr int32_t kCell = 10;  // in micrometres
+static_assert(head_CELLS_PER_UNIT == 1000.0f / kCell);
+constexpr int32_t cells(int32_t micrometres) {
+  return (micrometres + (micrometres < 0 ? -kCell / 2 : kCell / 2)) / kCell;
+}
+
+/// In slices: between two of them the firmware does other things. Blocks continue where the last
+/// one ended: a head that once was outside all obstacles cannot get inside one without touching it.
+class BlockCheck {
+ public:
+  explicit BlockCheck(const Block& block)
+      : block_(block), pair_(0), motion_(motion()), query_(query()), answer_() {}
+
+  BlockCheck(const BlockCheck&) = delete;  // the query reads the motion where it lies
+
+  /// A slice. Whether it was the last one.
+  bool run(uint32_t work) {
+    answer_ = query_.run(work);
+    if (answer_.status == flashbvh::Status::suspended) {
+      return false;
+    }
+    if (!pair_is_free() || ++pair_ == kPairCount) {
+      return true;
+    }
+    motion_ = motion();
+    query_ = query();
+    return false;
+  }
+
+  // After the last slice.
+
+  /// An error is no permission to move.
+  bool is_free() const { return pair_ == kPairCount; }
+  bool has_error() const { return answer_.status != flashbvh::Status::done; }
+
+  const Body& body() const { return kBodies[pair_ / kObstacleCount]; }
+  const Obstacle& obstacle() const { return kObstacles[pair_ % kObstacleCount]; }
+
+  /// Up to where the block is free: a part of it.
+  float free_part() const {
+    return static_cast<float>(answer_.from) / static_cast<float>(flashbvh::kMotionEnd);
+  }
+
+  /// Where they touch there, on the obstacle: where a pair of triangles does, one of several.
+  bool get_touched(Place& touched) const {
+    flashbvh::Triangle of_obstacle;
+    flashbvh::Triangle of_body;
+    if (!flashbvh::transform_pair(obstacle().mesh, body().mesh, motion_.pose_at(answer_.to),
+                                  answer_.triangles, of_obstacle, of_body)) {
+      return false;
+    }
+    const flashbvh::FinePoint at = flashbvh::nearest_points_of(of_obstacle, of_body).point_a;
+    touched = {{micrometres(at.x) + 1000 * obstacle().x, micrometres(at.y) + 1000 * obstacle().y,
+                micrometres(at.z)}};
+    return true;
+  }
+
+ private:
+  static constexpr int kPairCount = kBodyCount * kObstacleCount;
+
+  static int32_t micrometres(int64_t fine) { return static_cast<int32_t>(fine * kCell >> 8); }
+
+  bool pair_is_free() const {
+    return answer_.status == flashbvh::Status::done &&
+           answer_.outcome == flashbvh::ContactOutcome::free;
+  }
+
+  /// Of the body in the obstacle's frame.
+  flashbvh::Pose pose(const Place& nozzle) const {
+    const int32_t x = body().goes_along_x ? nozzle.axis[0] : 1000 * kMiddle;
+    return flashbvh::Pose::translated(cells(x - 1000 * obstacle().x),
+                                      cells(nozzle.axis[1] - 1000 * obstacle().y),
+                                      cells(nozzle.axis[2]));
+  }
+  flashbvh::BodyMotion motion() const {
+    return flashbvh::BodyMotion::between(pose(block_.from), pose(block_.to));
+  }
+  flashbvh::FirstContact query() const {
+    return {obstacle().mesh, body().mesh, motion_, cells(kMargin) * 256};
+  }
+
+  Block block_;
+  int pair_;
+  flashbvh::BodyMotion motion_;
+  flashbvh::FirstContact query_;
+  flashbvh::FirstContactAnswer answer_;
+};

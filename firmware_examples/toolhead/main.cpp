@@ -1,0 +1,172 @@
+// A printer's planner lets no block into its queue on which head or gantry would touch a finished
+// part or a clamp: each block is certified for every moment of it, before it is queued.
+//
+// It shows how to certify straight motions of several bodies against several obstacles in the
+// memory of one query, in slices between which the firmware does other things, and how to report
+// where a block would touch. A planner stops at the first refused block; this one goes on as if the
+// machine had done it, to show all that is wrong with a program.
+//
+// Firmware has the sample program in flash; on the host an argument names a file. Prints the
+// refused blocks, then what the checks took. Instructions are counted, so run it by hand with
+// FLASHBVH_ICOUNT (ports/README.md). Ends with 1 if a check took too much, with 2 at a line that is
+// no block.
+#include "block_check.hpp"
+#include "insn.hpp"
+#include "stack.hpp"
+#include "text.hpp"
+#if defined(TOOLHEAD_READS_FILE)
+#include <fstream>
+#include <iterator>
+#include <string>
+#else
+extern "C" const char program_begin[], program_end[];
+#endif
+
+namespace {
+
+/// Of a slice, in units of query.hpp.
+constexpr uint32_t kWork = 500;
+/// What the tests hold: 100 blocks a second in the mean at 168 MHz, an instruction a cycle; 50 ms
+/// for a block, while the machine has queued ones; 1 ms for a slice.
+constexpr uint32_t kMeanOfBlock = 1'680'000;
+constexpr uint32_t kMostOfBlock = 8'400'000;
+constexpr uint32_t kMostOfSlice = 168'000;
+/// Of RAM, for the whole firmware.
+constexpr uint32_t kMostBytes = 4096;
+
+/// What checks took. Instructions are 0 on the host.
+struct Costs {
+  unsigned blocks = 0;
+  unsigned slices = 0;
+  unsigned most_slices = 0;
+  uint32_t most_of_slice = 0;
+  uint32_t most_of_block = 0;
+  uint64_t instructions = 0;
+
+  void add_block(unsigned of_block, uint32_t taken) {
+    ++blocks;
+    slices += of_block;
+    most_slices = of_block > most_slices ? of_block : most_slices;
+    most_of_block = taken > most_of_block ? taken : most_of_block;
+    instructions += taken;
+  }
+  uint32_t mean() const { return blocks == 0 ? 0 : static_cast<uint32_t>(instructions / blocks); }
+};
+
+struct Machine {
+  unsigned queued = 0;  ///< blocks
+  float seconds = 0;    ///< that it needs for them
+  unsigned turns = 0;
+
+  /// Heaters, the display, the next line from the host: here they are counted.
+  void do_other_things() { ++turns; }
+
+  void queue(const Block& block) {
+    ++queued;
+    seconds += block.length() / static_cast<float>(block.speed);
+  }
+};
+
+/// In mm, one decimal, to the nearest.
+void print_mm(int32_t micrometres) {
+  const int32_t tenths = ((micrometres < 0 ? -micrometres : micrometres) + 50) / 100;
+  port::print(micrometres < 0 && tenths != 0 ? " -" : " ", tenths / 10, ".", tenths % 10);
+}
+
+void print_place(const Place& place) {
+  for (const int32_t coordinate : place.axis) {
+    print_mm(coordinate);
+  }
+}
+
+void print_refused(unsigned line, const Block& block, const BlockCheck& check) {
+  port::print("line ", line, ": ", check.body().name, " and ", check.obstacle().name);
+  if (check.has_error()) {
+    port::print(": the check failed, is the block within the machine?\n");
+    return;
+  }
+  port::print(" touch after");
+  print_mm(static_cast<int32_t>(block.length() * check.free_part()));
+  port::print(" mm, nozzle at");
+  print_place(block.at(check.free_part()));
+  Place touched;
+  if (check.get_touched(touched)) {
+    port::print(", touched at");
+    print_place(touched);
+  }
+  port::print("\n");
+}
+
+/// To the queue, if it may go there.
+void plan(unsigned line, const Block& block, Machine& machine, Costs& costs) {
+  BlockCheck check(block);
+  unsigned slices = 0;
+  uint32_t taken = 0;
+  for (bool is_last = false; !is_last; ++slices) {
+    const uint32_t slice = port::instructions_of([&] { is_last = check.run(kWork); });
+    taken += slice;
+    costs.most_of_slice = slice > costs.most_of_slice ? slice : costs.most_of_slice;
+    machine.do_other_things();
+  }
+  costs.add_block(slices, taken);
+  if (check.is_free()) {
+    machine.queue(block);
+  } else {
+    print_refused(line, block, check);
+  }
+}
+
+/// Whether all of it was read.
+bool plan_all(ProgramText text, Machine& machine, Costs& costs) {
+  Block block = {};
+  while (!text.is_at_end()) {
+    const Block last = block;
+    const bool is_block = text.read(block);
+    if (!is_block || (text.line() > 1 && !block.begins_at_end_of(last))) {
+      port::print("line ", text.line(),
+                  is_block
+                      ? ": begins elsewhere than the last block ended; add a travel\n"
+                      : ": write x y z, x y z in mm and a speed in mm/s, three decimals at most\n");
+      return false;
+    }
+    plan(text.line(), block, machine, costs);
+  }
+  return true;
+}
+
+int run(const ProgramText& text) {
+  Machine machine;
+  Costs costs;
+  if (!plan_all(text, machine, costs)) {
+    return 2;
+  }
+  const uint32_t bytes = port::static_bytes() + port::stack_used();
+  port::print(machine.queued, " blocks queued, ", costs.blocks - machine.queued,
+              " refused; the machine needs ", static_cast<uint64_t>(machine.seconds), " s\n",
+              costs.slices, " slices, at most ", costs.most_slices,
+              " a block; other things were done ", machine.turns, " times\n");
+  port::print("instructions of a block: ", costs.mean(), " in the mean, ", costs.most_of_block,
+              " at most; of a slice ", costs.most_of_slice, " at most\nRAM: ", bytes, " bytes\n");
+  return costs.mean() <= kMeanOfBlock && costs.most_of_block <= kMostOfBlock &&
+                 costs.most_of_slice <= kMostOfSlice && bytes <= kMostBytes
+             ? 0
+             : 1;
+}
+
+}  // namespace
+
+#if defined(TOOLHEAD_READS_FILE)
+int main(int count, char** arguments) {
+  std::ifstream file(count == 2 ? arguments[1] : "");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (text.empty()) {
+    port::print("usage: toolhead PROGRAM; that is no file, or empty\n");
+    return 2;
+  }
+  return run(ProgramText(text.data(), text.data() + text.size()));
+}
+#else
+int main() {
+  return run(ProgramText(program_begin, program_end));
+}
+#endif
