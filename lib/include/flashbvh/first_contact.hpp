@@ -87,6 +87,12 @@ class BasicFirstContact {
   /// bodies that intersect. Errors show in status() and in every run: those of a query;
   /// `motion_out_of_range`; `distance_out_of_range`: beyond kMaxDistance / 2.
   BasicFirstContact(const Mesh& a, const Mesh& b, const BodyMotion& motion, uint32_t within = 0);
+  template <class... With>
+  BasicFirstContact(const Mesh&&, const Mesh&, const BodyMotion&, const With&...) = delete;
+  template <class... With>
+  BasicFirstContact(const Mesh&, const Mesh&&, const BodyMotion&, const With&...) = delete;
+  template <class... With>
+  BasicFirstContact(const Mesh&, const Mesh&, const BodyMotion&&, const With&...) = delete;
 
   Status status() const { return at_.status; }
 
