@@ -8,7 +8,7 @@ LIB = pathlib.Path(__file__).resolve().parents[1] / "lib"
 ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "motion", "robot", "c"]
 # Public headers lie in one folder; all others are of the room query.
 PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "frame", "units", "status", "version"],
-          "predicates": ["triangle"], "motion": ["body_motion", "first_contact"]}
+          "predicates": ["triangle"], "motion": ["body_motion", "first_contact", "flashbvh"]}
 ROOM_OF = {f"{name}.hpp": room for room, names in PUBLIC.items() for name in names}
 
 

@@ -23,20 +23,6 @@ bake::LatticeMesh any_mesh(Random& random) {
   return mesh;
 }
 
-flashbvh_pose taken_to_c(const Pose& pose) {
-  std::int32_t rotation[9];
-  std::int32_t cells[3];
-  std::int16_t fraction[3];
-  flashbvh_pose made;
-  for (int i = 0; i < 9; ++i) {
-    rotation[i] = pose.rotation(i / 3, i % 3);
-    cells[i % 3] = pose.translation(i % 3);
-    fraction[i % 3] = static_cast<std::int16_t>(pose.fraction(i % 3));
-  }
-  (void)flashbvh_pose_rigid(rotation, cells, fraction, &made);
-  return made;
-}
-
 Pose any_pose(Random& random) {
   const std::int32_t x = random.between(-20, 20);
   const std::uint32_t kind = random.below(9);
@@ -66,6 +52,21 @@ std::uint64_t all_statuses() {
 }  // namespace
 
 std::uint64_t seen_statuses;
+std::uint32_t seen_outcomes;
+
+flashbvh_pose taken_to_c(const Pose& pose) {
+  std::int32_t rotation[9];
+  std::int32_t cells[3];
+  std::int16_t fraction[3];
+  flashbvh_pose made;
+  for (int i = 0; i < 9; ++i) {
+    rotation[i] = pose.rotation(i / 3, i % 3);
+    cells[i % 3] = pose.translation(i % 3);
+    fraction[i % 3] = static_cast<std::int16_t>(pose.fraction(i % 3));
+  }
+  (void)flashbvh_pose_rigid(rotation, cells, fraction, &made);
+  return made;
+}
 
 Object::Object(Random& random, double cell) {
   const auto source = any_mesh(random);
@@ -119,7 +120,8 @@ TEST_CASE("each function of C answers as its counterpart in C++") {
     CAPTURE(round);
     Scene scene(random);
     pairs += count_pairs(scene.a.mesh, scene.b.mesh, scene.pose).count;
-    for (const auto& rows : {query_rows(), pose_rows(), distance_rows(), shape_rows()}) {
+    for (const auto& rows :
+         {query_rows(), pose_rows(), distance_rows(), shape_rows(), motion_rows()}) {
       for (const Row& row : rows) {
         bool agrees = false;
         {
@@ -133,4 +135,5 @@ TEST_CASE("each function of C answers as its counterpart in C++") {
   }
   CHECK(pairs > 100);
   CHECK(seen_statuses == all_statuses());
+  CHECK(seen_outcomes == 7);
 }

@@ -52,9 +52,14 @@ std::vector<Row> query_rows();
 std::vector<Row> pose_rows();
 std::vector<Row> distance_rows();
 std::vector<Row> shape_rows();
+std::vector<Row> motion_rows();
 
-/// A bit for each status that both languages gave.
+/// In C, by its numbers.
+flashbvh_pose taken_to_c(const Pose& pose);
+
+/// A bit for each status, and each outcome of a first contact, that both languages gave.
 extern std::uint64_t seen_statuses;
+extern std::uint32_t seen_outcomes;
 
 inline bool same(flashbvh_status c, Status status) {
   seen_statuses |= std::uint64_t{1} << c;

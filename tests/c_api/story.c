@@ -7,6 +7,7 @@
 #include "block.fbvh.h"
 #include "flashbvh/clearance.h"
 #include "flashbvh/deformable.h"
+#include "flashbvh/first_contact.h"
 #include "flashbvh/ray.h"
 #include "flashbvh/shape.h"
 #include "flashbvh/solid.h"
@@ -151,6 +152,36 @@ static void distances(const flashbvh_pose* pose) {
 }
 
 /** Down through the block from 5 mm above it. */
+/** The blade comes down by 7.5 mm; its lower corner is on the block's upper face after 2.5 mm. */
+static void motions(const flashbvh_pose* from, const flashbvh_pose* to) {
+  const uint32_t cell = FLASHBVH_MOTION_END / 75 + 1;
+  flashbvh_body_motion down;
+  flashbvh_body_motion up;
+  flashbvh_move rise = {{0, 0, 0}, {0, 0, 0}, 0, {0, 0, 75 * 2048}};
+  flashbvh_pose at_third;
+  flashbvh_first_contact_query query;
+  flashbvh_first_contact_answer found;
+  int32_t cells[3];
+  CHECK(flashbvh_body_motion_between(from, to, &down) == FLASHBVH_STATUS_DONE);
+  CHECK(flashbvh_body_motion_pose(&down, FLASHBVH_MOTION_END / 3, &at_third) ==
+        FLASHBVH_STATUS_DONE);
+  flashbvh_pose_values(&at_third, NULL, cells, NULL);
+  CHECK(cells[0] == 20000 && cells[1] == 20000 && cells[2] == 20050);
+  CHECK(flashbvh_first_contact_start(&query, &block, &blade, &down, 0) ==
+        FLASHBVH_STATUS_SUSPENDED);
+  found = flashbvh_first_contact_run(&query, UINT32_MAX);
+  CHECK(found.status == FLASHBVH_STATUS_DONE && found.outcome == FLASHBVH_OUTCOME_CONTACT);
+  CHECK(found.from <= FLASHBVH_MOTION_END / 3 && found.to >= FLASHBVH_MOTION_END / 3);
+  CHECK(found.to - found.from <= cell && found.triangles.b == 0);
+  (void)flashbvh_first_contact_start(&query, &block, &blade, &down, 10 * 256);
+  found = flashbvh_first_contact_run(&query, UINT32_MAX);
+  CHECK(found.outcome == FLASHBVH_OUTCOME_CONTACT && found.to - FLASHBVH_MOTION_END / 5 <= cell);
+  CHECK(flashbvh_body_motion_of_moves(from, &rise, 1, &up) == FLASHBVH_STATUS_DONE);
+  (void)flashbvh_first_contact_start(&query, &block, &blade, &up, 24 * 256);
+  found = flashbvh_first_contact_run(&query, UINT32_MAX);
+  CHECK(found.status == FLASHBVH_STATUS_DONE && found.outcome == FLASHBVH_OUTCOME_FREE);
+}
+
 static void rays(void) {
   const float origin[3] = {1003, 1002, 1015};
   const float down[3] = {0, 0, -3};
@@ -263,6 +294,7 @@ int main(void) {
   contacts(&standing);
   time_bounds();
   distances(&above);
+  motions(&above, &standing);
   rays();
   solids_and_shapes();
   bending();

@@ -9,17 +9,18 @@ import subprocess
 import sys
 import tempfile
 
-# Where dropping is safe, since the error stays in the object: in a pose, with which each query then
-# ends; in a query, a guard or a workcell, whose later calls report it.
+# Where dropping is safe, since the error stays in the object: in a pose or a motion, with which each
+# query then ends; in a query, a guard or a workcell, whose later calls report it.
 STICKY = {"flashbvh_" + name for name in (
     "pose_composed", "pose_inverse", "pose_of_matrix", "pose_of_quaternion", "pose_relative",
     "pose_rigid", "pose_translated", "relative_pose",
+    "body_motion_between", "body_motion_of_moves", "body_motion_pose", "first_contact_start",
     "query_start", "within_start", "clearance_start", "self_query_start", "self_within_start",
     "guard_init", "motion_init", "motion_start", "workcell_init")}
 # A query's state: no function returns it.
 MEMORY = {"MotionCore", "MotionStateOf"}
 CARRIED_FIELDS = {"status", "verdict", "outcome"}
-SEEDS = {"Status", "Verdict", "MotionOutcome"}
+SEEDS = {"Status", "Verdict", "MotionOutcome", "ContactOutcome"}
 
 
 def tree_of(clang, folder, names, language):

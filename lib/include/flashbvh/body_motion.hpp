@@ -24,7 +24,7 @@ constexpr uint32_t kMotionEnd = 1u << 30;
 /// is normalised.
 constexpr int32_t kAxisTolerance = kRotationOne >> 13;
 
-/// Plain data: constant once made, and shared by any number of queries. 184 bytes on a 32-bit core.
+/// Plain data: constant once made, and shared by any number of queries. 188 bytes on a 32-bit core.
 class BodyMotion {
  public:
   /// From one pose to another: the origin of B's frame goes straight, and B turns about it at
@@ -48,10 +48,13 @@ class BodyMotion {
   /// 2^-6 cell of the exact way.
   Pose pose_at(uint32_t time) const;
 
+  /// From the outermost to the innermost; 1 between two poses.
   uint32_t move_count() const { return count_; }
   /// `i`: below move_count().
   const Move& move(uint32_t i) const { return moves_ == nullptr ? own_ : moves_[i]; }
+  /// Where B lies at its begin.
   const Pose& from() const { return from_; }
+  /// Where B lies at its end.
   const Pose& to() const { return to_; }
 
  private:

@@ -28,6 +28,9 @@
 
 namespace flashbvh {
 
+/// The most moves of a motion: so that their roundings stay below what decides a contact.
+constexpr uint32_t kMostMoves = 64;
+
 /// Of a motion of two bodies.
 enum class ContactOutcome : uint8_t {
   free = FLASHBVH_OUTCOME_FREE,
@@ -57,7 +60,7 @@ enum class ContactPhase : uint8_t {
 /// Where a query stands between runs: all there is to keep with its meshes and its motion. May be
 /// stored for any time.
 template <class Index>
-struct FirstContactCursor {
+struct [[nodiscard]] FirstContactCursor {
   uint32_t time;  ///< up to where the motion is certified, or was passed over
   uint32_t step;  ///< the length of the interval that begins there
   uint32_t near;  ///< since when they may be close, or kNever
@@ -85,7 +88,8 @@ class BasicFirstContact {
 
   /// Meshes and motion outlive it. `within`, in 1/256 cell: bodies that come so near touch; 0:
   /// bodies that intersect. Errors show in status() and in every run: those of a query;
-  /// `motion_out_of_range`; `distance_out_of_range`: beyond kMaxDistance / 2.
+  /// `motion_out_of_range`, also of more than kMostMoves; `distance_out_of_range`: beyond
+  /// kMaxDistance / 2.
   BasicFirstContact(const Mesh& a, const Mesh& b, const BodyMotion& motion, uint32_t within = 0);
   template <class... With>
   BasicFirstContact(const Mesh&&, const Mesh&, const BodyMotion&, const With&...) = delete;
@@ -94,6 +98,7 @@ class BasicFirstContact {
   template <class... With>
   BasicFirstContact(const Mesh&, const Mesh&, const BodyMotion&&, const With&...) = delete;
 
+  /// `suspended`: there is something to run; `done`; or its error.
   Status status() const { return at_.status; }
 
   /// Does at most `work` (query.hpp), overdrawn by one step; UINT32_MAX: all there is to do.

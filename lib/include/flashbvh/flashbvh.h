@@ -86,6 +86,9 @@ bool flashbvh_mesh_is_closed(const flashbvh_mesh* mesh);
 /** One in the fixed point of a rotation: 30 fraction bits. */
 #define FLASHBVH_ROTATION_ONE ((int32_t)1 << 30)
 
+/** A full turn, of an angle. */
+#define FLASHBVH_FULL_TURN ((int32_t)1 << 28)
+
 /** Largest magnitude of a translation, in cells. */
 #define FLASHBVH_MAX_TRANSLATION ((int32_t)1 << 29)
 

@@ -24,8 +24,6 @@ extern "C" {
 
 /* Robots: robot/robot.hpp and frame.hpp -------------------------------------------------------- */
 
-/** A full turn. */
-#define FLASHBVH_FULL_TURN ((int32_t)1 << 28)
 /** What no joint takes: of a float that is no number, or too large. */
 #define FLASHBVH_NO_COORDINATE INT32_MIN
 /** Fraction bits of a frame's translation: a cell is 2,048. */

@@ -25,7 +25,7 @@ bool is_fine(const FinePair& pair) {
          span_along(pair, &Point::z) <= most;
 }
 
-/// Small numbers are multiplied in fewer words, and a part of what they move is enough; the
+/// Small numbers are multiplied in fewer words, and a part of the reach is enough; the
 /// distance fits is_apart().
 uint8_t bits_for(uint32_t distance, uint32_t within) {
   const uint32_t reach = distance - within;
@@ -120,6 +120,6 @@ bool has_near_corners(const FinePair& pair, uint32_t distance) {
 template void set_fine_pair(const Mesh&, uint32_t, const Mesh&, uint32_t, const Frame&, uint32_t,
                             uint32_t, FinePair&);
 template void set_fine_pair(const Mesh32&, uint32_t, const Mesh32&, uint32_t, const Frame&,
-                            uint32_t, FinePair&);
+                            uint32_t, uint32_t, FinePair&);
 
 }  // namespace flashbvh::detail

@@ -18,9 +18,6 @@ namespace {
 constexpr uint32_t kShortestReach = kFineOne / 8;
 constexpr uint8_t kMostNearSteps = 4;
 
-/// So that roundings of moves stay below the shortest reach.
-constexpr uint32_t kMostMoves = 64;
-
 /// Of a vertex that a query places: 0.51 cells along three axes, and a fraction of a translation.
 constexpr uint32_t kVertexRounding = 228;
 
