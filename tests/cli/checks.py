@@ -49,7 +49,8 @@ def run(*command, code=0, **options):
     command = list(map(str, command))
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
                           **options)
-    hold(done.returncode == code, f"exit {done.returncode}, not {code}: {command} ({done.stdout}{done.stderr})")
+    hold(done.returncode in (code if isinstance(code, tuple) else (code,)),
+         f"exit {done.returncode}, not {code}: {command} ({done.stdout}{done.stderr})")
     said = Said(done.stdout)
     said.warnings = done.stderr
     return said

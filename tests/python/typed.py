@@ -22,6 +22,10 @@ assert_type(flashbvh.distance(baked_a, baked_b, poses).point_a, npt.NDArray[np.f
 assert_type(flashbvh.pairs(baked_a, baked_b, poses[0]), npt.NDArray[np.int64])
 assert_type(flashbvh.nearest_hit(baked_a, [0, 0, 0], [0, 0, 1], 5).hit, npt.NDArray[np.bool_])
 assert_type(flashbvh.inside(baked_a, [[0, 0, 0]]), npt.NDArray[np.bool_])
+contacts = flashbvh.first_contact(baked_a, baked_b, flashbvh.BodyMotion(poses, poses), within=0.1)
+assert_type(contacts.is_free, npt.NDArray[np.bool_])
+assert_type(contacts.pose, npt.NDArray[np.float64])
+assert_type(flashbvh.BodyMotion.of_moves(poses[0], np.zeros((1, 10))), flashbvh.BodyMotion)
 
 robot = Robot.from_urdf("arm.urdf", stop=0.01, pairs={("a", "b"): (0.1, 0.2)}, zones={"elbow": 0.1})
 assert_type(robot.limits, npt.NDArray[np.float64])

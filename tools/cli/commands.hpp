@@ -84,6 +84,7 @@ void add_export(CLI::App& app);
 void add_report(CLI::App& app);
 void add_collide(CLI::App& app);
 void add_clearance(CLI::App& app);
+void add_motion(CLI::App& app, ExitCode& exit_code);
 void add_inside(CLI::App& app);
 void add_ray(CLI::App& app);
 void add_bench(CLI::App& app, ExitCode& exit_code);

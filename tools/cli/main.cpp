@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   add_report(app);
   add_collide(app);
   add_clearance(app);
+  add_motion(app, exit_code);
   add_inside(app);
   add_ray(app);
   add_bench(app, exit_code);

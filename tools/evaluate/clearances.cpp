@@ -107,6 +107,20 @@ void check_has_clearance(const ImageFile& image) {
   }
 }
 
+std::uint32_t fine_length(double length, double cell, std::uint32_t most, Rounding rounding,
+                          const std::string& what) {
+  constexpr double kDoubles = 0x1p-50;
+  const double steps = length / cell * kFineOne;
+  const double whole = rounding == Rounding::upwards ? std::ceil(steps * (1 - kDoubles))
+                                                     : std::floor(steps * (1 + kDoubles));
+  if (!(length >= 0 && whole <= most)) {
+    throw UserError(what + " " + shortest(length), "is out of range: 0 to ",
+                    significant(most * cell / kFineOne, 6), ", 2^", std::ilogb(most / kFineOne),
+                    " cells; bake with a larger --cell to reach further");
+  }
+  return static_cast<std::uint32_t>(whole);
+}
+
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                           Witness<std::uint32_t>& hint) {
   const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {

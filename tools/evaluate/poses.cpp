@@ -91,14 +91,6 @@ std::vector<LatticePoint> rotated_vertices(const Tree& b, const Pose& pose) {
 
 using Words = std::vector<std::string_view>;
 
-double number_of(std::string_view word, const std::string& place, const char* more = "") {
-  const auto number = parse_number(word);
-  if (!number) {
-    throw UserError(place, quoted(word), " is no finite number", more);
-  }
-  return *number;
-}
-
 std::int32_t cells_of(std::string_view word, double cell, const std::string& place) {
   const double number = number_of(word, place);
   const double cells = std::round(number / cell);
@@ -116,8 +108,6 @@ Point point_of(const Words& words, std::size_t first, double cell, const std::st
 }
 
 Segment ray_of(const Words& words, double cell, const std::string& place) {
-  std::uint64_t cell_bits = 0;
-  std::memcpy(&cell_bits, &cell, sizeof cell_bits);
   float number[7];
   for (std::size_t i = 0; i < 7; ++i) {
     number[i] = static_cast<float>(number_of(words[i], place));
@@ -127,26 +117,12 @@ Segment ray_of(const Words& words, double cell, const std::string& place) {
   }
   const MadeSegment made =
       segment_of({number[0], number[1], number[2]}, {number[3], number[4], number[5]}, number[6],
-                 cells_per_unit(cell_bits));
+                 cells_in_unit(cell));
   if (made.status != Status::done) {
     throw UserError(place,
                     "is no ray: the direction is 0, the reach negative, or its end too far off");
   }
   return made.segment;
-}
-
-/// read(line, place) of each line that has something in it.
-template <class Thing, class Read>
-std::vector<Thing> read_lines(const std::string& path, const std::string& empty, const Read& read) {
-  const std::string text = read_file(path);
-  std::vector<Thing> things;
-  for (Lines lines(text); lines.next_content();) {
-    things.push_back(read(lines.line(), concat(path, ":", lines.number())));
-  }
-  if (things.empty()) {
-    throw UserError(path, empty, " a line");
-  }
-  return things;
 }
 
 RigidPose parse_pose(std::string_view text, const std::string& place) {
@@ -172,9 +148,7 @@ Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place
     }
     translation[i] = static_cast<float>(pose.translation[i]);
   }
-  std::uint64_t cell_bits = 0;
-  std::memcpy(&cell_bits, &cell, sizeof cell_bits);
-  const Pose made = flashbvh::pose_of(rotation, translation, cells_per_unit(cell_bits));
+  const Pose made = flashbvh::pose_of(rotation, translation, cells_in_unit(cell));
   if (made.status() == Status::not_a_rotation) {
     refuse_rotation(pose.rotation, place);
   }
@@ -189,6 +163,12 @@ Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place
 }
 
 }  // namespace
+
+float cells_in_unit(double cell) {
+  std::uint64_t cell_bits = 0;
+  std::memcpy(&cell_bits, &cell, sizeof cell_bits);
+  return cells_per_unit(cell_bits);
+}
 
 Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) {
   std::int32_t rotation[3][3] = {};
@@ -223,6 +203,16 @@ std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool 
                           [&](std::string_view line, const std::string& place) {
                             return read_lattice_pose(line, cell, place, as_floats);
                           });
+}
+
+std::array<double, 12> pose_numbers(const Pose& pose, double cell) {
+  std::array<double, 12> numbers{};
+  for (int i = 0; i < 12; ++i) {
+    numbers[static_cast<std::size_t>(i)] =
+        i < 9 ? static_cast<double>(pose.rotation(i / 3, i % 3)) / kRotationOne
+              : (pose.translation(i - 9) + pose.fraction(i - 9) / 65536.0) * cell;
+  }
+  return numbers;
 }
 
 std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pose) {

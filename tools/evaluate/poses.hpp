@@ -20,6 +20,9 @@ struct RigidPose {
   std::array<double, 3> translation;
 };
 
+/// As firmware has it of a mesh of this cell: cells_per_unit().
+float cells_in_unit(double cell);
+
 /// The translation is rounded to 1/65,536 of a cell, the rotation to 2^-30, halves away from zero;
 /// what the library makes of them is in Pose::rigid(). UserError, naming `place`, if the matrix is
 /// no rotation within kRotationTolerance or translates B beyond kMaxTranslation.
@@ -33,6 +36,9 @@ Pose read_lattice_pose(std::string_view text, double cell, const std::string& pl
 
 /// One pose a line; '#' starts a comment; empty lines don't count. UserError if there is none.
 std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool as_floats = false);
+
+/// A pose's 12 numbers, the translation in the unit of the cell.
+std::array<double, 12> pose_numbers(const Pose& pose, double cell);
 
 /// The vertices of B in cells of A's frame: where a query has them, whatever the A, and where it
 /// would have those that are too far from A for it to look.

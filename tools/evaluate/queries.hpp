@@ -87,6 +87,13 @@ struct ClearanceAnswer {
 /// UserError, with the remedy, if `image` is pre-indexed: distances walk post-indexed trees.
 void check_has_clearance(const ImageFile& image);
 
+enum class Rounding : std::uint8_t { downwards, upwards };
+
+/// A length in 1/256 cell; what is a whole number but for a double's rounding is it. UserError,
+/// naming `what`, if it is no number from 0 to `most`.
+std::uint32_t fine_length(double length, double cell, std::uint32_t most, Rounding rounding,
+                          const std::string& what = "--within");
+
 /// The distance, for each pose with the nearest pair before as its hint: `hint` is changed. Both
 /// trees are of one kind, post-indexed.
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,

@@ -13,6 +13,7 @@ void warn(const tool::Warnings& warnings);
 
 void add_meshes(py::module_& module);
 void add_mesh_queries(py::module_& module);
+void add_motions(py::module_& module);
 void add_robots(py::module_& module);
 void add_guards(py::module_& module);
 

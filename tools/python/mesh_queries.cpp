@@ -2,66 +2,21 @@
 // without Python's lock.
 #include <cmath>
 
-#include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/solid.hpp"
 #include "python/bindings.hpp"
 #include "python/mesh.hpp"
+#include "python/poses.hpp"
 
 namespace flashbvh::python {
 namespace {
 
-using tool::concat;
-
-const Argument kPoses = {"poses", {4, 4}};
 const Argument kOrigins = {"origins", {3}};
 const Argument kDirections = {"directions", {3}};
 const Argument kLength = {"length", {}};
 const Argument kPoints = {"points", {3}};
-
-/// UserError, with the tool's message, for what pose_of() refuses.
-[[noreturn]] void refuse_pose(const double* matrix, double cell, const std::string& place) {
-  tool::RigidPose pose{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      pose.rotation[i][j] = matrix[4 * i + j];
-    }
-    pose.translation[i] = matrix[4 * i + 3];
-  }
-  (void)tool::lattice_pose(pose, cell, place);
-  throw tool::UserError(place, "the matrix, as 32-bit floats, is no rigid motion");
-}
-
-/// Poses of B in A's frame: homogeneous matrices, as firmware takes them, of floats.
-class Poses {
- public:
-  explicit Poses(const py::object& given) : array_(numbers(given, kPoses)) { check_last_rows(); }
-
-  std::size_t size() const { return count_of(array_, kPoses); }
-  Shape shape() const { return outer_shape(array_, kPoses); }
-  const double* data() const { return array_.data(); }
-
- private:
-  void check_last_rows() const {
-    constexpr double kRounding = 1e-9;
-    for (std::size_t i = 0; i < size(); ++i) {
-      const double* const row = data() + 16 * i + 12;
-      if (std::fabs(row[0]) > kRounding || std::fabs(row[1]) > kRounding ||
-          std::fabs(row[2]) > kRounding || std::fabs(row[3] - 1) > kRounding) {
-        throw py::value_error(concat("poses: the last row of matrix ", i,
-                                     " is not 0 0 0 1; give homogeneous matrices"));
-      }
-    }
-  }
-
-  Doubles array_;
-};
-
-std::string place_of(const char* argument, std::size_t number) {
-  return concat(argument, "[", number, "]");
-}
 
 void check_done(Status status, const char* argument, std::size_t number) {
   if (status != Status::done) {
@@ -73,24 +28,13 @@ void check_done(Status status, const char* argument, std::size_t number) {
 template <class Query>
 void for_each_pose(const Baked& a, const Baked& b, const Poses& poses, const Query& query) {
   tool::check_partners(a, b);
-  const double* const matrices = poses.data();
-  const std::size_t size = poses.size();
   const double cell = a.cell();
   const py::gil_scoped_release release;
   (void)tool::ask_post<bool>(
       [&](const auto& mesh_a, const auto& mesh_b) {
         const float cells = cells_per_unit(mesh_a.cell_bits);
-        for (std::size_t i = 0; i < size; ++i) {
-          const double* const from = matrices + 16 * i;
-          float matrix[3][4];
-          for (std::size_t entry = 0; entry < 12; ++entry) {
-            matrix[entry / 4][entry % 4] = static_cast<float>(from[entry]);
-          }
-          const Pose pose = pose_of(matrix, cells);
-          if (pose.status() != Status::done) {
-            refuse_pose(from, cell, place_of("poses", i));
-          }
-          query(mesh_a, mesh_b, pose, i);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+          query(mesh_a, mesh_b, poses.at(i, cell, cells), i);
         }
         return true;
       },

@@ -55,6 +55,7 @@ PYBIND11_MODULE(_native, module) {
   py::register_exception_translator(translate);
   add_meshes(module);
   add_mesh_queries(module);
+  add_motions(module);
   add_robots(module);
   add_guards(module);
 }

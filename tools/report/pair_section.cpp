@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "evaluate/poses.hpp"
 #include "report/html.hpp"
 #include "report/page.hpp"
 #include "report/standing.hpp"
@@ -133,12 +134,9 @@ std::string shortfall(const PairCosts& costs) {
 
 std::string line_of(const Pose& pose, double cell) {
   std::string line;
-  for (int i = 0; i < 9; ++i) {
-    line += significant(static_cast<double>(pose.rotation(i / 3, i % 3)) / kRotationOne, 10) + " ";
-  }
-  for (int i = 0; i < 3; ++i) {
-    line +=
-        (i == 0 ? "" : " ") + shortest((pose.translation(i) + pose.fraction(i) / 65536.0) * cell);
+  const auto numbers = pose_numbers(pose, cell);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    line += (i == 0 ? "" : " ") + (i < 9 ? significant(numbers[i], 10) : shortest(numbers[i]));
   }
   return line;
 }

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text/messages.hpp"
+
 namespace flashbvh::tool {
 
 /// The bytes of a file or of a pipe. UserError if it can't be read, is empty or of 4 GiB or more,
@@ -69,5 +71,20 @@ class Lines {
   std::string_view line_;
   std::size_t number_ = 0;
 };
+
+/// read(line, place) of each line that has something in it. UserError if there is none: `empty`, "a
+/// line".
+template <class Thing, class Read>
+std::vector<Thing> read_lines(const std::string& path, const std::string& empty, const Read& read) {
+  const std::string text = read_file(path);
+  std::vector<Thing> things;
+  for (Lines lines(text); lines.next_content();) {
+    things.push_back(read(lines.line(), at_line(path, lines.number())));
+  }
+  if (things.empty()) {
+    throw UserError(path, empty, " a line");
+  }
+  return things;
+}
 
 }  // namespace flashbvh::tool

@@ -38,6 +38,14 @@ std::string quoted(std::string_view word) {
   return concat("'", word.substr(0, 40), "'");
 }
 
+double number_of(std::string_view word, const std::string& place, const char* more) {
+  const auto number = parse_number(word);
+  if (!number) {
+    throw UserError(place, quoted(word), " is no finite number", more);
+  }
+  return *number;
+}
+
 void flush_output() {
   if (!std::cout.flush()) {
     throw std::runtime_error("standard output can't be written");

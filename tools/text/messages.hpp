@@ -36,6 +36,9 @@ std::string at_line(const std::string& file, std::size_t line);
 /// A word of a file, cut where it is long.
 std::string quoted(std::string_view word);
 
+/// A word as a finite number; else UserError, with `more` at its end.
+double number_of(std::string_view word, const std::string& place, const char* more = "");
+
 /// Writes what standard output still holds back; throws if it does not take it.
 void flush_output();
 

@@ -1,5 +1,4 @@
 // flashbvh clearance: the firmware's queries about distance, on the desktop.
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -23,17 +22,6 @@ struct ClearanceArguments : PosedImages {
   bool cold = false;
   bool json = false;
 };
-
-/// A length in 1/256 cell, rounded down: what is a whole number but for a double's rounding is it.
-std::uint32_t fine_length(double length, double cell) {
-  const double steps = std::floor(length / cell * kFineOne * (1 + 0x1p-50));
-  if (!(steps >= 0 && steps <= kMaxDistance)) {
-    throw UserError("--within " + shortest(length), "is out of range: 0 to ",
-                    significant(kMaxDistance * cell / kFineOne, 6),
-                    ", 2^20 cells; bake with a larger --cell to reach further");
-  }
-  return static_cast<std::uint32_t>(steps);
-}
 
 void print_json(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
                 double cell, const std::string& unit) {
@@ -92,7 +80,9 @@ std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const 
                                      const ImageFile& b) {
   std::vector<ClearanceAnswer> found;
   Witness<std::uint32_t> hint;
-  const std::uint32_t reach = arguments.within ? fine_length(*arguments.within, a.cell()) : 0;
+  const std::uint32_t reach =
+      arguments.within ? fine_length(*arguments.within, a.cell(), kMaxDistance, Rounding::downwards)
+                       : 0;
   for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
     if (arguments.cold) {
       hint = {};

@@ -8,6 +8,7 @@ leading shape: () for one pose, (N,) for a batch. Batches run without Python's l
 or dtype, or with a number that is not finite, are a ValueError that names the argument.
 """
 from ._meshes import Baked, Mesh, bake
+from ._motions import BodyMotion, ContactOutcome, FirstContacts, first_contact
 from ._native import BakeWarning, Error
 from ._queries import (Distances, Hits, closer_than, distance, first_pair, inside, intersects, nearest_hit, pairs,
                        solids_intersect)
@@ -16,7 +17,8 @@ from ._robot import (ALL_WORK, Checked, Guard, GuardAnswer, GuardedPair, MatrixR
 from .collision import CollisionManager
 
 __all__ = [
-    "ALL_WORK", "BakeWarning", "Baked", "Checked", "CollisionManager", "Distances", "Error", "Guard", "GuardAnswer",
-    "GuardedPair", "Hits", "MatrixRow", "Mesh", "Motion", "MotionAnswer", "Robot", "UnguardedPair", "Verdict", "bake",
-    "closer_than", "distance", "first_pair", "inside", "intersects", "nearest_hit", "pairs", "solids_intersect",
+    "ALL_WORK", "BakeWarning", "Baked", "BodyMotion", "Checked", "CollisionManager", "ContactOutcome", "Distances",
+    "Error", "FirstContacts", "Guard", "GuardAnswer", "GuardedPair", "Hits", "MatrixRow", "Mesh", "Motion",
+    "MotionAnswer", "Robot", "UnguardedPair", "Verdict", "bake", "closer_than", "distance", "first_contact",
+    "first_pair", "inside", "intersects", "nearest_hit", "pairs", "solids_intersect",
 ]

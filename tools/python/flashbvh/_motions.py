@@ -1,0 +1,76 @@
+"""Motions of a body, and where two bodies touch first."""
+from __future__ import annotations
+
+import enum
+from typing import NamedTuple, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _native
+from ._meshes import Baked
+
+
+class ContactOutcome(enum.IntEnum):
+    """What is found of a motion. Only of FREE it is certain that the bodies do not touch."""
+
+    FREE = 0
+    CONTACT = 1
+    CLOSE = 2
+
+
+class BodyMotion:
+    """A motion of B in A's frame, or a batch of motions, at constant speed.
+
+    start, end: (4, 4) or (N, 4, 4), in the meshes' unit. The origin of B goes straight, and B turns about it the
+    shorter way.
+    """
+
+    def __init__(self, start: npt.ArrayLike, end: npt.ArrayLike) -> None:
+        self.start: npt.ArrayLike = start
+        self.end: Optional[npt.ArrayLike] = end
+        self.moves: Optional[npt.ArrayLike] = None
+
+    @classmethod
+    def of_moves(cls, start: npt.ArrayLike, moves: npt.ArrayLike) -> BodyMotion:
+        """A motion by moves that all go at once, as the joints of a chain, from the outermost to the innermost.
+
+        start: (4, 4) or (N, 4, 4). moves: (k, 10), up to 64 of a point of an axis, its direction, the angle about it
+        in radians and the travel, in A's frame where the motion begins. Directions have any length; where the angle
+        is 0, point and direction are not read.
+        """
+        motion = cls(start, start)
+        motion.end, motion.moves = None, moves
+        return motion
+
+
+class FirstContacts(NamedTuple):
+    """Where two bodies touch first; a row a motion, with the poses' leading shape."""
+
+    outcome: npt.NDArray[np.uint8]
+    """(...,): a ContactOutcome. CONTACT: they touch at `end`. CLOSE: they are within a cell between `start` and
+    `end`, and may touch there."""
+    start: npt.NDArray[np.float64]
+    """(...,): up to here, a share of the motion, they certainly do not touch; 1 if they are free."""
+    end: npt.NDArray[np.float64]
+    """(...,): as `start`; at most a cell of motion later."""
+    triangles: npt.NDArray[np.int64]
+    """(..., 2): the triangles of A and B that touch, or are near, by id; -1 if they are free."""
+    pose: npt.NDArray[np.float64]
+    """(..., 4, 4): where B is at `end`."""
+
+    @property
+    def is_free(self) -> npt.NDArray[np.bool_]:
+        """Whether the bodies do not touch at any moment: bool, (...,)."""
+        return np.asarray(self.outcome == ContactOutcome.FREE)
+
+
+def first_contact(a: Baked, b: Baked, motion: BodyMotion, within: float = 0.0) -> FirstContacts:
+    """Whether A and B, which moves, are apart at every moment, and if not, where they touch first.
+
+    Surfaces, not solids: a body that begins inside the other one does not touch it. within: bodies that come so near
+    touch, in the meshes' unit; of one cell it excludes also poses on the way that are rounded to the lattice.
+    Raises Error if the meshes have different cells, a matrix is no rotation with a translation, or B may get 2^19
+    cells or farther from A's origin.
+    """
+    return FirstContacts(*_native.first_contact(a._native, b._native, motion.start, motion.end, motion.moves, within))

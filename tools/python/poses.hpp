@@ -1,0 +1,34 @@
+// Poses as Python has them: homogeneous matrices.
+#pragma once
+
+#include <string>
+
+#include "flashbvh/pose.hpp"
+#include "image/image_file.hpp"
+#include "python/arrays.hpp"
+
+namespace flashbvh::python {
+
+/// "poses[3]".
+std::string place_of(const char* argument, std::size_t number);
+
+/// Poses of B in A's frame, as firmware takes them, of floats: (4, 4) or (N, 4, 4).
+class Poses {
+ public:
+  explicit Poses(const py::object& given, const char* name = "poses");
+
+  std::size_t size() const { return size_; }
+  const Shape& shape() const { return shape_; }
+  /// Of images of this cell; `cells`: cells_per_unit(). Runs without Python's lock. UserError if
+  /// the library refuses it.
+  Pose at(std::size_t number, double cell, float cells) const;
+
+ private:
+  const char* name_;
+  Doubles array_;
+  Shape shape_;
+  std::size_t size_;
+  const double* matrices_;
+};
+
+}  // namespace flashbvh::python
