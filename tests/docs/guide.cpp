@@ -111,6 +111,30 @@ class Guard {
   flashbvh::Witness<uint16_t> nearest_;
 };
 
+/// Is the peg's path free? One call of tick() a period, before the move is queued.
+class Travel {
+ public:
+  Travel(const flashbvh::Pose& from, const flashbvh::Pose& to)
+      : motion_(flashbvh::BodyMotion::between(from, to)),
+        query_(plate, peg, motion_, flashbvh::fine_distance(0.5f, plate_CELLS_PER_UNIT)) {}
+  Travel(const Travel&) = delete;  // the query points at motion_
+  Travel& operator=(const Travel&) = delete;
+
+  Verdict tick() {
+    const flashbvh::FirstContactAnswer answer = query_.run(kWork);
+    if (answer.status == flashbvh::Status::suspended) {
+      return Verdict::pending;
+    }
+    const bool is_free =
+        answer.status == flashbvh::Status::done && answer.outcome == flashbvh::ContactOutcome::free;
+    return is_free ? Verdict::no_contact : Verdict::stop;
+  }
+
+ private:
+  flashbvh::BodyMotion motion_;
+  flashbvh::FirstContact query_;
+};
+
 /// Made once; a pose moves it, as it moves any mesh.
 class Cable {
  public:
@@ -250,6 +274,19 @@ int main() {
       is_near(lowered_to(3), 2.9f) || !is_clear(lowered_to(3), 2.9f) ||
       is_clear(lowered_to(3), 3)) {
     return 7;
+  }
+  const auto travels = [](const flashbvh::Pose& from, const flashbvh::Pose& to) {
+    Travel travel(from, to);
+    Verdict verdict = Verdict::pending;
+    while (verdict == Verdict::pending) {
+      verdict = travel.tick();
+    }
+    return verdict == Verdict::no_contact;
+  };
+  const flashbvh::Pose far_side = peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, -60);
+  if (!travels(lowered_to(3), lowered_to(0.6f)) || travels(lowered_to(3), lowered_to(0.4f)) ||
+      travels(lowered_to(20), far_side)) {
+    return 8;
   }
   const Cable cable;
   if (!cable.touches_plate(peg_in_plate(plate_in_world, {1, 0, 0, 0}, 0, 0, 1.9f)) ||

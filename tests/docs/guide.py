@@ -31,7 +31,7 @@ def main(work, flashbvh):
     os.environ["PATH"] = f"{Path(flashbvh).parent}:{os.environ['PATH']}"
 
     log = run("sh", "-euc", commands())
-    for line in "^ *0 .* 0$", "^any pose: at most":
+    for line in "^ *0 .* 0$", "^any pose: at most", "^go$", "^stay$":
         if not re.search(line, log, re.M):
             sys.exit(f"{log}no '{line}'")
     for file in map(Path, ("pairs.txt", "report.html")):
