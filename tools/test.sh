@@ -15,7 +15,7 @@ set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
 
-host_steps="tool native long python lint"
+host_steps="tool lint native long python"
 cores= list=--steps
 packages="$riscv_packages $wasm_packages $digest_packages $python_packages clang-tidy"
 release=
@@ -39,7 +39,8 @@ began=$(date +%s)
 rm -rf build/log
 mkdir -p build/log
 echo formatting configured | xargs -n 1 -P "$(nproc)" tools/test_step.sh
-# The longest first, so that none is left over at the end; all but lint wait for the first.
+# The longest first, so that none is left over at the end; all wait for the first but lint, which keeps the other
+# core busy while that one bakes.
 echo $host_steps $cores | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
 python3 - "$(($(date +%s) - began))" "$(nproc)" <<'PYTHON'
