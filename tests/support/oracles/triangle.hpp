@@ -18,8 +18,6 @@
 
 #if defined(__SIZEOF_INT128__)
 
-#include <initializer_list>
-
 #include "flashbvh/detail/predicates/triangle.hpp"
 
 namespace flashbvh::test {
@@ -34,26 +32,31 @@ struct Verdict {
   Wide direction[3];  ///< where it doesn't: all of a lies strictly before all of b along it
 };
 
-/// The tableau of phase one: columns l0 l1 l2, m0 m1 m2, three artificial variables, right side.
+/// A tableau of the simplex method: columns l0 l1 l2, m0 m1 m2, other variables, three artificial
+/// ones, right side. Rows: coordinates, the sums of l and m, others.
+template <int rows, int variables>
 struct Tableau {
-  static constexpr int kRows = 5;
-  static constexpr int kVariables = 6;
-  static constexpr int kRight = 9;
+  static constexpr int kRows = rows;
+  static constexpr int kVariables = variables;
+  static constexpr int kRight = variables + 3;
 
-  Wide entry[kRows + 1][kRight + 1];  ///< the last row holds the reduced costs
-  Wide scale;                         ///< all entries are integers over this, scale > 0
-  int basis[kRows];                   ///< the variable that each row solves for
-  int sign[3];                        ///< by which the coordinate rows were multiplied
+  Wide entry[rows + 1][kRight + 1];  ///< the last row holds the reduced costs
+  Wide scale;                        ///< all entries are integers over this, scale > 0
+  int basis[rows];                   ///< the variable that each row solves for
+  int sign[3];                       ///< by which the coordinate rows were multiplied
+
+  const Wide* cost() const { return entry[rows]; }
 };
 
 inline Wide along(const Point& p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/// The program with l0 = m0 = 1 as start: coordinate row k reads
+/// The rows of two triangles, with l0 = m0 = 1 as start: coordinate row k reads
 /// sum l_i (a_i - a_0) - sum m_j (b_j - b_0) + artificial = b_0 - a_0.
-inline Tableau start(const Triangle& a, const Triangle& b) {
-  Tableau t = {};
+template <class AnyTableau>
+AnyTableau start(const Triangle& a, const Triangle& b) {
+  AnyTableau t = {};
   t.scale = 1;
   for (int k = 0; k < 3; ++k) {
     const Wide right = along(b.corner[0], k) - along(a.corner[0], k);
@@ -62,34 +65,33 @@ inline Tableau start(const Triangle& a, const Triangle& b) {
       t.entry[k][i] = t.sign[k] * (along(a.corner[i], k) - along(a.corner[0], k));
       t.entry[k][3 + i] = t.sign[k] * (along(b.corner[0], k) - along(b.corner[i], k));
     }
-    t.entry[k][6 + k] = 1;
-    t.entry[k][Tableau::kRight] = t.sign[k] * right;
-    t.basis[k] = 6 + k;
-    for (int column : {0, 1, 2, 3, 4, 5, Tableau::kRight}) {
-      t.entry[Tableau::kRows][column] -= t.entry[k][column];
-    }
+    t.entry[k][AnyTableau::kVariables + k] = 1;
+    t.entry[k][AnyTableau::kRight] = t.sign[k] * right;
+    t.basis[k] = AnyTableau::kVariables + k;
   }
   for (int i = 0; i < 3; ++i) {
     t.entry[3][i] = 1;
     t.entry[4][3 + i] = 1;
   }
-  t.entry[3][Tableau::kRight] = t.entry[4][Tableau::kRight] = 1;
+  t.entry[3][AnyTableau::kRight] = t.entry[4][AnyTableau::kRight] = 1;
   t.basis[3] = 0;
   t.basis[4] = 3;
   return t;
 }
 
 /// The row that limits the entering variable: least ratio, then, by Bland, least variable.
-/// There is always one, since the sum of the artificial variables can't fall below zero.
-inline int leaving_row(const Tableau& t, int entering) {
+/// There is always one, since what is minimised can't fall below zero.
+template <class AnyTableau>
+int leaving_row(const AnyTableau& t, int entering) {
+  constexpr int right = AnyTableau::kRight;
   int best = -1;
-  for (int row = 0; row < Tableau::kRows; ++row) {
+  for (int row = 0; row < AnyTableau::kRows; ++row) {
     if (t.entry[row][entering] <= 0) {
       continue;
     }
     const Wide order = best < 0 ? -1
-                                : t.entry[row][Tableau::kRight] * t.entry[best][entering] -
-                                      t.entry[best][Tableau::kRight] * t.entry[row][entering];
+                                : t.entry[row][right] * t.entry[best][entering] -
+                                      t.entry[best][right] * t.entry[row][entering];
     if (order < 0 || (order == 0 && t.basis[row] < t.basis[best])) {
       best = row;
     }
@@ -97,14 +99,15 @@ inline int leaving_row(const Tableau& t, int entering) {
   return best;
 }
 
-inline void pivot(Tableau& t, int pivot_row, int entering) {
+template <class AnyTableau>
+void pivot(AnyTableau& t, int pivot_row, int entering) {
   const Wide by = t.entry[pivot_row][entering];
-  for (int row = 0; row <= Tableau::kRows; ++row) {
+  for (int row = 0; row <= AnyTableau::kRows; ++row) {
     if (row == pivot_row) {
       continue;
     }
     const Wide factor = t.entry[row][entering];
-    for (int column = 0; column <= Tableau::kRight; ++column) {
+    for (int column = 0; column <= AnyTableau::kRight; ++column) {
       t.entry[row][column] =
           (t.entry[row][column] * by - factor * t.entry[pivot_row][column]) / t.scale;
     }
@@ -113,30 +116,59 @@ inline void pivot(Tableau& t, int pivot_row, int entering) {
   t.scale = by;
 }
 
-/// Whether two triangles intersect, with the certificate. Check it with is_proven().
-inline Verdict decide(const Triangle& a, const Triangle& b) {
-  Tableau t = start(a, b);
-  const Wide* const cost = t.entry[Tableau::kRows];
-  for (int column = 0; column < Tableau::kVariables;) {
-    if (cost[column] >= 0) {
+/// Until no reduced cost is negative.
+template <class AnyTableau>
+void minimise(AnyTableau& t) {
+  for (int column = 0; column < AnyTableau::kVariables;) {
+    if (t.cost()[column] >= 0) {
       ++column;
       continue;
     }
     pivot(t, leaving_row(t, column), column);
     column = 0;
   }
-  Verdict verdict = {};
-  verdict.intersects = cost[Tableau::kRight] == 0;
-  for (int row = 0; row < Tableau::kRows; ++row) {
-    const int variable = t.basis[row];
-    if (variable < Tableau::kVariables) {
-      (variable < 3 ? verdict.weight_a[variable] : verdict.weight_b[variable - 3]) =
-          t.entry[row][Tableau::kRight];
+}
+
+/// Phase one: minimises the sum of the artificial variables; whether that is 0.
+template <class AnyTableau>
+bool is_feasible(AnyTableau& t) {
+  for (int column = 0; column <= AnyTableau::kRight; ++column) {
+    const bool is_artificial = column >= AnyTableau::kVariables && column < AnyTableau::kRight;
+    for (int k = 0; k < 3 && !is_artificial; ++k) {
+      t.entry[AnyTableau::kRows][column] -= t.entry[k][column];
     }
   }
-  for (int k = 0; k < 3; ++k) {
-    verdict.direction[k] = t.sign[k] * (t.scale - cost[6 + k]);  // the dual variable of row k
+  minimise(t);
+  return t.cost()[AnyTableau::kRight] == 0;
+}
+
+/// The weights of a point of a and of one of b, times the scale.
+template <class AnyTableau>
+void get_weights(const AnyTableau& t, Wide (&weight_a)[3], Wide (&weight_b)[3]) {
+  for (int row = 0; row < AnyTableau::kRows; ++row) {
+    const int variable = t.basis[row];
+    if (variable < 6) {
+      (variable < 3 ? weight_a[variable] : weight_b[variable - 3]) =
+          t.entry[row][AnyTableau::kRight];
+    }
   }
+}
+
+/// The dual variables of the coordinate rows; `cost`: of each artificial variable.
+template <class AnyTableau>
+void get_direction(const AnyTableau& t, Wide cost, Wide (&direction)[3]) {
+  for (int k = 0; k < 3; ++k) {
+    direction[k] = t.sign[k] * (cost * t.scale - t.cost()[AnyTableau::kVariables + k]);
+  }
+}
+
+/// Whether two triangles intersect, with the certificate. Check it with is_proven().
+inline Verdict decide(const Triangle& a, const Triangle& b) {
+  auto t = start<Tableau<5, 6>>(a, b);
+  Verdict verdict = {};
+  verdict.intersects = is_feasible(t);
+  get_weights(t, verdict.weight_a, verdict.weight_b);
+  get_direction(t, 1, verdict.direction);
   return verdict;
 }
 
@@ -159,25 +191,25 @@ inline bool is_common_point(const Verdict& v, const Triangle& a, const Triangle&
   return sum_a > 0 && sum_a == sum_b && gap[0] == 0 && gap[1] == 0 && gap[2] == 0;
 }
 
-/// Whether the direction of the verdict has each corner of a strictly before each corner of b.
-inline bool is_separating(const Verdict& v, const Triangle& a, const Triangle& b) {
+inline Wide along(const Wide (&direction)[3], const Point& p) {
+  return direction[0] * p.x + direction[1] * p.y + direction[2] * p.z;
+}
+
+/// How far each corner of b is ahead of each corner of a at least, along a direction.
+inline Wide ahead(const Wide (&direction)[3], const Triangle& a, const Triangle& b) {
+  Wide least = along(direction, b.corner[0]) - along(direction, a.corner[0]);
   for (const Point& p : a.corner) {
     for (const Point& q : b.corner) {
-      Wide ahead = 0;
-      for (int k = 0; k < 3; ++k) {
-        ahead += v.direction[k] * (along(q, k) - along(p, k));
-      }
-      if (ahead <= 0) {
-        return false;
-      }
+      const Wide apart = along(direction, q) - along(direction, p);
+      least = apart < least ? apart : least;
     }
   }
-  return true;
+  return least;
 }
 
 /// Whether the certificate proves the verdict.
 inline bool is_proven(const Verdict& v, const Triangle& a, const Triangle& b) {
-  return v.intersects ? is_common_point(v, a, b) : is_separating(v, a, b);
+  return v.intersects ? is_common_point(v, a, b) : ahead(v.direction, a, b) > 0;
 }
 
 }  // namespace flashbvh::test

@@ -1,0 +1,70 @@
+// Any bytes for a first contact's cursor are refused or lead to an end.
+#include "flashbvh/first_contact.hpp"
+#include "support/any_motion.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+using Cursor = FirstContact::Cursor;
+
+/// Of a query that has done some work.
+Cursor any_cursor(Random& random, FirstContact query) {
+  (void)query.run(1 + random.below(2000));
+  return query.cursor();
+}
+
+Cursor corrupted(Random& random, const Cursor& cursor) {
+  unsigned char bytes[sizeof(Cursor)];
+  std::memcpy(bytes, &cursor, sizeof bytes);
+  for (std::uint32_t i = random.below(random.below(8) == 0 ? 60 : 4) + 1; i-- > 0;) {
+    const auto any = static_cast<unsigned char>(random.next());
+    bytes[random.below(sizeof bytes)] = random.below(2) == 0 ? 0 : any;
+  }
+  Cursor made;
+  std::memcpy(&made, bytes, sizeof made);
+  return made;
+}
+
+/// Times and phases that could be.
+Cursor plausible(Random& random, Cursor cursor) {
+  cursor.status = Status::suspended;
+  cursor.phase = static_cast<ContactPhase>(random.below(4));
+  cursor.time = random.below(3) == 0 ? kMotionEnd : random.below(kMotionEnd) & ~1u;
+  cursor.step = random.below(3) == 0 ? 0 : random.below(kMotionEnd + 1 - cursor.time) & ~1u;
+  cursor.near = random.below(2) == 0 ? Cursor::kNever : random.below(cursor.time + 1);
+  cursor.near_steps = static_cast<std::uint8_t>(random.next());
+  return cursor;
+}
+
+}  // namespace
+
+TEST_CASE("first contacts: any numbers for a cursor are refused or lead to an end") {
+  long taken = 0;
+  long refused = 0;
+  for_rounds(rounds(100, 5'000), [&](Random& random, int) {
+    const MotionScene scene = MotionScene::any(random);
+    const AnyMotion any = any_motion(random, scene);
+    const BodyMotion motion = any.motion();
+    const Mesh a = scene.a.baked.view();
+    const Mesh b = scene.b.baked.view();
+    const FirstContact fresh(a, b, motion, random.below(2) * 1000);
+    if (fresh.status() == Status::motion_out_of_range) {
+      return;
+    }
+    for (int i = 0; i < 100; ++i) {
+      CAPTURE(i);
+      const Cursor known = any_cursor(random, fresh);
+      FirstContact query = fresh;
+      if (query.resume(i % 2 == 0 ? corrupted(random, known) : plausible(random, known)) !=
+          Status::suspended) {
+        REQUIRE(query.status() == Status::suspended);  // as it was
+        ++refused;
+        continue;
+      }
+      ++taken;
+      REQUIRE(query.run(100'000'000).status != Status::suspended);
+    }
+  });
+  CHECK(refused > 1000);
+  CHECK(taken > 1000);
+}

@@ -1,0 +1,146 @@
+// First contacts of bodies that turn, against bodies placed by doubles: at each step of the oracle
+// they are so far apart that they can't touch before the next.
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/first_contact.hpp"
+#include "support/any_motion.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+constexpr double kEnd = kMotionEnd;
+
+class Checked {
+ public:
+  Checked(const MotionScene& scene, const BodyMotion& motion, std::uint32_t within)
+      : a_(scene.a.baked.view()),
+        b_(scene.b.baked.view()),
+        float_a_(float_mesh(a_)),
+        float_b_(float_mesh(b_)),
+        motion_(motion),
+        exact_(motion),
+        within_(within) {}
+
+  bool is_too_far() const {
+    return FirstContact(a_, b_, motion_).status() == Status::motion_out_of_range;
+  }
+
+  ContactOutcome check() const {
+    FirstContact query(a_, b_, motion_, within_);
+    const FirstContactAnswer answer = query.run(UINT32_MAX);
+    CAPTURE(answer.from, answer.to, within_, static_cast<int>(answer.outcome));
+    REQUIRE(answer.status == Status::done);
+    REQUIRE((answer.from <= answer.to && answer.to <= kMotionEnd));
+    if (answer.outcome == ContactOutcome::free) {
+      check_apart(kMotionEnd);
+      REQUIRE_FALSE(touch_at(0));
+      REQUIRE_FALSE(touch_at(kMotionEnd));
+      return answer.outcome;
+    }
+    check_apart(answer.from);
+    REQUIRE(moved_most(answer.from, answer.to) <= 1);
+    if (answer.outcome == ContactOutcome::contact) {
+      REQUIRE(touch_at(answer.to));
+    } else {
+      REQUIRE(least_distance(answer.from, answer.to) <= 1 + off_at_end());
+    }
+    return answer.outcome;
+  }
+
+ private:
+  /// Of the exact bodies, less what they are to keep.
+  double distance_at(double time) const {
+    return distance_of(float_a_, exact_.at(time, float_b_)) - within_ / 256.0;
+  }
+
+  void check_apart(std::uint32_t until) const {
+    const double speed = exact_.speed(float_b_);
+    const double end = until / kEnd;
+    for (double time = 0; time < end;) {
+      const double apart = distance_at(time);
+      REQUIRE(apart > 0);
+      check_rounded(time, apart);
+      time += std::max({apart, 0.01, speed * end / 500}) / speed;
+    }
+    REQUIRE((until == 0 || distance_at(end) > 0));
+  }
+
+  /// Of bodies that are 0.9 cells apart, those that the pose rounds don't touch.
+  void check_rounded(double time, double apart) const {
+    if (apart > 0.9 && apart < 3) {
+      REQUIRE_FALSE(touch_at(static_cast<std::uint32_t>(time * kEnd)));
+    }
+  }
+
+  bool touch_at(std::uint32_t time) const {
+    const Pose pose = motion_.pose_at(time);
+    return within_ == 0 ? intersects(a_, b_, pose).yes : closer_than(a_, b_, pose, within_).yes;
+  }
+
+  double least_distance(std::uint32_t from, std::uint32_t to) const {
+    double least = 1e9;
+    for (int i = 0; i <= 8; ++i) {
+      least = std::min(least, distance_at((from + i * ((to - from) / 8.0)) / kEnd));
+    }
+    return least;
+  }
+
+  /// The way of the corner that moves most, at least.
+  double moved_most(std::uint32_t from, std::uint32_t to) const {
+    double most = 0;
+    for (const FloatTriangle& t : float_b_) {
+      for (const FloatVector& p : t) {
+        double moved = 0;
+        for (int i = 0; i < 4; ++i) {
+          const auto at = [&](int k) {
+            return exact_.at((from + k * ((to - from) / 4.0)) / kEnd, p);
+          };
+          moved += std::sqrt(squared(minus(at(i + 1), at(i))));
+        }
+        most = std::max(most, moved);
+      }
+    }
+    return most;
+  }
+
+  /// How far the moves' way ends from the motion's end.
+  double off_at_end() const {
+    double most = 0;
+    for (const FloatTriangle& t : float_b_) {
+      for (const FloatVector& p : t) {
+        most = std::max(most, squared(minus(placed(motion_.to(), p), exact_.at(1, p))));
+      }
+    }
+    return std::sqrt(most);
+  }
+
+  Mesh a_;
+  Mesh b_;
+  FloatMesh float_a_;
+  FloatMesh float_b_;
+  const BodyMotion& motion_;
+  ExactMotion exact_;
+  std::uint32_t within_;
+};
+
+}  // namespace
+
+TEST_CASE("turns and chains of moves: no contact is reported late, none is missed") {
+  long outcomes[3] = {};
+  const long scenes = rounds(250L, 20'000L);
+  for_rounds(scenes, [&](Random& random, long) {
+    const MotionScene scene = MotionScene::any(random);
+    for (int i = 0; i < 6; ++i) {
+      CAPTURE(i);
+      const AnyMotion any = any_motion(random, scene);
+      const BodyMotion motion = any.motion();
+      const std::uint32_t withins[] = {0, 0, 1, 256, 3000, 10'000};
+      const Checked checked(scene, motion, withins[random.below(6)]);
+      if (!checked.is_too_far()) {
+        ++outcomes[static_cast<int>(checked.check())];
+      }
+    }
+  });
+  for (const long count : outcomes) {
+    CHECK(count > scenes / 10);
+  }
+}

@@ -1,0 +1,106 @@
+// Motions of every kind: chains of moves with axes near and far, whole turns and several, screws,
+// and ways between two poses.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "support/motion_scene.hpp"
+#include "support/oracles/exact_motion.hpp"
+
+namespace flashbvh::test {
+
+/// What a motion is made of.
+struct AnyMotion {
+  Pose from = Pose::translated(0, 0, 0);
+  Pose to = from;           ///< where there are no moves
+  std::vector<Move> moves;  ///< none: between the poses
+
+  BodyMotion motion() const {
+    return moves.empty() ? BodyMotion::between(from, to)
+                         : BodyMotion(from, moves.data(), static_cast<std::uint32_t>(moves.size()));
+  }
+  /// All of it, axes included.
+  void shift(const Point& by) {
+    const Pose shift = Pose::translated(by.x, by.y, by.z);
+    from = Pose::composed(shift, from);
+    to = Pose::composed(shift, to);
+    for (Move& move : moves) {
+      for (int i = 0; i < 3; ++i) {
+        move.point[i] += by.*kPointAxes[i] * kFrameCell;
+      }
+    }
+  }
+};
+
+/// Nearly a rotation: with five decimals.
+inline Pose with_five_decimals(const Pose& pose) {
+  int32_t rotation[3][3];
+  int32_t cells[3];
+  int16_t fraction[3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double entry = std::round(1e5 * pose.rotation(i, j) / kRotationOne) / 1e5;
+      rotation[i][j] = static_cast<int32_t>(std::lround(entry * kRotationOne));
+    }
+    cells[i] = pose.translation(i);
+    fraction[i] = static_cast<int16_t>(pose.fraction(i));
+  }
+  return Pose::rigid(rotation, cells, fraction);
+}
+
+/// `far`: of its axis, in cells.
+inline Move any_move(Random& random, int32_t far, int32_t size) {
+  Move move = {};
+  const Quaternion q = any_quaternion(random);
+  const double length = std::hypot(q.x, q.y, q.z) * (1 + 1e-6 * random.between(-60, 60));
+  const int32_t parts[] = {q.x, q.y, q.z};
+  const int32_t turns[] = {kFullTurn / 100, kFullTurn / 4, kFullTurn / 2, kFullTurn, 7 * kFullTurn};
+  const int32_t most = turns[random.below(5)];
+  move.turn = length == 0 ? 0 : random.below(2) == 0 ? random.between(-most, most) : most;
+  const bool is_screw = random.below(3) == 0;
+  const int32_t pitch = random.between(-size, size) * kFrameCell;
+  for (int i = 0; i < 3; ++i) {
+    const double along = length == 0 ? 0 : parts[i] / length;
+    move.axis[i] = static_cast<int32_t>(std::lround(along * kRotationOne));
+    move.point[i] = random.between(-far, far) * kFrameCell + random.between(0, kFrameCell);
+    move.travel[i] = is_screw               ? static_cast<int32_t>(along * pitch)
+                     : random.below(2) == 0 ? random.between(-size * kFrameCell, size * kFrameCell)
+                                            : 0;
+  }
+  return move;
+}
+
+inline Pose any_end(Random& random, const MotionScene& scene) {
+  const Pose pose = any_rigid_pose(random, 4 * scene.size);
+  return random.below(3) == 0 ? with_five_decimals(pose) : pose;
+}
+
+/// Corners meet, or nearly so, at some moment.
+inline AnyMotion any_motion(Random& random, const MotionScene& scene) {
+  AnyMotion any;
+  any.from = any_end(random, scene);
+  any.to = any_end(random, scene);
+  const uint32_t kind = random.below(6);
+  if (kind == 1) {  // by half a turn about an axis
+    const int32_t half[3][3] = {{kRotationOne, 0, 0}, {0, -kRotationOne, 0}, {0, 0, -kRotationOne}};
+    any.to = Pose::composed(any.from, Pose::rigid(half, {scene.size, 0, 0}));
+  }
+  const int32_t fars[] = {0, scene.size, 10 * scene.size, 1000, 50'000};
+  const uint32_t most = random.below(16) == 0 ? 20 : 4;
+  for (uint32_t i = kind > 1 ? 1 + random.below(most) : 0; i-- > 0;) {
+    any.moves.push_back(any_move(random, fars[random.below(5)], scene.size));
+  }
+  const auto meeting = [](const Point& p) { return FloatVector{1.0 * p.x, 1.0 * p.y, 1.0 * p.z}; };
+  const BodyMotion motion = any.motion();
+  const double time = random.below(9) / 8.0;
+  const FloatVector at = ExactMotion(motion).at(time, meeting(scene.b.any_corner(random)));
+  const FloatVector off = minus(meeting(scene.a.any_corner(random)), at);
+  const int32_t beside = random.below(3) == 0 ? 3 * scene.size : 1;
+  any.shift(sum(
+      any_point(random, beside),
+      {static_cast<int32_t>(off[0]), static_cast<int32_t>(off[1]), static_cast<int32_t>(off[2])}));
+  return any;
+}
+
+}  // namespace flashbvh::test

@@ -1,0 +1,141 @@
+// The oracle for a triangle that travels: the first time at which two triangles touch, as a linear
+// program whose answer proves itself.
+//
+// Triangle b travels by `way` from time 0 to 1. It touches a first at the least s for which
+//   sum l_i a_i = sum m_j b_j + s way,  sum l_i = sum m_j = 1,  l, m >= 0,  0 <= s <= 1
+// has a solution. As in triangle.hpp; phase two minimises s. Certificates:
+// - never: a direction n along which b is strictly ahead of a at both ends of the way
+// - at s: weights l and m, that is, a common point then; and if s is not 0, a direction along which
+//   b is ahead of a by s times what it falls back on the whole way, so that it is until then
+//
+// Range: coordinate differences and the way below 2^19. Minors have a row more than there, which
+// expands to three of those: entries below 2^62.
+#pragma once
+
+#include "support/oracles/triangle.hpp"
+#include "support/points.hpp"
+
+#if defined(__SIZEOF_INT128__)
+
+#include <algorithm>
+
+namespace flashbvh::test {
+
+/// The answer and its certificate. Check it with is_proven().
+struct FirstTouch {
+  bool touches;
+  Wide time;  ///< the first, over `scale`
+  Wide scale;
+  Wide weight_a[3];  ///< of a common point then, over `scale`
+  Wide weight_b[3];
+  Wide direction[3];
+};
+
+/// With the columns of s and of its difference from 1, and the row of their sum.
+using TouchTableau = Tableau<6, 8>;
+
+/// Artificial variables leave the basis; where one can't, its row is of zeros.
+inline void drive_out(TouchTableau& t) {
+  for (int row = 0; row < TouchTableau::kRows; ++row) {
+    for (int column = 0;
+         t.basis[row] >= TouchTableau::kVariables && column < TouchTableau::kVariables; ++column) {
+      if (t.entry[row][column] == 0) {
+        continue;
+      }
+      const int sign = t.entry[row][column] < 0 ? -1 : 1;
+      for (Wide& entry : t.entry[row]) {  // its right side is 0: either sign will do
+        entry *= sign;
+      }
+      pivot(t, row, column);
+    }
+  }
+}
+
+inline FirstTouch first_touch(const Triangle& a, const Triangle& b, const Point& way) {
+  constexpr int s = 6;
+  constexpr int last = 5;
+  auto t = start<TouchTableau>(a, b);
+  for (int k = 0; k < 3; ++k) {
+    t.entry[k][s] = -t.sign[k] * along(way, k);
+  }
+  t.entry[last][s] = t.entry[last][s + 1] = t.entry[last][TouchTableau::kRight] = 1;
+  t.basis[last] = s + 1;
+  FirstTouch found = {};
+  found.touches = is_feasible(t);
+  if (!found.touches) {
+    get_direction(t, 1, found.direction);
+    return found;
+  }
+  drive_out(t);
+  auto& cost = t.entry[TouchTableau::kRows];
+  for (int column = 0; column <= TouchTableau::kRight; ++column) {
+    cost[column] = column == s ? t.scale : 0;
+    for (int row = 0; row < TouchTableau::kRows; ++row) {
+      cost[column] -= t.basis[row] == s ? t.entry[row][column] : 0;
+    }
+  }
+  minimise(t);
+  found.time = -cost[TouchTableau::kRight];
+  found.scale = t.scale;
+  get_weights(t, found.weight_a, found.weight_b);
+  get_direction(t, 0, found.direction);
+  return found;
+}
+
+/// Whether the weights describe one point of a and of b at the time.
+inline bool is_common_point(const FirstTouch& f, const Triangle& a, const Triangle& b,
+                            const Point& way) {
+  Wide sum_a = 0;
+  Wide sum_b = 0;
+  Wide gap[3] = {f.time * way.x, f.time * way.y, f.time * way.z};
+  for (int i = 0; i < 3; ++i) {
+    if (f.weight_a[i] < 0 || f.weight_b[i] < 0) {
+      return false;
+    }
+    sum_a += f.weight_a[i];
+    sum_b += f.weight_b[i];
+    for (int k = 0; k < 3; ++k) {
+      gap[k] += f.weight_b[i] * along(b.corner[i], k) - f.weight_a[i] * along(a.corner[i], k);
+    }
+  }
+  return f.time >= 0 && f.time <= f.scale && sum_a == f.scale && sum_b == f.scale && gap[0] == 0 &&
+         gap[1] == 0 && gap[2] == 0;
+}
+
+/// Whether the certificate proves the answer.
+inline bool is_proven(const FirstTouch& f, const Triangle& a, const Triangle& b, const Point& way) {
+  const Wide at_begin = ahead(f.direction, a, b);
+  if (!f.touches) {
+    return at_begin > 0 && ahead(f.direction, a, shifted(b, way)) > 0;
+  }
+  const Wide falls_back = -along(f.direction, way);
+  return is_common_point(f, a, b, way) &&
+         (f.time == 0 || (falls_back > 0 && at_begin * f.scale >= f.time * falls_back));
+}
+
+/// Whether two boxes may overlap before a time of a way; exact but for 2^-40 of it.
+inline bool boxes_meet(const Triangle& a, const Triangle& b, const Point& way, double until) {
+  double first = 0;
+  double last = until;
+  const auto keep = [&](double slope, double most) {  // slope t <= most
+    if (slope == 0) {
+      last = most < 0 ? -1 : last;
+    } else if (slope > 0) {
+      last = most / slope < last ? most / slope : last;
+    } else {
+      first = most / slope > first ? most / slope : first;
+    }
+  };
+  for (int32_t Point::*axis : kPointAxes) {
+    const auto ends = [axis](const Triangle& t) {
+      return std::minmax({t.corner[0].*axis, t.corner[1].*axis, t.corner[2].*axis});
+    };
+    keep(way.*axis, ends(a).second - ends(b).first);
+    keep(-1.0 * (way.*axis), ends(b).second - ends(a).first);
+  }
+  return first <= last + 1e-12;
+}
+
+}  // namespace flashbvh::test
+
+#endif  // __SIZEOF_INT128__
