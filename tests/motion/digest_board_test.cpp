@@ -43,14 +43,16 @@ struct Scene {
   }
 };
 
-/// In slices, each `close` passed.
+/// In slices, whose number is every core's, too; each `close` passed.
 [[gnu::noinline]] void add_contacts(FirstContact& query, uint32_t slice, digest::Hash& hash,
                                     int (&outcomes)[3]) {
   for (;;) {
+    uint32_t runs = 1;
     FirstContactAnswer answer = query.run(slice);
-    while (answer.status == Status::suspended) {
+    for (; answer.status == Status::suspended; ++runs) {
       answer = query.run(slice);
     }
+    hash.add(runs);
     ++outcomes[static_cast<int>(answer.outcome)];
     hash.add(static_cast<uint32_t>(answer.status) | static_cast<uint32_t>(answer.outcome) << 8);
     hash.add(answer.triangles.a | static_cast<uint32_t>(answer.triangles.b) << 16);

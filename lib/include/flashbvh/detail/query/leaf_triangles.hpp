@@ -79,18 +79,16 @@ class LeavesAtOnce {
     return usable_ && a_.mesh.triangles_in(leaf_a) <= kMostAtOnce &&
            b_.mesh.triangles_in(leaf_b) <= kMostAtOnce;
   }
-  /// Goes on to the next pair of triangles that intersects, below `untested`, or to those that are
-  /// kept for another run.
-  bool next_answer(uint32_t leaf_a, uint32_t leaf_b, uint32_t kept, uint16_t& untested) {
+  /// Goes on to the next pair of triangles that intersects, below `untested`, or to the end.
+  bool next_answer(uint32_t leaf_a, uint32_t leaf_b, uint16_t& untested) {
     const bool took_a = a_.take(leaf_a, of_a_, take_translated);
     const bool took_b = b_.take(leaf_b, of_b_, rotated_ ? take_rotated : take_translated);
     if (took_a || took_b) {
       answers_ = intersecting_pairs(a_.triangle, a_.count, b_.triangle, b_.count);
     }
     const uint32_t left = answers_ & ((1u << untested) - 1);
-    const bool answer = left >> kept != 0;
-    untested = static_cast<uint16_t>(answer ? 31 - __builtin_clz(left) : kept);
-    return answer;
+    untested = static_cast<uint16_t>(left != 0 ? 31 - __builtin_clz(left) : 0);
+    return left != 0;
   }
 
  private:

@@ -298,10 +298,11 @@ class QueryRun : protected Predicate {
       bool answer = false;
       bool is_at_once = false;
       if constexpr (BatchTypes::kAtOnce) {
-        is_at_once = batch.at_once.has(transform_, leaf_a_, leaf_b_);
+        // Of those that are paid for in part, some come free: test_leaves() knows which.
+        is_at_once = kept == 0 && batch.at_once.has(transform_, leaf_a_, leaf_b_);
         if (is_at_once) {
           untested_ = static_cast<uint16_t>(untested);
-          answer = batch.at_once.next_answer(leaf_a_, leaf_b_, kept, untested_);
+          answer = batch.at_once.next_answer(leaf_a_, leaf_b_, untested_);
         }
       }
       if (!is_at_once) {
