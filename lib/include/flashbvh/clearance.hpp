@@ -177,8 +177,6 @@ class BasicClearanceQuery
   /// place of the nearest triangles holds the nodes that this is at.
   /// False where both are leaves.
   FLASHBVH_NOINLINE bool descend(uint32_t& work);
-  template <class Gap>
-  void go_down(Gap&& gap, bool into_a, uint32_t& work);
 };
 
 using ClearanceQuery = BasicClearanceQuery<Mesh>;

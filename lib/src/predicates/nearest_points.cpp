@@ -21,6 +21,9 @@ Int128 way_along(const Triangle& t, const PlaceInTriangle& place, int32_t Point:
 [[gnu::noinline]] int64_t fine_coordinate(const Triangle& t, const PlaceInTriangle& place,
                                           int32_t Point::*axis) {
   const Int128 way = way_along(t, place, axis);
+  if (is_zero(way)) {
+    return int64_t{t.corner[place.origin].*axis} * kFineOne;
+  }
   const bool negative = way.high < 0;
   const Int128 twice = shifted_up(negative ? -way : way, 9) + place.below;
   const auto steps = static_cast<int64_t>(quotient(twice, shifted_up(place.below, 1)).low);

@@ -142,32 +142,6 @@ Status BasicClearanceQuery<MeshType>::run_within(uint32_t& work) {
 }
 
 template <class MeshType>
-template <class Gap>
-void BasicClearanceQuery<MeshType>::go_down(Gap&& gap, bool into_a, uint32_t& work) {
-  const Mesh& mesh = into_a ? this->mesh_a() : this->mesh_b();
-  Index& place = into_a ? this->nearest_a : this->nearest_b;
-  const auto& other = into_a ? this->mesh_b().nodes[this->nearest_b].box
-                             : this->mesh_a().nodes[this->nearest_a].box;
-  const uint32_t parent = place;
-  uint32_t child = mesh.first_child(parent);
-  uint32_t nearest = UINT32_MAX;
-  for (uint32_t i = 0; i < kMostChildren; ++i) {
-    const auto& box = mesh.nodes[child].box;
-    const uint32_t guess = into_a ? gap.guess(box, other) : gap.guess(other, box);
-    this->count_visit();
-    detail::take_work(work, 1);
-    if (guess < nearest || i == 0) {
-      nearest = guess;
-      place = static_cast<Index>(child);
-    }
-    if (mesh.is_last_child(parent, child)) {
-      return;
-    }
-    child = mesh.next_sibling(child);
-  }
-}
-
-template <class MeshType>
 bool BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
   const auto& node_a = this->mesh_a().nodes[this->nearest_a];
   const auto& node_b = this->mesh_b().nodes[this->nearest_b];
@@ -175,13 +149,34 @@ bool BasicClearanceQuery<MeshType>::descend(uint32_t& work) {
     return false;
   }
   const bool into_a = node_a.rank() >= node_b.rank();
+  const Mesh& mesh = into_a ? this->mesh_a() : this->mesh_b();
+  Index& place = into_a ? this->nearest_a : this->nearest_b;
+  const auto& other = into_a ? node_b.box : node_a.box;
+  const detail::Transform& transform = this->transform();
   const detail::GapLimit any(INT64_MAX);
-  if (this->transform().is_far()) {
-    go_down(this->so_far->along, into_a, work);
-  } else if (this->transform().is_rotated()) {
-    go_down(detail::RotatedGap(this->transform().rotated(), any), into_a, work);
-  } else {
-    go_down(detail::WideGap(this->transform().translated().offset, any), into_a, work);
+  const detail::WideGap translated(transform.translated().offset, any);
+  detail::RotatedGap rotated(transform.rotated(), any);
+  const auto guess_of = [&](const PackedBox& of_a, const PackedBox& of_b) {
+    return transform.is_far()       ? this->so_far->along.guess(of_a, of_b)
+           : transform.is_rotated() ? rotated.guess(of_a, of_b)
+                                    : translated.guess(of_a, of_b);
+  };
+  const uint32_t parent = place;
+  uint32_t child = mesh.first_child(parent);
+  uint32_t nearest = UINT32_MAX;
+  for (uint32_t i = 0; i < kMostChildren; ++i) {
+    const auto& box = mesh.nodes[child].box;
+    const uint32_t guess = guess_of(into_a ? box : other, into_a ? other : box);
+    this->count_visit();
+    detail::take_work(work, 1);
+    if (guess < nearest || i == 0) {
+      nearest = guess;
+      place = static_cast<Index>(child);
+    }
+    if (mesh.is_last_child(parent, child)) {
+      break;
+    }
+    child = mesh.next_sibling(child);
   }
   return true;
 }
