@@ -57,6 +57,8 @@ void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t
   Timed<Nearest<uint16_t>> nearest;
   nearest.so_far = &so_far;
   (void)nearest.take(a, b);
+  nearest.nearest_a = known.witness.a;
+  nearest.nearest_b = known.witness.b;
   nearest.name = &of_nearest;
   run_all(pair, pose, nearest);
 }

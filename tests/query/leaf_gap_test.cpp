@@ -51,6 +51,29 @@ std::vector<std::uint32_t> leaf_nodes(const Mesh& mesh) {
   return node;
 }
 
+/// Triangles about a corner, in one leaf, that hardly fall off from the plane across `up` there.
+AnyMesh fan(Random& random, const double (&up)[3], std::int32_t reach) {
+  bake::LatticeMesh mesh;
+  const auto add = [&](double at, double height) {
+    double corner[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      corner[axis] = at * (random.between(-1000, 1000) / 1000.0);
+    }
+    const double along = corner[0] * up[0] + corner[1] * up[1] + corner[2] * up[2];
+    const auto on_plane = [&](int axis) {
+      return static_cast<std::int16_t>(std::lround(corner[axis] + (height - along) * up[axis]));
+    };
+    mesh.vertices.push_back({on_plane(0), on_plane(1), on_plane(2)});
+  };
+  add(0, 0);
+  for (std::uint32_t i = 1; i < 7; i += 2) {
+    add(reach, random.between(-reach / 50 - 4, 1));
+    add(reach, random.between(-reach / 50 - 4, 1));
+    mesh.triangles.push_back({0, i, i + 1});
+  }
+  return AnyMesh(bake::build_median(mesh, 3), mesh);
+}
+
 int component_of(const Direction& direction, int shift) {
   return static_cast<std::int32_t>(direction.packed << (22 - shift)) >> 22;
 }
@@ -117,6 +140,58 @@ TEST_CASE(
   CHECK(separated > 1000);
   CHECK(boxes > 100);
   CHECK(leaves > 10);
+}
+
+TEST_CASE("leaves that have nothing but ties have no triangles that are nearer") {
+  std::uint32_t ties = 0;
+  std::uint32_t nearer = 0;
+  for_rounds(rounds(3000u, 30000u), [&](Random& random, int) {
+    const Pose turn = any_pose(random, 0);
+    const std::int32_t reach = 40 << random.below(9);
+    const double apart[3] = {1.0 * random.between(-1000, 1000), 1.0 * random.between(-1000, 1000),
+                             1.0 * random.between(1, 1000)};
+    const double length = std::hypot(apart[0], apart[1], apart[2]);
+    const double up[3] = {apart[0] / length, apart[1] / length, apart[2] / length};
+    double down[3] = {0, 0, 0};  // as B's lattice has it
+    for (int i = 0; i < 9; ++i) {
+      down[i % 3] -= up[i / 3] * turn.rotation(i / 3, i % 3) / kRotationOne;
+    }
+    const AnyMesh fan_a = fan(random, up, reach);
+    const AnyMesh fan_b = fan(random, down, reach);
+    const Mesh a = fan_a.view<Mesh>();
+    const Mesh b = fan_b.view<Mesh>();
+    const double far = random.between(reach / 40 + 2, reach);
+    const std::int32_t cells[3] = {static_cast<std::int32_t>(std::lround(up[0] * far)),
+                                   static_cast<std::int32_t>(std::lround(up[1] * far)),
+                                   static_cast<std::int32_t>(std::lround(up[2] * far))};
+    const Pose pose = Pose::relative(Pose::translated(-cells[0], -cells[1], -cells[2]), turn);
+    const std::vector<Pairwise> all = all_distances(a, b, pose);
+    Transform transform(pose, a, b, /*may_stop=*/false);
+    transform.prepare(b);
+    // As if this pair were the nearest so far.
+    Nearest<std::uint16_t> nearest;
+    NearestSoFar so_far(transform);
+    nearest.so_far = &so_far;
+    Triangle of_a;
+    Triangle of_b;
+    translate_triangle(a, all[0].of_a, kNoOffset, of_a);
+    transform_triangle(b, all[0].of_b, transform, of_b);
+    REQUIRE(nearest.take(of_a, of_b));
+    nearest.nearest_a = static_cast<std::uint16_t>(all[0].of_a);
+    nearest.nearest_b = static_cast<std::uint16_t>(all[0].of_b);
+    if (nearest.intersect) {
+      return;
+    }
+    const bool are_ties =
+        nearest.ties_alone(a, Side::a, a.nodes[0]) && nearest.ties_alone(b, Side::b, b.nodes[0]);
+    const bool is_any_nearer = compare(least_of(all).squared, all[0].squared) < 0;
+    REQUIRE(!(are_ties && is_any_nearer));
+    ties += are_ties ? 1 : 0;
+    nearer += is_any_nearer ? 1 : 0;
+  });
+  CAPTURE(ties, nearer);
+  CHECK(ties > 100);
+  CHECK(nearer > 100);
 }
 
 TEST_CASE("the direction of the boxes' gap has nine bits, however wide the gap is") {

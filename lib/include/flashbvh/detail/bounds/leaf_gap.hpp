@@ -111,7 +111,29 @@ class SupportGap {
   /// rounding the direction takes, at most, of large triangles: some cells.
   bool separates(int32_t end_a, int32_t end_b) const { return end_a + end_b <= most_; }
   bool nearly_separates(int32_t end_a, int32_t end_b) const {
-    return most_ != kNothing && end_a + end_b <= most_ + (16 << kDirectionBits);
+    return most_ != kNothing && end_a + end_b <= most_ + kTie;
+  }
+  static constexpr int32_t kTie = 16 << kDirectionBits;
+
+  /// Whether a leaf has a corner of the nearest triangle, by its vertices, and no other corner that
+  /// may reach as far along the direction before it was rounded (lib/docs/derivations.md, "Ties of
+  /// leaves"). Two such leaves have no triangles that are nearer.
+  template <class Mesh, class Node, class Index>
+  bool ties_alone(const Mesh& mesh, Side side, const Node& node, const Index (&nearest)[3]) const {
+    const PackedVector along = direction_of(side == Side::a ? of_a_ : of_b_);
+    constexpr int32_t none = -(1 << 30);
+    int32_t tie = none;
+    int32_t other = none;
+    const auto* corner = mesh.triangles[mesh.first_triangle(node.leaf())].corner;
+    const auto* const end = mesh.triangles[mesh.end_triangle(node.leaf())].corner;
+    for (; corner != end; ++corner) {
+      const int32_t at = dot(along, PackedVector::of(mesh.vertices[*corner]));
+      const bool is_tie = *corner == nearest[0] || *corner == nearest[1] || *corner == nearest[2];
+      int32_t& most = is_tie ? tie : other;
+      most = at > most ? at : most;
+    }
+    const auto span = static_cast<int32_t>(extent(node.box));
+    return other <= tie - (side == Side::a ? span : 3 * span + kTurned);
   }
   const SplitRow& row_beside(Side side) const { return side == Side::a ? of_b_ : of_a_; }
 
@@ -124,6 +146,9 @@ class SupportGap {
   static constexpr int32_t kNothing = -1;  ///< no end is as small
 
  private:
+  /// What rounding B's vertices moves two of them along the direction, at most.
+  static constexpr int32_t kTurned = 1 << 15;
+
   static PackedVector direction_of(const SplitRow& row) {
     return {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
   }

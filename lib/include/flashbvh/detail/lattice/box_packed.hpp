@@ -51,6 +51,10 @@ constexpr uint32_t extent_y(const PackedBox& box) {
 constexpr uint32_t extent_z(const PackedBox& box) {
   return low_half(box.z) + high_half(box.z) - 2 * kBoundBias;
 }
+/// The sum of the three.
+constexpr uint32_t extent(const PackedBox& box) {
+  return extent_x(box) + extent_y(box) + extent_z(box);
+}
 
 }  // namespace flashbvh::detail
 

@@ -55,23 +55,27 @@ struct NearestSoFar {
   }
 };
 
+template <class Index>
+struct Nearest;
+
 /// A walk's bound: along the direction first, which takes least.
+template <class Index>
 class NearestGap {
  public:
-  NearestGap(const Transform& transform, const NearestSoFar& so_far) : so_far_(&so_far) {
-    const GapLimit limit(so_far.limit);
-    is_kept_ = KeptGap::is_for(transform, limit);
-    if (is_kept_) {
-      kept_ = KeptGap(transform, limit);
-    } else {
+  FLASHBVH_NOINLINE NearestGap(const Transform& transform, const Nearest<Index>& nearest)
+      : nearest_(&nearest),
+        kept_(transform, GapLimit(nearest.so_far->limit)),
+        is_kept_(KeptGap::is_for(transform, kept_.limit())) {
+    if (!is_kept_) {
+      const GapLimit limit = kept_.limit();
       translated_ = TranslatedGap(transform.translated().offset, limit);
     }
   }
 
   FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) {
-    return !so_far_->along.separates(a, b) && (is_kept_ ? kept_(a, b) : translated_(a, b));
+    return !nearest_->so_far->along.separates(a, b) && (is_kept_ ? kept_(a, b) : translated_(a, b));
   }
-  const NearestSoFar& so_far() const { return *so_far_; }
+  const Nearest<Index>& nearest() const { return *nearest_; }
   /// Calls `set` with the test that it is beyond the direction.
   template <class Set>
   FLASHBVH_INLINE void give(const Set& set) {
@@ -79,7 +83,7 @@ class NearestGap {
   }
 
  private:
-  const NearestSoFar* so_far_;
+  const Nearest<Index>* nearest_;
   union {
     KeptGap kept_;
     TranslatedGap translated_;
@@ -96,42 +100,68 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
   static constexpr bool kComparesLeaves = true;
   using Base::Base;
 
-  void set_box_test(NearestGap& bound) {
+  void set_box_test(NearestGap<typename Mesh::Index>& bound) {
+    nearest_ = &bound.nearest();
+    if (turns_ == nearest_->so_far->turns) {  // nor did the limit change
+      bound.give([&](auto& beyond) { this->keep_box_test(beyond); });
+      return;
+    }
+    turns_ = nearest_->so_far->turns;
     bound.give([&](auto& beyond) { this->Base::set_box_test(beyond); });
-    so_far_ = &bound.so_far();
-    if (turns_ != so_far_->turns && this->leaf_side() != Side::none) {
+    if (this->leaf_side() != Side::none) {
       take_end(this->leaf_side(), this->leaf());
     }
   }
   /// A leaf that the direction rejects is not taken: nothing is tested below it.
   FLASHBVH_INLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take_end(side, (side == Side::a ? this->a : this->b).nodes[node].leaf());
-    return (reached == nullptr || may_reach(*reached)) && Base::begin(side, node, reached);
+    if (reached != nullptr && !may_reach(*reached)) {
+      return false;
+    }
+    this->take(side, node);
+    return true;
   }
-  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
-    return may_reach(box) && Base::may_touch(box);
+  FLASHBVH_INLINE bool may_touch(const PackedBox& box) {
+    return may_reach(box) && this->may_touch_late(box);
   }
-  /// Whether the direction has the triangles of the other tree's leaf, by its node, too far off.
-  FLASHBVH_NOINLINE bool rejects_leaf(uint32_t node, Progress& /*progress*/) const {
-    const bool is_of_a = this->leaf_side() == Side::b;
-    const Mesh& mesh = is_of_a ? this->a : this->b;
-    const SupportGap& along = so_far_->along;
-    return along.end_of(mesh, is_of_a ? Side::a : Side::b, mesh.nodes[node].leaf()) <= most_;
+  /// Whether the triangles of the other tree's leaf, by its node, are too far off: along the
+  /// direction, or because both leaves have nothing but ties, or along the leaf's own axes.
+  FLASHBVH_NOINLINE bool rejects_leaf(uint32_t node, Progress& /*progress*/) {
+    const Side other = this->leaf_side() == Side::a ? Side::b : Side::a;
+    const auto& reached = (other == Side::a ? this->a : this->b).nodes[node];
+    const int32_t end = along().end_of(other == Side::a ? this->a : this->b, other, reached.leaf());
+    return end <= most_ ||
+           (end <= most_ + SupportGap::kTie && has_ties_alone() && ties_alone(other, reached)) ||
+           !this->may_touch_along_own_axes(reached.box);
   }
 
  private:
+  using Node = flashbvh::Node<typename Mesh::Index>;
+
+  const SupportGap& along() const { return nearest_->so_far->along; }
+  /// The same of the current leaf, kept.
+  bool has_ties_alone() {
+    if (ties_ == Ties::unknown) {
+      ties_ = ties_alone(this->leaf_side(), *this->node_) ? Ties::alone : Ties::not_alone;
+    }
+    return ties_ == Ties::alone;
+  }
+  bool ties_alone(Side side, const Node& node) const {
+    return nearest_->ties_alone(side == Side::a ? this->a : this->b, side, node);
+  }
   FLASHBVH_NOINLINE void take_end(Side side, uint32_t leaf) {
-    const SupportGap& along = so_far_->along;
-    turns_ = so_far_->turns;
-    row_ = &along.row_beside(side);
-    most_ = along.most_beside(along.end_of(side == Side::a ? this->a : this->b, side, leaf));
+    const SupportGap& gap = along();
+    ties_ = Ties::unknown;
+    row_ = &gap.row_beside(side);
+    most_ = gap.most_beside(gap.end_of(side == Side::a ? this->a : this->b, side, leaf));
   }
   FLASHBVH_INLINE bool may_reach(const PackedBox& box) const {
     return SupportGap::end_along(*row_, box) > most_;
   }
 
+  enum class Ties : uint8_t { unknown, alone, not_alone } ties_ = Ties::unknown;
   uint16_t turns_ = 0;
-  const NearestSoFar* so_far_ = nullptr;
+  const Nearest<typename Mesh::Index>* nearest_ = nullptr;
   const SplitRow* row_ = nullptr;
   int32_t most_ = SupportGap::kNothing;
 };
@@ -176,11 +206,18 @@ struct Nearest : ProximityPredicate {
 
   Features features() const { return {kind, of_a, of_b}; }
 
-  NearestGap kept(const Transform& transform) const { return {transform, *so_far}; }
+  NearestGap<Index> kept(const Transform& transform) const { return {transform, *this}; }
 
   template <class Mesh>
   Status error_of(const Transform&, const Mesh&, const Mesh&) const {
     return Status::done;
+  }
+
+  /// SupportGap::ties_alone() of a leaf, by its node, with the triangles that are nearest.
+  template <class Mesh>
+  FLASHBVH_NOINLINE bool ties_alone(const Mesh& mesh, Side side, const Node<Index>& node) const {
+    return so_far->along.ties_alone(mesh, side, node,
+                                    mesh.triangles[side == Side::a ? nearest_a : nearest_b].corner);
   }
 
   /// Whether two triangles may be nearer; none of those that are is left out. `may_tie`: whether

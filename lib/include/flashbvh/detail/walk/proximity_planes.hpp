@@ -77,18 +77,15 @@ class ProximityPlanes : LeafPlanes<Mesh> {
     return beyond <= sum_limit_ && beyond + edge_gap(box) <= sum_limit_;
   }
 
- private:
-  void set_limit(const GapLimit& limit) {
-    limit_ = limit;
-    sum_limit_ = limit.sum_limit();
-    is_far_ = !limit.is_near();
-    set_box_limit();
-  }
-  void set_box_limit() {
-    box_limit_ = this->side_ == Side::a && this->transform_.is_rotated() ? limit_.longer_limit()
-                                                                         : limit_.limit();
-  }
+ protected:
+  using Base::node_;
 
+  /// The bound of another walk, with the limit of the one before.
+  void keep_box_test(const TranslatedGap& /*bound*/) {}
+  void keep_box_test(KeptGap& bound) { kept_gap_ = &bound; }
+
+  /// Instead of begin() and may_touch(): slabs are made when the first box comes to them. Below a
+  /// leaf the stack is deeper, so each is made in two calls.
   FLASHBVH_NOINLINE void take(Side side, uint32_t node) {
     if (is_taken(side, node)) {
       return;
@@ -105,12 +102,59 @@ class ProximityPlanes : LeafPlanes<Mesh> {
       this->window = window_of(seen_translated(box, side == Side::a ? Point{-t.x, -t.y, -t.z} : t));
     }
   }
+  FLASHBVH_INLINE bool may_touch_late(const PackedBox& box) {
+    if (!(is_far_ ? is_within_far(node_->box, this->side_, box, this->transform_, limit_)
+                  : is_within(this->window, box, box_limit_))) {
+      return false;
+    }
+    if (__builtin_expect(this->made_ == 0, 0)) {
+      make_plane_late();
+    }
+    const uint32_t beyond = plane_gap(box);
+    if (beyond > sum_limit_) {
+      return false;
+    }
+    if (__builtin_expect(this->made_ == 1, 0)) {
+      make_edge_late();
+    }
+    return beyond + edge_gap(box) <= sum_limit_;
+  }
+  /// False only if no triangle of the leaf is near enough to one in this box, seen along the leaf's
+  /// own axes. Under a translation these are the other tree's.
+  FLASHBVH_INLINE bool may_touch_along_own_axes(const PackedBox& box) const {
+    if (is_far_ || !this->transform_.is_rotated()) {
+      return true;
+    }
+    const bool is_of_a = this->side_ == Side::a;
+    const PackedTriple& least = is_of_a ? kept_gap_->window_of_b(box) : kept_gap_->window_of_a(box);
+    return is_within(least, node_->box, is_of_a ? limit_.limit() : limit_.longer_limit());
+  }
+
+ private:
+  void set_limit(const GapLimit& limit) {
+    limit_ = limit;
+    sum_limit_ = limit.sum_limit();
+    is_far_ = !limit.is_near();
+    set_box_limit();
+  }
+  void set_box_limit() {
+    box_limit_ = this->side_ == Side::a && this->transform_.is_rotated() ? limit_.longer_limit()
+                                                                         : limit_.limit();
+  }
 
   FLASHBVH_NOINLINE void make_plane() {
     cells_in_plane_ = this->lie_in_plane() ? see(this->plane) : 0;
   }
   FLASHBVH_NOINLINE void make_edge() {
     cells_along_edge_ = this->lie_along_edge() ? see(this->edge) : 0;
+  }
+  FLASHBVH_NOINLINE bool lies_in_plane() { return this->lie_in_plane(); }
+  FLASHBVH_NOINLINE bool lies_along_edge() { return this->lie_along_edge(); }
+  FLASHBVH_NOINLINE void make_plane_late() {
+    cells_in_plane_ = lies_in_plane() ? see(this->plane) : 0;
+  }
+  FLASHBVH_NOINLINE void make_edge_late() {
+    cells_along_edge_ = lies_along_edge() ? see(this->edge) : 0;
   }
   /// How many cells a unit of the direction is of a slab in its own lattice, from where the other
   /// tree sees it on.

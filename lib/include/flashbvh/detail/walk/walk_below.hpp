@@ -25,7 +25,7 @@ namespace flashbvh::detail {
 /// the last of the work granted, or where `found(node)` says stop; there `at` is then. `after`: its
 /// node was visited before.
 template <class Subtree, class Shapes, class Found>
-FLASHBVH_INLINE inline State visit_subtree(Subtree& at, const Shapes& shapes, Progress& progress,
+FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress& progress,
                                            const Found& found, bool after) {
   uint32_t work_left = progress.work_left;
   uint32_t overlaps = progress.overlaps;
