@@ -246,3 +246,38 @@ TEST_CASE("seeds and positions that are none are refused") {
   }
   CHECK(taken > 100);
 }
+
+TEST_CASE("a hint that is far is dropped, and the nearest pair never") {
+  int dropped = 0;
+  int kept = 0;
+  Random random = test_random();
+  for (int round = 0; round < rounds(200, 1000); ++round) {
+    CAPTURE(round);
+    const auto mesh = [&] { return any_mesh(random, random_mesh(random, 12, 2000, 400)); };
+    const AnyMesh any_a = mesh();
+    const AnyMesh any_b = mesh();
+    const Mesh a = view_of(any_a);
+    const Mesh b = view_of(any_b);
+    const Pose pose = any_pose(random, 2000 + 2000 * (round % 3));
+    const std::vector<Pairwise> all = all_distances(a, b, pose);
+    const auto query = [&](const Pairwise& pair) {
+      return ClearanceQuery(a, b, pose,
+                            Witness<std::uint16_t>{static_cast<std::uint16_t>(pair.of_a),
+                                                   static_cast<std::uint16_t>(pair.of_b)});
+    };
+    REQUIRE(query(least_of(all)).result().upper != UINT32_MAX);
+    ClearanceQuery far = query(all[random.below(static_cast<std::uint32_t>(all.size()))]);
+    if (far.result().upper != UINT32_MAX) {
+      ++kept;
+      continue;
+    }
+    ++dropped;
+    ClearanceQuery cold(a, b, pose);
+    REQUIRE(far.run(kNoLimit).status == Status::done);
+    REQUIRE(cold.run(kNoLimit).status == Status::done);
+    REQUIRE(same(far.stats(), cold.stats()));
+  }
+  CAPTURE(dropped, kept);
+  CHECK(dropped > 20);
+  CHECK(kept > 20);
+}

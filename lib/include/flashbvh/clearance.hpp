@@ -87,8 +87,9 @@ struct ClearanceOptions {
 
 /// The distance of two meshes, in slices. With the last nearest pair as `hint` it visits hardly
 /// more than the boxes that are nearer than the answer; without one it first goes down both trees
-/// to where they seem nearest. Instructions on each core: lib/docs/figures.md, Distances. The
-/// distance never depends on the hint; where several pairs are nearest, the reported one may.
+/// to where they seem nearest. A hint is dropped if its triangles lie some 70 % as far apart as the
+/// middles of the meshes, or farther. Instructions on each core: lib/docs/figures.md, Distances.
+/// The distance never depends on the hint; where several pairs are nearest, the reported one may.
 template <class MeshType>
 class BasicClearanceQuery
     : protected Query<Ranked<MeshType>, detail::Nearest<typename MeshType::Index>> {
@@ -167,8 +168,10 @@ class BasicClearanceQuery
   void begin_at(const Pose& pose, const Hint& hint);
   /// A's, then B's, from A's origin on.
   FLASHBVH_NOINLINE void get_pair(uint32_t i, uint32_t j, Triangle (&pair)[2]) const;
-  /// With a pair of triangles, which may be the nearest.
-  void begin_with(const Hint& pair);
+  /// With a pair of triangles, which may be the nearest. Returns the square of their boxes' gap.
+  int64_t begin_with(const Hint& pair);
+  /// Whether a hint with so large a gap would cost more than it spares: it is dropped.
+  bool is_stale(int64_t squared_gap) const;
   /// Of two triangles by their positions: they are nearest, if they are.
   FLASHBVH_NOINLINE bool take(uint32_t i, uint32_t j);
   /// Where the descent ended: of the triangles there.

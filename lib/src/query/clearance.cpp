@@ -54,7 +54,33 @@ void BasicClearanceQuery<MeshType>::begin_at(const Pose& pose, const Hint& hint)
     this->refuse(Status::hint_invalid);
     return;
   }
-  begin_with(hint);
+  const int64_t gap = begin_with(hint);
+  if (gap != 0 && is_stale(gap)) {
+    this->has_nearest = false;
+    this->nearest_a = 0;
+    this->nearest_b = 0;
+  }
+}
+
+template <class MeshType>
+bool BasicClearanceQuery<MeshType>::is_stale(int64_t squared_gap) const {
+  const detail::Transform& transform = this->transform();
+  if (transform.is_far()) {
+    return false;
+  }
+  const auto& root_a = this->mesh_a().nodes[0].box;
+  const auto& root_b = this->mesh_b().nodes[0].box;
+  const detail::GapLimit any(INT64_MAX);
+  const uint32_t guess =
+      transform.is_rotated()
+          ? detail::RotatedGap(transform.rotated(), any).guess(root_a, root_b)
+          : detail::WideGap(transform.translated().offset, any).guess(root_a, root_b);
+  // Guesses count in fours of cells. Parts of the meshes' sizes are for one inside the other.
+  const auto part = [](const PackedBox& root) {
+    const uint32_t fours = detail::extent(root) >> 5;
+    return int64_t{fours * fours};
+  };
+  return squared_gap >> 3 > int64_t{guess} + part(root_a) + part(root_b);
 }
 
 template <class MeshType>
@@ -64,15 +90,16 @@ void BasicClearanceQuery<MeshType>::get_pair(uint32_t i, uint32_t j, Triangle (&
 }
 
 template <class MeshType>
-void BasicClearanceQuery<MeshType>::begin_with(const Hint& pair) {
+int64_t BasicClearanceQuery<MeshType>::begin_with(const Hint& pair) {
   Triangle of[2];
   get_pair(pair.a, pair.b, of);
   this->nearest_a = pair.a;
   this->nearest_b = pair.b;
   this->has_nearest = true;
   this->has_features = false;
-  this->intersect =
-      detail::squared_box_gap(of[0], of[1]) == 0 && detail::triangles_intersect(of[0], of[1]);
+  const int64_t gap = detail::squared_box_gap(of[0], of[1]);
+  this->intersect = gap == 0 && detail::triangles_intersect(of[0], of[1]);
+  return gap;
 }
 
 template <class MeshType>
@@ -200,7 +227,7 @@ Status BasicClearanceQuery<MeshType>::resume(const QueryCursor<Index>& at) {
   this->has_nearest = false;
   this->intersect = false;
   if (found) {
-    begin_with(pair);
+    (void)begin_with(pair);
   } else {
     this->nearest_a = pair.a;
     this->nearest_b = pair.b;
