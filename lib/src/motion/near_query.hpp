@@ -66,6 +66,7 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     NearestSoFar known(this->transform());
     known.limit = limit();
     known.is_short = true;
+    known.turns = 1;  // a limit that planes have not yet
     turn(known);
     this->so_far = &known;
     const Status status = this->run_with(
@@ -90,7 +91,6 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     known.along = this->transform().is_far()
                       ? SupportGap(direction_, this->transform(), limit())
                       : SupportGap(LeafGap(direction_, this->transform(), limit()));
-    ++known.turns;
   }
 
   PackedVector direction_;

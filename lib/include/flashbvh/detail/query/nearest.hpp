@@ -213,11 +213,12 @@ struct Nearest : ProximityPredicate {
     return Status::done;
   }
 
-  /// SupportGap::ties_alone() of a leaf, by its node, with the triangles that are nearest.
+  /// SupportGap::ties_alone() of a leaf, by its node, with the triangles that are nearest; false
+  /// while none is.
   template <class Mesh>
   FLASHBVH_NOINLINE bool ties_alone(const Mesh& mesh, Side side, const Node<Index>& node) const {
-    return so_far->along.ties_alone(mesh, side, node,
-                                    mesh.triangles[side == Side::a ? nearest_a : nearest_b].corner);
+    const auto& nearest = mesh.triangles[side == Side::a ? nearest_a : nearest_b];
+    return has_nearest && so_far->along.ties_alone(mesh, side, node, nearest.corner);
   }
 
   /// Whether two triangles may be nearer; none of those that are is left out. `may_tie`: whether
