@@ -70,6 +70,7 @@ struct [[nodiscard]] FirstContactCursor {
   ContactOutcome outcome;
   ContactPhase phase;
   uint8_t near_steps;
+  uint8_t is_begun;      ///< 1 if time 0 is tested
   uint8_t walks_at_end;  ///< 1 if the end is yet to be tested by a walk
 
   static constexpr uint32_t kNever = UINT32_MAX;
@@ -116,7 +117,7 @@ class BasicFirstContact {
  private:
   Status error();
   bool set_ball();
-  uint32_t margin_at(uint32_t end) const;
+  uint32_t margin_in(uint32_t step) const;
   uint64_t move_by(uint32_t middle, uint32_t half, Frame& frame) const;
   uint32_t distance_in(uint32_t step, Frame& frame) const;
   bool is_shortest(uint32_t distance) const;

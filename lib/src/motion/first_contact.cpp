@@ -17,6 +17,8 @@ namespace {
 /// it: so what is reported is at most a cell of motion.
 constexpr uint32_t kShortestReach = kFineOne / 8;
 constexpr uint8_t kMostNearSteps = 4;
+/// A walk tests the begin only if no so large part of the motion is certified at once.
+constexpr uint32_t kLateWalk = 4;
 
 /// Of a vertex that a query places: 0.51 cells along three axes, and a fraction of a translation.
 constexpr uint32_t kVertexRounding = 228;
@@ -68,6 +70,7 @@ BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
   at_.step = kMotionEnd;
   at_.status = error();
   at_.outcome = ContactOutcome::close;
+  at_.phase = ContactPhase::choose;
   if (at_.status != Status::suspended) {
     at_.phase = ContactPhase::done;
   }
@@ -124,11 +127,13 @@ bool BasicFirstContact<MeshType>::set_ball() {
   return farthest <= kMaxFrameTranslation;
 }
 
-/// By how much farther the bodies have to be apart in an interval until `end`: where that is the
-/// motion's, a pose that is rounded to the lattice is then certified, too.
+/// By how much farther the bodies have to be apart in an interval: at an end of the motion, a pose
+/// that is rounded to the lattice is then certified, too.
 template <class MeshType>
-uint32_t BasicFirstContact<MeshType>::margin_at(uint32_t end) const {
-  return end == kMotionEnd && at_.walks_at_end == 0 ? rounding_ : 0;
+uint32_t BasicFirstContact<MeshType>::margin_in(uint32_t step) const {
+  const bool begins = at_.time == 0 && at_.is_begun == 0;
+  const bool ends = at_.time + step == kMotionEnd && at_.walks_at_end == 0;
+  return begins || ends ? rounding_ : 0;
 }
 
 /// What B's points move from the middle of an interval until its ends, and what is to be added to
@@ -140,7 +145,7 @@ uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) c
   if (way_ != 0) {
     moved = share(way_, half);
   }
-  const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_ + margin_at(at_.time + step);
+  const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_ + margin_in(step);
   return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
 }
 
@@ -168,7 +173,7 @@ uint64_t BasicFirstContact<MeshType>::move_by(uint32_t middle, uint32_t half, Fr
 /// Whether an interval is not to be cut any more.
 template <class MeshType>
 bool BasicFirstContact<MeshType>::is_shortest(uint32_t distance) const {
-  const uint32_t added = within_ + path_error_ + margin_at(at_.time + at_.step);
+  const uint32_t added = within_ + path_error_ + margin_in(at_.step);
   return at_.step == 2 || distance - added <= kShortestReach;
 }
 
@@ -233,12 +238,17 @@ void BasicFirstContact<MeshType>::lengthen() {
 template <class MeshType>
 void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
   at_.walk = {};
-  if (!is_shortest(distance)) {
+  const bool is_short = is_shortest(distance);
+  if (at_.time == 0 && at_.is_begun == 0 && (is_short || at_.step <= kMotionEnd / kLateWalk)) {
+    at_.phase = ContactPhase::at_time;
+    return;
+  }
+  if (!is_short) {
     at_.step = halved(at_.step);
     at_.phase = ContactPhase::choose;
     return;
   }
-  if (margin_at(at_.time + at_.step) != 0) {
+  if (margin_in(at_.step) != 0) {
     at_.walks_at_end = 1;
     at_.phase = ContactPhase::choose;
     return;
@@ -259,6 +269,7 @@ void BasicFirstContact<MeshType>::certify() {
     end(ContactOutcome::close);
     return;
   }
+  at_.is_begun = 1;
   at_.time += at_.step;
   at_.step = at_.step < kMotionEnd / 4 ? 4 * at_.step : kMotionEnd;
   if (at_.time == kMotionEnd && at_.walks_at_end == 0) {
@@ -324,6 +335,7 @@ void BasicFirstContact<MeshType>::walk_at_time(uint32_t& work) {
   } else if (at_.time == kMotionEnd) {
     end(ContactOutcome::free);
   } else {
+    at_.is_begun = 1;
     go_on();
   }
 }
