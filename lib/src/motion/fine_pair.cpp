@@ -94,7 +94,7 @@ PackedVector direction_between(const FinePair& pair) {
     return {0, 0};
   }
   Fraction squared = kInfinite;
-  Features features;
+  Features features = {FeatureKind::intersection, 0, 0};
   (void)is_nearer(pair.a, pair.b, squared, features);
   return features.kind == FeatureKind::intersection
              ? PackedVector{0, 0}

@@ -78,7 +78,7 @@ bool BasicClearanceQuery<MeshType>::is_stale(int64_t squared_gap) const {
   // Guesses count in fours of cells. Parts of the meshes' sizes are for one inside the other.
   const auto part = [](const PackedBox& root) {
     const uint32_t fours = detail::extent(root) >> 5;
-    return int64_t{fours * fours};
+    return int64_t{fours} * fours;
   };
   return squared_gap >> 3 > int64_t{guess} + part(root_a) + part(root_b);
 }
