@@ -33,33 +33,6 @@ constexpr uint32_t halved(uint32_t step) {
   return step > 4 ? (step / 2) & ~1u : 2;
 }
 
-/// How far a turn moves a point, in 1/2,048 cell, rounded up: by 2 pi in 2^-8, and parts of 2^-28
-/// of a turn.
-uint64_t arc_of(uint64_t turned, uint64_t lever) {
-  constexpr uint32_t full_turn = 1609;
-  return ((turned * lever >> 20) * full_turn >> 16) + 1;
-}
-
-uint64_t share(uint32_t length, uint32_t part) {
-  return (uint64_t{length} * part >> 30) + 1;
-}
-
-/// How far the moves' way ends from where the motion does, at most, in 1/256 cell: of a point that
-/// is so far from the origin of B's frame along each axis, in 1/2,048 cell.
-uint32_t end_error(const BodyMotion& motion, const uint64_t (&farthest)[3]) {
-  const Frame end = detail::frame_at(motion, kMotionEnd);
-  const Frame to = detail::frame_of(motion.to());
-  uint64_t most = 0;
-  for (int i = 0; i < 3; ++i) {
-    uint64_t off = magnitude(end.translation[i] - to.translation[i]) + 1;
-    for (int j = 0; j < 3; ++j) {
-      off += (magnitude(end.rotation[i][j] - to.rotation[i][j]) * farthest[j] >> 30) + 1;
-    }
-    most = off > most ? off : most;
-  }
-  return static_cast<uint32_t>(most * 222 >> 10) + 1;  // sqrt(3) / 8
-}
-
 }  // namespace
 
 template <class MeshType>
@@ -118,7 +91,7 @@ bool BasicFirstContact<MeshType>::set_ball() {
       *motion_, uint64_t{detail::length_of(detail::frame_of(motion_->from()).translation)} +
                     detail::length_of(centre_) + radius_);
   path_error_ = motion_->move_count() * (static_cast<uint32_t>(farthest >> 27) + 1) +
-                end_error(*motion_, extent);
+                detail::end_error(*motion_, extent);
   if (motion_->move_count() == 1) {  // no lever changes
     Frame frame;
     const uint64_t way = move_by(0, kMotionEnd, frame);
@@ -143,7 +116,7 @@ uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) c
   const uint32_t half = step / 2;
   uint64_t moved = move_by(at_.time + half, half, frame);
   if (way_ != 0) {
-    moved = share(way_, half);
+    moved = detail::share_of(way_, half);
   }
   const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_ + margin_in(step);
   return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
@@ -161,9 +134,9 @@ uint64_t BasicFirstContact<MeshType>::move_by(uint32_t middle, uint32_t half, Fr
       if (move.turn != 0) {
         const uint64_t lever =
             detail::distance_from_axis(move, detail::place(frame, centre_)) + radius_ + moved;
-        moved += arc_of(share(magnitude(move.turn), half), lever);
+        moved += detail::arc_of(move, half, lever);
       }
-      moved += share(detail::length_of(move.travel), half);
+      moved += detail::share_of(detail::length_of(move.travel), half);
     }
     detail::carry(move, middle, frame);
   }
