@@ -116,7 +116,7 @@ uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) c
   const uint32_t half = step / 2;
   uint64_t moved = move_by(at_.time + half, half, frame);
   if (way_ != 0) {
-    moved = detail::share_of(way_, half);
+    moved = detail::part_of(way_, half);
   }
   const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_ + margin_in(step);
   return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
@@ -136,7 +136,7 @@ uint64_t BasicFirstContact<MeshType>::move_by(uint32_t middle, uint32_t half, Fr
             detail::distance_from_axis(move, detail::place(frame, centre_)) + radius_ + moved;
         moved += detail::arc_of(move, half, lever);
       }
-      moved += detail::share_of(detail::length_of(move.travel), half);
+      moved += detail::part_of(detail::length_of(move.travel), half);
     }
     detail::carry(move, middle, frame);
   }

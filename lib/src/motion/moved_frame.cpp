@@ -120,14 +120,14 @@ uint32_t length_of(const int32_t (&vector)[3]) {
   return squared == 0 ? 0 : square_root(squared) + 1;
 }
 
-uint64_t share_of(uint32_t length, uint32_t part) {
+uint64_t part_of(uint32_t length, uint32_t part) {
   return (uint64_t{length} * part >> 30) + 1;
 }
 
 uint64_t arc_of(const Move& move, uint32_t part, uint64_t lever) {
   // By 2 pi in 2^-8, and parts of 2^-28 of a turn.
   constexpr uint32_t full_turn = 1609;
-  const uint64_t turned = share_of(magnitude(move.turn), part);
+  const uint64_t turned = part_of(magnitude(move.turn), part);
   return ((turned * lever >> 20) * full_turn >> 16) + 1;
 }
 
