@@ -34,14 +34,15 @@ function(flashbvh_add_firmware name)
   set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${FLASHBVH_NO_HEAP})
 endfunction()
 
-# flashbvh_add_firmware_test(name target [ICOUNT] [ARGUMENTS argument...] [STATUS n]
+# flashbvh_add_firmware_test(name target [ICOUNT | CYCLES] [ARGUMENTS argument...] [STATUS n]
 #                            [PASS_REGULAR_EXPRESSION regex] [TIMEOUT seconds])
 #
 # Runs the firmware under QEMU. The test passes when it ends with STATUS (0 unless given) and, if
-# there is an expression, its output matches. ICOUNT makes instruction counts exact.
+# there is an expression, its output matches. ICOUNT makes instruction counts exact,
+# CYCLES counts cycles in place of instructions.
 function(flashbvh_add_firmware_test name target)
   cmake_parse_arguments(PARSE_ARGV 2 arg
-    "ICOUNT" "STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
+    "ICOUNT;CYCLES" "STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "flashbvh_add_firmware_test(${name}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -60,9 +61,15 @@ function(flashbvh_add_firmware_test name target)
   if(arg_ICOUNT)
     list(APPEND environment FLASHBVH_ICOUNT=${FLASHBVH_ICOUNT_SHIFT})
   endif()
+  set(folder ${CMAKE_CURRENT_BINARY_DIR})
+  if(arg_CYCLES)
+    list(APPEND environment "FLASHBVH_QEMU_OPTIONS=${FLASHBVH_CYCLES}")
+    set(folder ${folder}/cycles/${target})  # where the plugin leaves what it counts
+    file(MAKE_DIRECTORY ${folder})
+  endif()
 
   set(test "${FLASHBVH_TEST_PREFIX}/${name}")
-  add_test(NAME ${test}
+  add_test(NAME ${test} WORKING_DIRECTORY ${folder}
     COMMAND ${CMAKE_COMMAND} ${expectations} -P ${FLASHBVH_EXPECT} --
       ${FLASHBVH_RUN} $<TARGET_FILE:${target}> ${arg_ARGUMENTS})
   # QEMU's own limit comes first: it says what happened.

@@ -3,7 +3,7 @@
 // Under `-icount shift=8` (FLASHBVH_ICOUNT=8 ports/run ...) every instruction takes 256 ns of
 // virtual time, at least 2.5 ticks of the core's timer on every board: the rounded quotient is the
 // number of instructions. They are instructions, not cycles: a division and a push of eight
-// registers count 1 each.
+// registers count 1 each. Under the plugin of ports/cycles the same functions count cycles.
 #pragma once
 
 #include <stdint.h>

@@ -9,8 +9,10 @@ namespace port {
 
 enum class HostCall : uint32_t {
   open = 0x01,
+  close = 0x02,
   write0 = 0x04,  ///< writes a string that ends with 0
   write = 0x05,
+  read = 0x06,
   clock = 0x10,  ///< hundredths of a second since the start, in host time
   get_command_line = 0x15,
   exit = 0x18,           ///< takes a reason only

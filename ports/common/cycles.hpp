@@ -1,0 +1,16 @@
+// Cycles of code, which a plugin of QEMU counts by a model of the core (lib/docs/cycles.md).
+#pragma once
+
+#include <stdint.h>
+
+#include "call.hpp"
+
+namespace port {
+
+/// Whether the plugin runs.
+bool counts_cycles();
+
+/// Cycles that `function(context)` takes; an empty function counts 0. The plugin has to run.
+uint32_t cycles_of_call(Call function, void* context);
+
+}  // namespace port

@@ -1,0 +1,31 @@
+// The cycles of instructions that are executed one after the other.
+#pragma once
+
+#include "table.hpp"
+#include "thumb.hpp"
+
+namespace cycles {
+
+class Pipeline {
+ public:
+  explicit Pipeline(const Table& table) : table_(table) {}
+
+  /// What `next` adds; it is executed after those that were added before. A jump is not in it.
+  uint32_t add(const Instruction& next);
+
+  /// Whether `add` counted the last one without its accesses, as its condition may fail.
+  bool may_be_skipped() const { return may_be_skipped_; }
+
+ private:
+  uint32_t cycles_of(const Instruction& next) const;
+  uint32_t saved_by(const Instruction& next) const;
+  uint32_t waited_by(const Instruction& next) const;
+
+  const Table& table_;
+  Instruction last_ = {};
+  unsigned conditional_ = 0;  ///< instructions to come that an IT governs
+  bool has_last_ = false;
+  bool may_be_skipped_ = false;
+};
+
+}  // namespace cycles

@@ -1,0 +1,221 @@
+// A plugin of QEMU that counts the cycles which a Cortex-M takes (lib/docs/cycles.md).
+//
+//     -plugin FILE,tables=FOLDER,core=NAME,result=FILE[,operands=least|most]
+//             [,flash=NAME,flash_begin=ADDRESS,flash_kb=N]
+//
+// The guest marks what is counted by calls of port_cycles_begin and port_cycles_end. After each
+// pair the result is in the file `result`, until QEMU ends, where the guest reads it
+// (ports/common/cycles.cpp). A block is costed once, when QEMU translates it; at run time there is
+// one addition a block, and what a jump into it takes.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "flash.hpp"
+#include "pipeline.hpp"
+#include "qemu_plugin.h"
+#include "table.hpp"
+#include "thumb.hpp"
+
+int qemu_plugin_version = 1;
+
+namespace cycles {
+namespace {
+
+enum class Mark : uint8_t { none, begin, end };
+
+struct Block {
+  uint64_t first = 0;
+  uint64_t after = 0;   ///< where execution goes on unless the last instruction jumps
+  uint32_t cycles = 0;  ///< without a jump at its end
+  uint32_t jump = 0;
+  uint32_t entry = 0;  ///< in addition, if a jump leads here
+  Mark mark = Mark::none;
+};
+
+struct Model {
+  Table table;
+  std::unique_ptr<Flash> flash;
+  std::deque<Block> blocks;  ///< stay where they are, as QEMU has their addresses
+  const Block* last = nullptr;
+  uint64_t cycles = 0;
+  uint64_t begun = 0;
+  uint32_t pairs = 0;
+  std::string result_name;
+  int result = -1;
+};
+
+Model model;
+
+/// As the guest reads it (ports/common/cycles.cpp).
+struct Result {
+  uint32_t cycles;
+  uint32_t pairs;
+};
+
+void put_result() {
+  model.pairs += 1;
+  const Result result = {static_cast<uint32_t>(model.cycles - model.begun), model.pairs};
+  if (pwrite(model.result, &result, sizeof result, 0) != sizeof result) {
+    std::perror("[cycles] cannot write the result");
+    std::exit(1);
+  }
+}
+
+void enter(unsigned, void* data) {
+  const Block& block = *static_cast<const Block*>(data);
+  if (model.last != nullptr && model.last->after != block.first) {
+    model.cycles += model.last->jump + block.entry;
+  }
+  model.last = &block;
+  if (block.mark == Mark::begin) {
+    model.begun = model.cycles;
+  } else if (block.mark == Mark::end) {
+    put_result();
+  }
+  if (model.flash) {
+    model.cycles += model.flash->fetch(block.first, block.after, model.cycles, block.cycles);
+  }
+  model.cycles += block.cycles;
+}
+
+void load(unsigned, qemu_plugin_meminfo_t, uint64_t address, void*) {
+  model.cycles += model.flash->load(address);
+}
+
+Instruction decode(const qemu_plugin_insn* code) {
+  uint16_t halves[2] = {};
+  std::memcpy(halves, qemu_plugin_insn_data(code), qemu_plugin_insn_size(code));
+  return cycles::decode(halves[0], halves[1]);
+}
+
+Mark mark_of(const qemu_plugin_insn* code) {
+  static uint64_t begin = 0;
+  static uint64_t end = 0;
+  const char* const symbol = qemu_plugin_insn_symbol(code);
+  if (symbol == nullptr) {
+    return Mark::none;
+  }
+  // A function's first block is the first that is translated.
+  const uint64_t address = qemu_plugin_insn_vaddr(code);
+  const bool is_begin = std::strcmp(symbol, "port_cycles_begin") == 0;
+  if (!is_begin && std::strcmp(symbol, "port_cycles_end") != 0) {
+    return Mark::none;
+  }
+  uint64_t& entry = is_begin ? begin : end;
+  entry = entry == 0 ? address : entry;
+  return entry != address ? Mark::none : is_begin ? Mark::begin : Mark::end;
+}
+
+void refuse(const Instruction& instruction, uint64_t address) {
+  std::fprintf(stderr, "[cycles] the core's table has no row '%s', for the instruction at 0x%llx\n",
+               name_of(instruction.kind), static_cast<unsigned long long>(address));
+  std::exit(1);
+}
+
+void end(qemu_plugin_id_t, void*) {
+  std::remove(model.result_name.c_str());
+}
+
+void add(const qemu_plugin_tb* translated, size_t i, Pipeline& pipeline, Block& block) {
+  qemu_plugin_insn* const code = qemu_plugin_tb_get_insn(translated, i);
+  const Instruction instruction = decode(code);
+  const Row& row = model.table[instruction.kind];
+  const uint64_t address = qemu_plugin_insn_vaddr(code);
+  if (!model.table.has(instruction.kind)) {
+    refuse(instruction, address);
+  }
+  block.cycles += pipeline.add(instruction);
+  block.after = address + instruction.bytes;
+  block.jump = row.jump;
+  if (i == 0 && instruction.bytes == 4 && address % 4 != 0) {
+    block.entry = model.table[Rule::wide_target];
+  }
+  if (pipeline.may_be_skipped() && row.per_word != 0 && instruction.words != 0) {
+    qemu_plugin_register_vcpu_mem_inline(code, QEMU_PLUGIN_MEM_RW, QEMU_PLUGIN_INLINE_ADD_U64,
+                                         &model.cycles, row.per_word);
+  }
+  if (model.flash && instruction.words != 0) {
+    qemu_plugin_register_vcpu_mem_cb(code, load, QEMU_PLUGIN_CB_NO_REGS, QEMU_PLUGIN_MEM_R,
+                                     nullptr);
+  }
+}
+
+void translate(qemu_plugin_id_t, qemu_plugin_tb* translated) {
+  Block& block = model.blocks.emplace_back();
+  Pipeline pipeline(model.table);
+  const size_t count = qemu_plugin_tb_n_insns(translated);
+  for (size_t i = 0; i < count; ++i) {
+    add(translated, i, pipeline, block);
+  }
+  const qemu_plugin_insn* const first = qemu_plugin_tb_get_insn(translated, 0);
+  block.first = qemu_plugin_insn_vaddr(first);
+  block.mark = mark_of(first);
+  qemu_plugin_register_vcpu_tb_exec_cb(translated, enter, QEMU_PLUGIN_CB_NO_REGS, &block);
+}
+
+using Arguments = std::map<std::string, std::string>;
+
+Arguments read_arguments(int count, char** arguments) {
+  Arguments read;
+  for (int i = 0; i < count; ++i) {
+    const std::string argument = arguments[i];
+    const size_t equals = argument.find('=');
+    read[argument.substr(0, equals)] =
+        equals == std::string::npos ? "" : argument.substr(equals + 1);
+  }
+  return read;
+}
+
+std::string set_flash(Arguments& arguments) {
+  if (arguments["flash"].empty()) {
+    return "";
+  }
+  FlashProfile profile;
+  const std::string wrong =
+      Flash::read(arguments["tables"] + "/flash.csv", arguments["flash"], profile);
+  if (wrong.empty()) {
+    model.flash = std::make_unique<Flash>(
+        profile, std::strtoull(arguments["flash_begin"].c_str(), nullptr, 0),
+        std::strtoull(arguments["flash_kb"].c_str(), nullptr, 0) * 1024);
+  }
+  return wrong;
+}
+
+std::string set_up(Arguments arguments) {
+  const std::string& operands = arguments["operands"];
+  std::string wrong = model.table.read(arguments["tables"] + "/" + arguments["core"] + ".csv",
+                                       operands == "least"  ? Operands::least
+                                       : operands == "most" ? Operands::most
+                                                            : Operands::assumed);
+  if (wrong.empty()) {
+    wrong = set_flash(arguments);
+  }
+  if (wrong.empty()) {
+    model.result_name = arguments["result"];
+    model.result = open(model.result_name.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+    wrong = model.result < 0 ? "result=" + model.result_name + ": cannot be written" : "";
+  }
+  return wrong;
+}
+
+}  // namespace
+}  // namespace cycles
+
+int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t*, int count, char** arguments) {
+  const std::string wrong = cycles::set_up(cycles::read_arguments(count, arguments));
+  if (!wrong.empty()) {
+    std::fprintf(stderr, "[cycles] %s\n", wrong.c_str());
+    return 1;
+  }
+  qemu_plugin_register_vcpu_tb_trans_cb(id, cycles::translate);
+  qemu_plugin_register_atexit_cb(id, cycles::end, nullptr);
+  return 0;
+}
