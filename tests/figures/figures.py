@@ -2,6 +2,7 @@
 
     run OUTPUT PROGRAM...     runs programs that measure, by the command in RUN if they are firmware, and writes
                               what they print (results.py) to OUTPUT. Fails if one of them does
+    cycles OUTPUT PROGRAM...  runs them with QEMU's options in CYCLES, by which they count cycles
     hold OUTPUT...            holds what programs printed, those OUTPUTs that exist, against budgets.csv; lists
                               figures that differ by more than 2 %, either way, and counts that differ at all,
                               and fails
@@ -13,33 +14,42 @@ import difflib
 import os
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pages
 from robot import BUILD, FOLDER, ROOT, Robot, boards, quietly
-from results import ALL, BUDGETS, Refused, budgets, measured_in
+from results import ALL, BUDGETS, CYCLES, Refused, budgets, cycles, measured_in
 
 DOCS = ROOT / "lib/docs"
 SHIPPED = ROOT / "proofs/time/shipped.py"
 COSTS = [ROOT / "lib/include/flashbvh" / name for name in ("plain/run_costs.h", "detail/robot/guard_costs.hpp")]
+# The presets of cores whose manuals have cycles.
+MODELLED = "cortex-m0", "cortex-m3", "cortex-m4f"
 # What measures: the figures, the memory (proofs/stack) and the bounds (proofs/time).
 TESTS = "figures: .* measured|memory, and both stacks|bound: no (run|period) takes more"
 
 
-def run(output, *programs):
+def run(output, *programs, folder=None, **environment):
     output = Path(output)
     output.parent.mkdir(exist_ok=True)
     output.unlink(missing_ok=True)
     texts = []
     for program in programs:
         done = subprocess.run([*os.environ.get("RUN", "").split(), program], stdout=subprocess.PIPE, text=True,
-                              errors="replace", env={"FLASHBVH_TIMEOUT": "240", **os.environ})
+                              errors="replace", cwd=folder, env={"FLASHBVH_TIMEOUT": "240", **os.environ, **environment})
         print(done.stdout, end="", flush=True)
         if done.returncode:
             sys.exit(f"figures.py: {program} ended with status {done.returncode}")
         texts.append(done.stdout)
     measured_in(texts)
     output.write_text("".join(texts))
+
+
+def count_cycles(output, *programs):
+    # The plugin leaves what it counts in the folder.
+    with tempfile.TemporaryDirectory() as folder:
+        run(output, *programs, folder=folder, FLASHBVH_QEMU_OPTIONS=os.environ["CYCLES"])
 
 
 def held(measured):
@@ -58,10 +68,10 @@ def hold(*files):
 
 def write_pages(check):
     """Writes the pages, or prints how they differ; whether none does."""
-    book, good = budgets(), True
+    books, good = {"figures": budgets(), "cycles": cycles()}, True
     for page in [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]:
         old = page.read_text()
-        new = pages.rewritten(book, old)
+        new = pages.rewritten(books, old)
         if not check:
             page.write_text(new)
         elif new != old:
@@ -107,8 +117,39 @@ def write(measured):
         quietly(sys.executable, "-B", SHIPPED, bounds, costs, "--write")
 
 
+def show_cycles(book):
+    """What cycles.csv holds, next to the instructions of budgets.csv."""
+    cores, instructions = book.columns, budgets()
+    rows = [[name, *(pages.grouped(of.value(core, name)) for core in cores for of in (instructions, book))]
+            for name in book.rows]
+    print(pages.lines_of([["figure", *(column for core in cores for column in (core, "cycles"))], *rows]))
+
+
+def same_answers(preset, measured):
+    """Refuses counts that differ from those of budgets.csv: the model changes no answer."""
+    book = budgets()
+    for (core, name), value in measured.items():
+        if core == ALL and name in book.rows and value != book.value(ALL, name):
+            raise Refused(f"{preset} {name}: {value}, without the plugin {book.value(ALL, name)}")
+
+
+def measure_cycles(robot, *presets):
+    book = cycles()
+    for preset in presets or MODELLED:
+        robot.count_cycles(preset)
+        measured = measured_in(file.read_text() for file in sorted((BUILD / preset / "cycles").glob("*.txt")))
+        same_answers(preset, measured)
+        book.update(measured)
+    CYCLES.write_text(book.text())
+    show_cycles(book)
+    return write_pages(check=False)
+
+
 def measure(mode, urdf, native, *presets):
     robot = Robot(Path(urdf).resolve(), native)
+    if mode == "cycles":
+        robot.prepare(for_boards_alone=True)
+        return measure_cycles(robot, *presets)
     if mode in ("prepare", "trees"):
         robot.prepare(for_boards_alone=mode == "prepare")
         return robot.trees(*presets or ("cortex-m4f",)) if mode == "trees" else print(FOLDER)
@@ -130,6 +171,8 @@ def main(command="", *arguments):
     try:
         if command == "run" and len(arguments) > 1:
             return run(*arguments)
+        if command == "cycles" and len(arguments) > 1:
+            return count_cycles(*arguments)
         if command == "hold" and arguments:
             return hold(*arguments)
         if command == "pages" and arguments in ((), ("--check",)):

@@ -71,13 +71,13 @@ class FiguresTest(unittest.TestCase):
                     [["size", "mean", "most"], ["2", cells[1], cells[1]]]) + "\n| a | table |\n")
 
         book = Budgets(BUDGETS.replace("visits,1000", "visits,10000"))
-        self.assertEqual(pages.rewritten(book, page("7", "8")), page("1000", "10,000"))
+        self.assertEqual(pages.rewritten({"figures": book}, page("7", "8")), page("1000", "10,000"))
         with self.assertRaisesRegex(Refused, "2 figures, 1 rows"):
-            pages.rewritten(book, "<!-- figures a.{b,c} -->\n| a |\n| - |\n| b |\n")
+            pages.rewritten({"figures": book}, "<!-- figures a.{b,c} -->\n| a |\n| - |\n| b |\n")
         with self.assertRaisesRegex(Refused, "without a table"):
-            pages.rewritten(book, "<!-- figures a.b -->\n\n| a |\n")
+            pages.rewritten({"figures": book}, "<!-- figures a.b -->\n\n| a |\n")
         with self.assertRaisesRegex(Refused, "no figure a.b"):
-            pages.rewritten(book, "<!-- figures a.b -->\n| a | M4 |\n| - | - |\n| b | 1 |\n")
+            pages.rewritten({"figures": book}, "<!-- figures a.b -->\n| a | M4 |\n| - | - |\n| b | 1 |\n")
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import io
 from pathlib import Path
 
 BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
+CYCLES = BUDGETS.with_name("cycles.csv")  # of some of its figures, by the model of lib/docs/cycles.md
 SLACK = 2  # percent
 ALL = "all"  # the column of counts
 OTHERS = "lump", "gear", "spindle"  # sets of meshes by the first of their pairs; the robot's links come on top
@@ -116,7 +117,7 @@ class Budgets:
 
     def value(self, core, name):
         if name not in self.rows:
-            raise Refused(f"budgets.csv has no figure {name}")
+            raise Refused(f"there is no figure {name}")
         return self.rows[name].get(core, "")
 
     def missing_in(self, measured):
@@ -156,3 +157,7 @@ class Budgets:
 
 def budgets():
     return Budgets(BUDGETS.read_text())
+
+
+def cycles():
+    return Budgets(CYCLES.read_text())

@@ -126,6 +126,12 @@ class Robot:
         quietly("cmake", "--build", "--preset", preset, "--target", "figures")
         quietly("ctest", "--preset", preset, "-R", tests)
 
+    def count_cycles(self, preset):
+        """Leaves what programs print of cycles in the preset's build folder."""
+        print(f"Counting cycles of {preset}", flush=True)
+        self.configure(preset, FOLDER)
+        quietly("cmake", "--build", "--preset", preset, "--target", "figures_cycles")
+
     def trees(self, preset):
         """A row for each leaf size and arity; the build is left as it was."""
         folder = FOLDER / "trees"
