@@ -8,7 +8,8 @@
 namespace port {
 
 uint32_t instructions_of_call(Call function, void* context) {
-  if (counts_cycles()) {
+  static const bool by_model = counts_cycles();
+  if (by_model) {
     return cycles_of_call(function, context);
   }
   constexpr uint32_t kPasses = 100;
