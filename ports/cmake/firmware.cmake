@@ -34,15 +34,15 @@ function(flashbvh_add_firmware name)
   set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${FLASHBVH_NO_HEAP})
 endfunction()
 
-# flashbvh_add_firmware_test(name target [ICOUNT | CYCLES] [ARGUMENTS argument...] [STATUS n]
+# flashbvh_add_firmware_test(name target [ICOUNT | CYCLES [MODEL options]] [ARGUMENTS argument...] [STATUS n]
 #                            [PASS_REGULAR_EXPRESSION regex] [TIMEOUT seconds])
 #
 # Runs the firmware under QEMU. The test passes when it ends with STATUS (0 unless given) and, if
 # there is an expression, its output matches. ICOUNT makes instruction counts exact,
-# CYCLES counts cycles in place of instructions.
+# CYCLES counts cycles in place of instructions, by the plugin's options in MODEL, if any.
 function(flashbvh_add_firmware_test name target)
   cmake_parse_arguments(PARSE_ARGV 2 arg
-    "ICOUNT;CYCLES" "STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
+    "ICOUNT;CYCLES" "MODEL;STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "flashbvh_add_firmware_test(${name}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -63,7 +63,10 @@ function(flashbvh_add_firmware_test name target)
   endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR})
   if(arg_CYCLES)
-    list(APPEND environment "FLASHBVH_QEMU_OPTIONS=${FLASHBVH_CYCLES}")
+    if(arg_MODEL)
+      string(PREPEND arg_MODEL ",")
+    endif()
+    list(APPEND environment "FLASHBVH_QEMU_OPTIONS=${FLASHBVH_CYCLES}${arg_MODEL}")
     set(folder ${folder}/cycles/${target})  # where the plugin leaves what it counts
     file(MAKE_DIRECTORY ${folder})
   endif()

@@ -86,8 +86,10 @@ void enter(unsigned, void* data) {
   model.cycles += block.cycles;
 }
 
-void load(unsigned, qemu_plugin_meminfo_t, uint64_t address, void*) {
-  model.cycles += model.flash->load(address);
+void read_data(unsigned, qemu_plugin_meminfo_t info, uint64_t address, void*) {
+  if (!qemu_plugin_mem_is_store(info)) {
+    model.cycles += model.flash->load(address);
+  }
 }
 
 Instruction decode(const qemu_plugin_insn* code) {
@@ -115,8 +117,11 @@ Mark mark_of(const qemu_plugin_insn* code) {
 }
 
 void refuse(const Instruction& instruction, uint64_t address) {
-  std::fprintf(stderr, "[cycles] the core's table has no row '%s', for the instruction at 0x%llx\n",
-               name_of(instruction.kind), static_cast<unsigned long long>(address));
+  std::fprintf(
+      stderr,
+      "[cycles] core=: the table has no row '%s', for the instruction at 0x%llx; give the table "
+      "of the core that the program is built for\n",
+      name_of(instruction.kind), static_cast<unsigned long long>(address));
   std::exit(1);
 }
 
@@ -143,7 +148,8 @@ void add(const qemu_plugin_tb* translated, size_t i, Pipeline& pipeline, Block& 
                                          &model.cycles, row.per_word);
   }
   if (model.flash && instruction.words != 0) {
-    qemu_plugin_register_vcpu_mem_cb(code, load, QEMU_PLUGIN_CB_NO_REGS, QEMU_PLUGIN_MEM_R,
+    // Of loads alone, QEMU 7.2 would report the stores.
+    qemu_plugin_register_vcpu_mem_cb(code, read_data, QEMU_PLUGIN_CB_NO_REGS, QEMU_PLUGIN_MEM_RW,
                                      nullptr);
   }
 }

@@ -41,6 +41,7 @@ void qemu_plugin_register_vcpu_tb_exec_cb(qemu_plugin_tb*, ExecutedCallback, qem
                                           void* data);
 void qemu_plugin_register_vcpu_mem_cb(qemu_plugin_insn*, AccessedCallback, qemu_plugin_cb_flags,
                                       qemu_plugin_mem_rw, void* data);
+bool qemu_plugin_mem_is_store(qemu_plugin_meminfo_t);
 void qemu_plugin_register_vcpu_mem_inline(qemu_plugin_insn*, qemu_plugin_mem_rw, qemu_plugin_op,
                                           void* sum, uint64_t added);
 void qemu_plugin_register_atexit_cb(qemu_plugin_id_t, void (*)(qemu_plugin_id_t, void*), void*);

@@ -8,7 +8,7 @@
 
 namespace {
 
-#define CASE(name, code, m0, m3, m4)                         \
+#define CASE(name, code, m0, m0plus, m3, m4)                 \
   __attribute__((naked, aligned(4))) void name(void*) {      \
     __asm__ volatile(".syntax unified\n" code "\n bx lr\n"); \
   }
@@ -21,16 +21,18 @@ struct Case {
   uint32_t cycles;
 };
 
-#if __ARM_ARCH == 6
-#define OF_CORE(m0, m3, m4) m0
+#if defined(MODEL_OF_M0PLUS)
+#define OF_CORE(m0, m0plus, m3, m4) m0plus
+#elif __ARM_ARCH == 6
+#define OF_CORE(m0, m0plus, m3, m4) m0
 #elif !defined(__ARM_FEATURE_DSP)
-#define OF_CORE(m0, m3, m4) m3
+#define OF_CORE(m0, m0plus, m3, m4) m3
 #else
-#define OF_CORE(m0, m3, m4) m4
+#define OF_CORE(m0, m0plus, m3, m4) m4
 #endif
 
 constexpr Case kCases[] = {
-#define CASE(name, code, m0, m3, m4) {#name, name, OF_CORE(m0, m3, m4)},
+#define CASE(name, code, m0, m0plus, m3, m4) {#name, name, OF_CORE(m0, m0plus, m3, m4)},
 #include "cycles_cases.inc"
 #undef CASE
 };

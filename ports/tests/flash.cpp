@@ -1,0 +1,59 @@
+// What waiting for flash adds to cycles, by the profiles of ports/cycles/tables/flash.csv: on a
+// Cortex-M0 the RP2040's, on others the STM32F4's.
+#include <stdint.h>
+
+#include "cycles.hpp"
+#include "text.hpp"
+
+namespace {
+
+// 128 bytes: eight lines of 16, or sixteen of 8.
+#define CODE(name, text)                                                       \
+  __attribute__((naked, aligned(128))) void name(void*) {                      \
+    __asm__ volatile(".syntax unified\n" text "\n nop\n bx lr\n .balign 128"); \
+  }
+CODE(narrow, ".rept 62\n nop\n .endr")
+#if __ARM_ARCH >= 7
+CODE(wide, ".rept 31\n add.w r1, r1, #1\n .endr")
+#endif
+
+// Reads a, b, a and c, 8 KB after each other, twice. The RP2040's two ways keep two of them: of the
+// second four, a is there each time.
+CODE(far,
+     "movs r1, #1\n lsls r1, r1, #13\n adds r1, r0, r1\n movs r2, #1\n lsls r2, r2, #14\n"
+     "adds r2, r0, r2\n .rept 2\n ldr r3, [r0]\n nop\n ldr r3, [r1]\n nop\n ldr r3, [r0]\n nop\n"
+     "ldr r3, [r2]\n nop\n .endr")
+
+int wrong = 0;
+
+void expect(const char* name, uint32_t cycles, uint32_t expected) {
+  if (cycles != expected) {
+    ++wrong;
+    port::print(name, ": ", cycles, " cycles, expected ", expected, "\n");
+  }
+}
+
+/// The first call waits; the later ones, with all in the cache that stays there, take `cycles`.
+void expect_call(const char* name, port::Call code, uint32_t cycles, uint32_t first_waits) {
+  void* const flash = reinterpret_cast<void*>(0x1000);
+  expect(name, port::cycles_of_call(code, flash), cycles + first_waits);
+  expect(name, port::cycles_of_call(code, flash), cycles);
+}
+
+}  // namespace
+
+int main() {
+  port::cycles_of_call([](void*) {}, nullptr);  // what is around a call is in the cache
+#if __ARM_ARCH >= 7
+  // A line of eight instructions takes longer than reading the next one, a line of four does not.
+  expect_call("narrow", narrow, 63, 5);
+  expect_call("wide", wide, 32, 5 + 7 * 2);
+  expect_call("far", far, 31, 5 + 3 * 5);
+#else
+  constexpr uint32_t kMiss = 56;
+  expect_call("narrow", narrow, 63, 16 * kMiss);
+  expect_call("far", far, 31 + 4 * kMiss, (6 + 1) * kMiss);
+#endif
+  port::print("wrong waits: ", wrong, "\n");
+  return wrong == 0 ? 0 : 1;
+}
