@@ -1,6 +1,6 @@
 // A plugin of QEMU that counts the cycles which a Cortex-M takes (lib/docs/cycles.md).
 //
-//     -plugin FILE,tables=FOLDER,core=NAME,result=FILE[,operands=least|most]
+//     -plugin FILE,tables=FOLDER,core=NAME,result=FILE[,range=least|most]
 //             [,flash=NAME,flash_begin=ADDRESS,flash_kb=N]
 //
 // The guest marks what is counted by calls of port_cycles_begin and port_cycles_end. After each
@@ -196,11 +196,11 @@ std::string set_flash(Arguments& arguments) {
 }
 
 std::string set_up(Arguments arguments) {
-  const std::string& operands = arguments["operands"];
+  const std::string& range = arguments["range"];
   std::string wrong = model.table.read(arguments["tables"] + "/" + arguments["core"] + ".csv",
-                                       operands == "least"  ? Operands::least
-                                       : operands == "most" ? Operands::most
-                                                            : Operands::assumed);
+                                       range == "least"  ? Range::least
+                                       : range == "most" ? Range::most
+                                                         : Range::assumed);
   if (wrong.empty()) {
     wrong = set_flash(arguments);
   }

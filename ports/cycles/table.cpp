@@ -64,7 +64,7 @@ bool read_number(const std::string& cell, uint16_t& number) {
 }
 
 /// "7", or "2-7-12": the least, the assumed, the most.
-bool read_cycles(const std::string& cell, Operands operands, uint16_t& cycles) {
+bool read_cycles(const std::string& cell, Range range, uint16_t& cycles) {
   std::istringstream parts(cell);
   std::string least;
   std::string assumed;
@@ -74,15 +74,15 @@ bool read_cycles(const std::string& cell, Operands operands, uint16_t& cycles) {
     return !cell.empty() && read_number(cell, cycles);
   }
   std::getline(parts, most);
-  return !most.empty() && read_number(operands == Operands::least  ? least
-                                      : operands == Operands::most ? most
-                                                                   : assumed,
+  return !most.empty() && read_number(range == Range::least  ? least
+                                      : range == Range::most ? most
+                                                             : assumed,
                                       cycles);
 }
 
 }  // namespace
 
-std::string Table::read_line(const std::string& line, Operands operands) {
+std::string Table::read_line(const std::string& line, Range range) {
   std::istringstream cells(line);
   std::string name;
   std::string cycles;
@@ -93,9 +93,9 @@ std::string Table::read_line(const std::string& line, Operands operands) {
   std::getline(cells, per_word, ',');
   std::getline(cells, jump, ',');
   Row row;
-  if (!read_cycles(cycles, operands, row.cycles) || !read_number(per_word, row.per_word) ||
-      !read_number(jump, row.jump)) {
-    return "'" + name + "': cycles, per_word and jump have to be numbers below 10000";
+  if (!read_cycles(cycles, range, row.cycles) || !read_number(per_word, row.per_word) ||
+      !(jump.empty() || read_cycles(jump, range, row.jump))) {
+    return "'" + name + "': cycles, words and jump have to be numbers, as 7 or 2-7-12, below 10000";
   }
   const size_t kind = index_of(kKindNames, name);
   const size_t rule = index_of(kRuleNames, name);
@@ -114,7 +114,7 @@ const char* name_of(Kind kind) {
   return kKindNames[static_cast<uint8_t>(kind)];
 }
 
-std::string Table::read(const std::string& path, Operands operands) {
+std::string Table::read(const std::string& path, Range range) {
   std::ifstream file(path);
   if (!file) {
     return path + ": cannot be read";
@@ -122,7 +122,7 @@ std::string Table::read(const std::string& path, Operands operands) {
   std::string line;
   std::getline(file, line);  // the head
   for (int number = 2; std::getline(file, line); ++number) {
-    const std::string wrong = read_line(line, operands);
+    const std::string wrong = read_line(line, range);
     if (!wrong.empty()) {
       return path + ":" + std::to_string(number) + ": " + wrong;
     }

@@ -29,15 +29,15 @@ struct Row {
   uint16_t jump = 0;      ///< in addition, where the next instruction is another one
 };
 
-/// Where the cycles depend on operands, which the model does not see.
-enum class Operands : uint8_t { assumed, least, most };
+/// Where the manual gives a range, by what the model does not see.
+enum class Range : uint8_t { assumed, least, most };
 
 const char* name_of(Kind kind);
 
 class Table {
  public:
   /// Returns what is wrong, as one line that names the file; empty if nothing is.
-  std::string read(const std::string& path, Operands operands);
+  std::string read(const std::string& path, Range range);
 
   const Row& operator[](Kind kind) const { return rows_[static_cast<uint8_t>(kind)]; }
   /// Whether the core has instructions of that kind.
@@ -45,7 +45,7 @@ class Table {
   uint16_t operator[](Rule rule) const { return rules_[static_cast<uint8_t>(rule)]; }
 
  private:
-  std::string read_line(const std::string& line, Operands operands);
+  std::string read_line(const std::string& line, Range range);
 
   std::array<Row, kKinds> rows_;
   std::array<bool, kKinds> has_row_{};
