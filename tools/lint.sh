@@ -1,5 +1,5 @@
 #!/bin/sh
-# lint.sh          clang-tidy on the library and the host program.
+# lint.sh          clang-tidy on the library, the host program and the plugin that counts cycles.
 # lint.sh --deep   Also what takes two thirds of the time and has found little: on the host program the
 #                  analyzer, most of whose steps go into the insides of the standard library,
 #                  performance-unnecessary-value-param and bugprone-stringview-nullptr, and
@@ -32,6 +32,7 @@ lint() {
 }
 
 lint lib "" lib/src/*/*.cpp
+lint cycles "" ports/cycles/*.cpp
 # Rooms whose names do not clash, together: the headers of the standard library are half of the work.
 # What stands in for another source where there are no processes, or readers, by itself.
 instead="tools/mesh/import_here.cpp tools/robot/read/foreign_unread.cpp"

@@ -36,9 +36,10 @@ std::string Flash::read(const std::string& path, const std::string& name, FlashP
     FlashProfile read;
     if (!(cells >> row >> read.line_bytes >> read.sets >> read.ways >> read.data_lines >>
           read.wait >> read.prefetches)) {
-      return path + ": '" + row + "' is no row of a name and six numbers";
+      return std::string(path).append(": '").append(row).append(
+          "' is no row of a name and six numbers");
     }
-    known += " " + row;
+    known.append(" ").append(row);
     if (row == name) {
       profile = read;
       return "";

@@ -180,36 +180,52 @@ Arguments read_arguments(int count, char** arguments) {
   return read;
 }
 
+std::string path_of(const Arguments& arguments, const std::string& table) {
+  const auto folder = arguments.find("tables");
+  std::string path = folder == arguments.end() ? "." : folder->second;
+  return path.append("/").append(table).append(".csv");
+}
+
+uint64_t number_in(const std::string& argument) {
+  return std::strtoull(argument.c_str(), nullptr, 0);
+}
+
 std::string set_flash(Arguments& arguments) {
-  if (arguments["flash"].empty()) {
+  const std::string& name = arguments["flash"];
+  if (name.empty()) {
     return "";
   }
   FlashProfile profile;
-  const std::string wrong =
-      Flash::read(arguments["tables"] + "/flash.csv", arguments["flash"], profile);
+  std::string wrong = Flash::read(path_of(arguments, "flash"), name, profile);
   if (wrong.empty()) {
-    model.flash = std::make_unique<Flash>(
-        profile, std::strtoull(arguments["flash_begin"].c_str(), nullptr, 0),
-        std::strtoull(arguments["flash_kb"].c_str(), nullptr, 0) * 1024);
+    model.flash = std::make_unique<Flash>(profile, number_in(arguments["flash_begin"]),
+                                          number_in(arguments["flash_kb"]) * 1024);
   }
   return wrong;
 }
 
-std::string set_up(Arguments arguments) {
+std::string set_table(Arguments& arguments) {
   const std::string& range = arguments["range"];
-  std::string wrong = model.table.read(arguments["tables"] + "/" + arguments["core"] + ".csv",
-                                       range == "least"  ? Range::least
-                                       : range == "most" ? Range::most
-                                                         : Range::assumed);
+  if (!range.empty() && range != "least" && range != "most") {
+    return "range=" + range + ": give least or most, or nothing for what is assumed";
+  }
+  return model.table.read(path_of(arguments, arguments["core"]), range.empty()      ? Range::assumed
+                                                                 : range == "least" ? Range::least
+                                                                                    : Range::most);
+}
+
+std::string set_result(const std::string& name) {
+  model.result_name = name;
+  model.result = open(name.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+  return model.result < 0 ? "result=" + name + ": cannot be written" : "";
+}
+
+std::string set_up(Arguments arguments) {
+  std::string wrong = set_table(arguments);
   if (wrong.empty()) {
     wrong = set_flash(arguments);
   }
-  if (wrong.empty()) {
-    model.result_name = arguments["result"];
-    model.result = open(model.result_name.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
-    wrong = model.result < 0 ? "result=" + model.result_name + ": cannot be written" : "";
-  }
-  return wrong;
+  return wrong.empty() ? set_result(arguments["result"]) : wrong;
 }
 
 }  // namespace

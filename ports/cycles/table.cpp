@@ -124,7 +124,11 @@ std::string Table::read(const std::string& path, Range range) {
   for (int number = 2; std::getline(file, line); ++number) {
     const std::string wrong = read_line(line, range);
     if (!wrong.empty()) {
-      return path + ":" + std::to_string(number) + ": " + wrong;
+      return std::string(path)
+          .append(":")
+          .append(std::to_string(number))
+          .append(": ")
+          .append(wrong);
     }
   }
   return "";
