@@ -51,7 +51,7 @@ __attribute__((noinline)) Result marked(Call function, void* context) {
 
 bool counts_cycles() {
   // A file that no plugin writes any more stays as it is.
-  Result before;
+  Result before = {};
   return read_result(&before) && marked(empty, nullptr).pairs != before.pairs;
 }
 

@@ -1,4 +1,4 @@
-// Emil Lenngren's X25519 on the first test vector of RFC 7748, 5.2, and its arithmetic.
+// Emil Lenngren's X25519, with and without the FPU, on the first test vector of RFC 7748, 5.2.
 #include <string.h>
 
 #include "program.hpp"
@@ -17,35 +17,10 @@ constexpr uint8_t kProduct[] = {0xc3, 0xda, 0x55, 0x37, 0x9d, 0xe9, 0xc6, 0x90, 
                                 0x4d, 0xf2, 0x8d, 0x08, 0x4f, 0x32, 0xec, 0xcf, 0x03, 0x49, 0x1c,
                                 0x71, 0xf7, 0x54, 0xb4, 0x07, 0x55, 0x77, 0xa2, 0x85, 0x52};
 
-uint32_t words[8];
-
-// Its arithmetic has a convention of calls of its own. Published are the cycles with the call and
-// the return, so what is subtracted is the code around the call.
-#define AROUND(name, call)                                                              \
-  __attribute__((naked)) void name(void*) {                                             \
-    __asm__ volatile(                                                                   \
-        "push {r4-r11, lr}\n mov r8, r0\n mov r9, r0\n mov r1, r0\n mov r2, r0\n " call \
-        "\n pop {r4-r11, pc}");                                                         \
-  }
-AROUND(nothing, "")
-AROUND(add, "bl fe25519_add")
-AROUND(subtract, "bl fe25519_sub")
-AROUND(multiply, "bl fe25519_mul")
-AROUND(square, "bl fe25519_sqr")
-
-void print_call(const char* name, port::Call call) {
-  const uint32_t around = port::cycles_of_call(nothing, words);
-  port::print("cycles ", name, " ", port::cycles_of_call(call, words) - around, "\n");
-}
-
 }  // namespace
 
 int main() {
   static uint8_t product[sizeof kProduct];
   print_cycles("x25519", [] { curve25519_scalarmult(product, kScalar, kPoint); });
-  print_call("add", add);
-  print_call("sub", subtract);
-  print_call("mul", multiply);
-  print_call("sqr", square);
   return end(memcmp(product, kProduct, sizeof kProduct) == 0);
 }
