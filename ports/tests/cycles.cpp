@@ -1,5 +1,5 @@
 // The cycles of every kind of instruction, by the rules of the cores' manuals
-// (ports/cycles/tables).
+// (ports/cycles/tables); of the core CYCLES_OF, whose code the board's core runs, too.
 #include "cycles.hpp"
 
 #include <stdint.h>
@@ -8,12 +8,21 @@
 
 namespace {
 
-#define CASE(name, code, m0, m0plus, m3, m4)                 \
+#define CASE(name, code, m0, m0plus, m3, m4f)                \
   __attribute__((naked, aligned(4))) void name(void*) {      \
     __asm__ volatile(".syntax unified\n" code "\n bx lr\n"); \
   }
 #include "cycles_cases.inc"
 #undef CASE
+
+struct Cycles {
+  uint32_t m0;
+  uint32_t m0plus;
+  uint32_t m3;
+  uint32_t m4f;
+};
+
+constexpr uint32_t kNone = UINT32_MAX;
 
 struct Case {
   const char* name;
@@ -21,36 +30,35 @@ struct Case {
   uint32_t cycles;
 };
 
-#if defined(MODEL_OF_M0PLUS)
-#define OF_CORE(m0, m0plus, m3, m4) m0plus
-#elif __ARM_ARCH == 6
-#define OF_CORE(m0, m0plus, m3, m4) m0
-#elif !defined(__ARM_FEATURE_DSP)
-#define OF_CORE(m0, m0plus, m3, m4) m3
-#else
-#define OF_CORE(m0, m0plus, m3, m4) m4
-#endif
-
 constexpr Case kCases[] = {
-#define CASE(name, code, m0, m0plus, m3, m4) {#name, name, OF_CORE(m0, m0plus, m3, m4)},
+#define CASE(name, code, m0, m0plus, m3, m4f) {#name, name, Cycles{m0, m0plus, m3, m4f}.CYCLES_OF},
 #include "cycles_cases.inc"
 #undef CASE
 };
 
 uint32_t words[8];
 
+/// Whether the case takes what it has to.
+bool is_right(const Case& tested) {
+  words[0] = reinterpret_cast<uintptr_t>(words);
+  const uint32_t cycles = port::cycles_of_call(tested.code, words);
+  if (cycles != tested.cycles) {
+    port::print(tested.name, ": ", cycles, " cycles, expected ", tested.cycles, "\n");
+  }
+  return cycles == tested.cycles;
+}
+
 }  // namespace
 
 int main() {
   int wrong = 0;
+  int cases = 0;
   for (const Case& tested : kCases) {
-    words[0] = reinterpret_cast<uintptr_t>(words);
-    const uint32_t cycles = port::cycles_of_call(tested.code, words);
-    if (cycles != tested.cycles) {
-      ++wrong;
-      port::print(tested.name, ": ", cycles, " cycles, expected ", tested.cycles, "\n");
+    if (tested.cycles != kNone) {
+      ++cases;
+      wrong += is_right(tested) ? 0 : 1;
     }
   }
-  port::print("wrong cycles: ", wrong, " of ", sizeof kCases / sizeof *kCases, "\n");
+  port::print("wrong cycles: ", wrong, " of ", cases, "\n");
   return wrong == 0 ? 0 : 1;
 }
