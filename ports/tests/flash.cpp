@@ -43,7 +43,6 @@ void expect_call(const char* name, port::Call code, uint32_t cycles, uint32_t fi
 }  // namespace
 
 int main() {
-  port::cycles_of_call([](void*) {}, nullptr);  // what is around a call is in the cache
 #if __ARM_ARCH >= 7
   // A line of eight instructions takes longer than reading the next one, a line of four does not.
   expect_call("narrow", narrow, 63, 5);

@@ -2,7 +2,8 @@
 
     run OUTPUT PROGRAM...     runs programs that measure, by the command in RUN if they are firmware, and writes
                               what they print (results.py) to OUTPUT. Fails if one of them does
-    cycles OUTPUT PROGRAM...  runs them with QEMU's options in CYCLES, by which they count cycles
+    cycles CORE FOLDER PROGRAM...   runs them with QEMU's options in CYCLES, by which they count cycles, and writes
+                              what they print to FOLDER; by each model that runs the core's code
     hold OUTPUT...            holds what programs printed, those OUTPUTs that exist, against budgets.csv; lists
                               figures that differ by more than 2 %, either way, and counts that differ at all,
                               and fails
@@ -26,13 +27,18 @@ SHIPPED = ROOT / "proofs/time/shipped.py"
 COSTS = [ROOT / "lib/include/flashbvh" / name for name in ("plain/run_costs.h", "detail/robot/guard_costs.hpp")]
 # The presets of cores whose manuals have cycles.
 MODELLED = "cortex-m0", "cortex-m3", "cortex-m4f"
+# The columns of cycles.csv that run a core's code, and what the plugin is given in addition: the core without
+# wait states, and parts with flash that waits.
+MODELS = {"Cortex-M0": {"Cortex-M0": "", "Cortex-M0+": ",core=cortex-m0plus",
+                        "RP2040": ",core=cortex-m0plus,flash=rp2040-xip"},
+          "Cortex-M4F": {"Cortex-M4F": "", "STM32F4": ",flash=stm32f4-5ws"}}
 # What measures: the figures, the memory (proofs/stack) and the bounds (proofs/time).
 TESTS = "figures: .* measured|memory, and both stacks|bound: no (run|period) takes more"
 
 
 def run(output, *programs, folder=None, **environment):
     output = Path(output)
-    output.parent.mkdir(exist_ok=True)
+    output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)
     texts = []
     for program in programs:
@@ -46,10 +52,13 @@ def run(output, *programs, folder=None, **environment):
     output.write_text("".join(texts))
 
 
-def count_cycles(output, *programs):
-    # The plugin leaves what it counts in the folder.
-    with tempfile.TemporaryDirectory() as folder:
-        run(output, *programs, folder=folder, FLASHBVH_QEMU_OPTIONS=os.environ["CYCLES"])
+def count_cycles(core, results, *programs):
+    for model, options in MODELS.get(core, {core: ""}).items():
+        output = Path(results) / f"{model}.txt"
+        # The plugin leaves what it counts in the folder.
+        with tempfile.TemporaryDirectory() as folder:
+            run(output, *programs, folder=folder, FLASHBVH_QEMU_OPTIONS=os.environ["CYCLES"] + options)
+        output.write_text(output.read_text().replace(f"core {core}\n", f"core {model}\n"))
 
 
 def held(measured):
@@ -119,10 +128,12 @@ def write(measured):
 
 def show_cycles(book):
     """What cycles.csv holds, next to the instructions of budgets.csv."""
-    cores, instructions = book.columns, budgets()
-    rows = [[name, *(pages.grouped(of.value(core, name)) for core in cores for of in (instructions, book))]
-            for name in book.rows]
-    print(pages.lines_of([["figure", *(column for core in cores for column in (core, "cycles"))], *rows]))
+    instructions, columns = budgets(), []
+    for core in book.columns:
+        columns += [(core, instructions)] * (core in instructions.columns) + [(core, book)]
+    rows = [[name, *(pages.grouped(of.value(core, name)) for core, of in columns)] for name in book.rows]
+    print(pages.lines_of([["figure", *(core if of is instructions else f"{core}, cycles" for core, of in columns)],
+                          *rows]))
 
 
 def same_answers(preset, measured):
@@ -137,7 +148,7 @@ def measure_cycles(robot, *presets):
     book = cycles()
     for preset in presets or MODELLED:
         robot.count_cycles(preset)
-        measured = measured_in(file.read_text() for file in sorted((BUILD / preset / "cycles").glob("*.txt")))
+        measured = measured_in(file.read_text() for file in sorted((BUILD / preset / "cycles").glob("*/*.txt")))
         same_answers(preset, measured)
         book.update(measured)
     CYCLES.write_text(book.text())
@@ -171,7 +182,7 @@ def main(command="", *arguments):
     try:
         if command == "run" and len(arguments) > 1:
             return run(*arguments)
-        if command == "cycles" and len(arguments) > 1:
+        if command == "cycles" and len(arguments) > 2:
             return count_cycles(*arguments)
         if command == "hold" and arguments:
             return hold(*arguments)
