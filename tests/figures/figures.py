@@ -43,7 +43,8 @@ def run(output, *programs, folder=None, **environment):
     texts = []
     for program in programs:
         done = subprocess.run([*os.environ.get("RUN", "").split(), program], stdout=subprocess.PIPE, text=True,
-                              errors="replace", cwd=folder, env={"FLASHBVH_TIMEOUT": "240", **os.environ, **environment})
+                              errors="replace", cwd=folder,
+                              env={"FLASHBVH_TIMEOUT": "240", **os.environ, **environment})
         print(done.stdout, end="", flush=True)
         if done.returncode:
             sys.exit(f"figures.py: {program} ended with status {done.returncode}")
