@@ -78,7 +78,7 @@ struct [[nodiscard]] FirstContactCursor {
 
 /// The query. 80 bytes on a 32-bit core with 16-bit indices, and a BodyMotion.
 ///
-/// Stack of run() on Cortex-M3 to M55 at -O2: 1,368 bytes. What a unit of work takes is not proven.
+/// Stack of run() on Cortex-M3 to M55 at -O2: 1,408 bytes. What a unit of work takes is not proven.
 template <class MeshType>
 class BasicFirstContact {
  public:
