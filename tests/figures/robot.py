@@ -36,7 +36,7 @@ def quietly(*command, **environment):
 def boards():
     """The presets that have one, and are measured."""
     cores = json.loads((ROOT / "ports/cores.json").read_text())
-    return [core["preset"] for core in cores if core["tests"] != "release"]
+    return [core["preset"] for core in cores if core["tests"] != "release" and core["machine"] != "node"]
 
 
 def leaves_of(link):
