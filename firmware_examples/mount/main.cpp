@@ -20,7 +20,7 @@ namespace {
 /// Of a slice, in units of query.hpp.
 constexpr uint32_t kWork = 500;
 /// Bodies that come so near touch: for a tube that bends, and cables.
-constexpr uint32_t kMargin = 20 * 256 / tripod_CELL;  // 20 mm
+constexpr uint32_t kMargin = static_cast<uint32_t>(20 * 256 / tripod_CELL);  // 20 mm
 
 /// What the tests hold at 168 MHz, an instruction a cycle: 1 ms for a slice, 1.5 s for a slew
 /// with all that is tried; and bytes of RAM, for the whole firmware.

@@ -21,6 +21,8 @@ const drive_pair = async () => {
   }));
   trajectory.go(0);
   trajectory.bar.querySelector("[title='One on']").click();
+  claim("each with the way there", trajectory.name.textContent.includes("; the straight way there ") &&
+    ["free", "touches", "comes"].some(word => trajectory.name.textContent.includes(word)));
   claim("a button steps on", trajectory.period === 1 && trajectory.name.textContent.startsWith("pose 1: "));
   const place = [...document.querySelectorAll("table [data-values]")][7];
   key(place, "Enter");

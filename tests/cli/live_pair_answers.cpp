@@ -8,6 +8,7 @@
 
 #include "draws.hpp"
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/first_contact.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
@@ -18,6 +19,9 @@ namespace {
 
 constexpr std::int32_t kSpan = 1 << 14;  // cells, either way
 constexpr std::uint32_t kLimit = 1 << 20;
+/// The straight way to every so many poses from the pose before.
+constexpr int kWays = 16;
+constexpr std::uint32_t kMostWayWork = 1000000;
 
 /// 0 to `end` - 1.
 std::int64_t below(Draws& draws, std::int64_t end) {
@@ -74,7 +78,8 @@ int main(int argc, char** argv) {
   Draws draws;
   Hash hash;
   Witness<std::uint16_t> hint;
-  int counts[4] = {};
+  int counts[5] = {};
+  Pose before = Pose::translated(0, 0, 0);
   for (int i = 0; i < std::atoi(argv[3]); ++i) {
     const Pose pose = drawn_pose(draws, a, b);
     const std::uint32_t pairs = count_pairs(a, b, pose).count;
@@ -94,8 +99,16 @@ int main(int argc, char** argv) {
           hit.yes ? hit.hit.triangle + 1u : 0u}) {
       hash.add(word);
     }
+    if (i % kWays == kWays - 1) {
+      const BodyMotion motion = BodyMotion::between(before, pose);
+      const FirstContactAnswer way = FirstContact(a, b, motion).run(kMostWayWork);
+      counts[4] += way.outcome == ContactOutcome::free;
+      hash.add(static_cast<std::uint32_t>(way.outcome));
+      hash.add(way.to);
+    }
+    before = pose;
   }
   std::cout << hash.value() << ": " << counts[0] << " intersect, " << counts[1] << " inside, "
-            << counts[2] << " closer, " << counts[3] << " hit\n";
+            << counts[2] << " closer, " << counts[3] << " hit, " << counts[4] << " ways free\n";
   return EXIT_SUCCESS;
 }

@@ -1,6 +1,6 @@
 // What live_pair_answers.cpp prints, of the library of a page: exports of pair.cpp, two images opened.
 const answers_of = (library, count) => {
-  const SPAN = 2 ** 14, LIMIT = 2 ** 20;
+  const SPAN = 2 ** 14, LIMIT = 2 ** 20, WAYS = 16;
   const { next, add, hash } = drawing();
   const below = end => Math.floor(next() * end / 2 ** 24);
   const words = (place, length) => new Int32Array(library.memory.buffer, place, length);
@@ -18,7 +18,7 @@ const answers_of = (library, count) => {
       ...shift.map(([cells]) => cells), ...shift.map(([, fraction]) => fraction)]);
     library.place();
   };
-  const counts = [0, 0, 0, 0];
+  const counts = [0, 0, 0, 0, 0];
   library.measure(1, 0);  // forgets where (0, 1) was nearest
   for (let i = 0; i < count; ++i) {
     draw_pose();
@@ -30,6 +30,11 @@ const answers_of = (library, count) => {
     const [is_hit, triangle] = words(library.cast(0), 2);
     [pairs !== 0, inside, closer, is_hit].forEach((holds, k) => { counts[k] += +holds; });
     [pairs, inside, lower, a, b, points[0], points[5], closer, is_hit ? triangle + 1 : 0].forEach(add);
+    if (i % WAYS === WAYS - 1) {
+      const [, outcome, , to] = words(library.certify(0, 1), 4);
+      counts[4] += outcome === 0 ? 1 : 0;
+      [outcome, to].forEach(add);
+    }
   }
-  return `${hash()}: ${counts[0]} intersect, ${counts[1]} inside, ${counts[2]} closer, ${counts[3]} hit`;
+  return `${hash()}: ${counts[0]} intersect, ${counts[1]} inside, ${counts[2]} closer, ${counts[3]} hit, ${counts[4]} ways free`;
 };

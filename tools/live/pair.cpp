@@ -1,5 +1,6 @@
 // What the page of meshes queries of flashbvh: the library as firmware has it, for WebAssembly.
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/first_contact.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr uint32_t kMostLit = 1000;
 constexpr uint32_t kMostCounted = 100000;
+constexpr uint32_t kMostWayWork = 1000000;  // a tenth of a second, or so
 
 /// Rows of the rotation, in 2^-30; cells, and 1/65,536 of them.
 struct PoseWords {
@@ -38,6 +40,14 @@ struct Measured {
   double points[2][3];
 };
 
+/// B's straight way to the pose from the one before. Times are in 2^-30 of it.
+struct Way {
+  uint32_t status;   ///< `suspended`: it takes too long
+  uint32_t outcome;  ///< a ContactOutcome
+  uint32_t from;
+  uint32_t to;
+};
+
 /// What a segment hits first.
 struct Hit {
   uint32_t is_hit;
@@ -50,6 +60,8 @@ struct Hit {
 
 PoseWords words;
 Pose pose = Pose::translated(0, 0, 0);
+Pose pose_before = Pose::translated(0, 0, 0);
+Way way;
 Lit lit[kMostLit];
 uint32_t lit_ids[kMostLit][2];
 Measured measured;
@@ -88,6 +100,7 @@ EXPORT uint32_t place() {
   const int16_t fraction[3] = {static_cast<int16_t>(words.fraction[0]),
                                static_cast<int16_t>(words.fraction[1]),
                                static_cast<int16_t>(words.fraction[2])};
+  pose_before = pose;
   pose = Pose::rigid(words.rotation, words.cells, fraction);
   return code(pose.status());
 }
@@ -141,6 +154,15 @@ EXPORT const void* measure(uint32_t a, uint32_t b) {
 /// `limit`: in 1/256 cell.
 EXPORT bool is_closer(uint32_t a, uint32_t b, uint32_t limit) {
   return closer_than(meshes[a], meshes[b], pose, limit).yes;
+}
+
+/// Of the last two poses that were put in place.
+EXPORT const void* certify(uint32_t a, uint32_t b) {
+  const BodyMotion motion = BodyMotion::between(pose_before, pose);
+  FirstContact query(meshes[a], meshes[b], motion);
+  const FirstContactAnswer found = query.run(kMostWayWork);
+  way = {code(found.status), static_cast<uint32_t>(found.outcome), found.from, found.to};
+  return &way;
 }
 
 /// Where a segment's ends are to be written, six words in cells of the mesh's frame, and then what

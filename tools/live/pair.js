@@ -65,6 +65,15 @@ class Meshes {
     return this.library.is_closer(a, b, Math.min(Math.floor(length / this.all[a].cell * FINE_ONE), 2 ** 28)) !== 0;
   }
 
+  // Of B's straight way from one pose to another: whether it is free, 0, touches, 1, or comes within a cell, 2, and
+  // after what share of it. A status other than 0: it is not known.
+  way(a, b, from, to) {
+    this.place(a, from);
+    this.place(a, to);
+    const [status, outcome, , end] = this.#words(this.library.certify(a, b), 4);
+    return { status, outcome, share: end / 2 ** 30 };
+  }
+
   // What the segment between two points, rounded to cells, hits first: or nothing.
   cast(mesh, from, to) {
     const { origin, triangles, vertices, cell } = this.all[mesh];

@@ -41,8 +41,9 @@ class PairStage extends Stage {
     this.pose = pose_of(poses[0] || "1 0 0 0 1 0 0 0 1 0 0 0");
     this.six = six_of(this.pose);
     this.trajectory = poses.length > 0 && new Trajectory(verdicts, "Pose", i => {
+      const way = i > 0 ? this.#way(pose_of(poses[i - 1]), pose_of(poses[i])) : "";
       this.set(pose_of(poses[i]));
-      return `${names[i]}: ${verdicts[i] === "3" ? "intersects" : "free"}`;
+      return `${names[i]}: ${verdicts[i] === "3" ? "intersects" : "free"}${way}`;
     });
     const [one, two] = [meshes.all[a], meshes.all[b]];
     const far = cell * (one.size + two.size + Math.max(...one.origin.map((at, i) => Math.abs(at - two.origin[i]))));
@@ -114,6 +115,14 @@ class PairStage extends Stage {
     const named = Array.from({ length: Math.min(lit, 12) }, (_, i) => `${ids[2 * i]} and ${ids[2 * i + 1]}`);
     this.list.textContent = pairs ? `Triangles of ${this.names.join(" and ")}: ${named.join(", ")}` +
       (pairs > 12 ? ` \u2026${lit < pairs ? ` The first ${lit} pairs are drawn.` : ""}` : "") : "";
+  }
+
+  // From the pose before, as text.
+  #way(from, to) {
+    const { status, outcome, share } = this.meshes.way(this.a, this.b, from, to);
+    if (status !== 0) return "; the straight way there is not decided";
+    const after = `after ${+(100 * share).toPrecision(3)} % of it`;
+    return `; the straight way there ${["is free", `touches ${after}`, `comes within a cell ${after}`][outcome]}`;
   }
 
   // Of the verdict: what, and more about it.
