@@ -54,7 +54,8 @@ struct Motions {
 bool motions_agree(Scene& s) {
   const Motions both(s);
   bool agree = both.agree;
-  for (const std::uint32_t time : {0u, s.random.below(kMotionEnd), FLASHBVH_MOTION_END}) {
+  const std::uint32_t times[] = {0, s.random.below(kMotionEnd), FLASHBVH_MOTION_END};
+  for (const std::uint32_t time : times) {
     flashbvh_pose pose;
     const Pose wanted = both.motion.pose_at(time);
     agree = agree && same(flashbvh_body_motion_pose(&both.c, time, &pose), wanted.status()) &&
