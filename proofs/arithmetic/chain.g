@@ -4,9 +4,9 @@
 # by e (1 + f) + f, and rounding n entries by half of 2^-30 adds sqrt(n) 2^-31. The joint's own rotation is
 # rounded, too; `turn`: sine and cosine, each within 2^-29 (sine.g, cosine.g).
 # code: src/robot/kinematics.cpp | frames[i] = composed(frames[joint.parent], joint.fixed);
-# code: src/robot/kinematics.cpp | row[0] = rounded(times(x, at.cosine) + times(y, at.sine));
-# code: src/robot/kinematics.cpp | row[1] = rounded(times(y, at.cosine) - times(x, at.sine));
-# code: src/robot/kinematics.cpp | return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
+# code: src/robot/kinematics.cpp | row[0] = fixed_rounded(fixed_product(x, at.cosine) + fixed_product(y, at.sine));
+# code: src/robot/kinematics.cpp | row[1] = fixed_rounded(fixed_product(y, at.cosine) - fixed_product(x, at.sine));
+# code: src/lattice/fixed_point.hpp | return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
 nine = 3 / @2 * kRotationOne@;
 six = 2.44949 / @2 * kRotationOne@;
 turn = 1.414214 * 1b-29;

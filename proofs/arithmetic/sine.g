@@ -5,11 +5,11 @@
 # `off`: the polynomial less the series. c0 to c4: the code's coefficients; e1 to e3: its sums, exact;
 # u0 to u3: what rounding down takes from the square and from each product, f, g: halves that rounding
 # to the nearest adds or takes; d0 to d3: how far the code's sums are off.
-# code: src/robot/sine.hpp | constexpr int32_t s[5] = {
-# code: src/robot/sine.hpp | const int32_t square = times_high(y, y);
-# code: src/robot/sine.hpp | sine = s[i] + times_high(sine, square);
-# code: src/robot/sine.hpp | sine = s[0] + static_cast<int32_t>((static_cast<int64_t>(sine) * square + half) >> 32);
-# code: src/robot/sine.hpp | sine = static_cast<int32_t>((static_cast<int64_t>(sine) * y + (half >> 1)) >> 31);
+# code: src/lattice/sine.hpp | constexpr int32_t s[5] = {
+# code: src/lattice/sine.hpp | const int32_t square = times_high(y, y);
+# code: src/lattice/sine.hpp | sine = s[i] + times_high(sine, square);
+# code: src/lattice/sine.hpp | sine = s[0] + static_cast<int32_t>((static_cast<int64_t>(sine) * square + half) >> 32);
+# code: src/lattice/sine.hpp | sine = static_cast<int32_t>((static_cast<int64_t>(sine) * y + (half >> 1)) >> 31);
 c0 = @sine.hpp:s[0]@ / @2**30@; c1 = @sine.hpp:s[1]@ / @2**32@; c2 = @sine.hpp:s[2]@ / @2**34@;
 c3 = @sine.hpp:s[3]@ / @2**36@; c4 = @sine.hpp:s[4]@ / @2**38@;
 off = (c0 - t0) + q * ((c1 - t1) + q * ((c2 - t2) + q * ((c3 - t3) + q * ((c4 - t4) - q * (t5 + q * (t6 + rest))))));
