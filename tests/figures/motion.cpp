@@ -64,7 +64,11 @@ bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const ch
   if (proximity == kProximityNames[0]) {
     return true;
   }
-  const BodyMotion straight = BodyMotion::between(moved(asked, -kWay / 2), moved(asked, kWay / 2));
+  const Pose from = moved(asked, -kWay / 2);
+  const Pose to = moved(asked, kWay / 2);
+  BodyMotion straight = BodyMotion::between(from, to);
+  measure({{"motion", "between", motion}}, [&] { straight = BodyMotion::between(from, to); });
+  measure({{"motion", "pose_at", motion}}, [&] { (void)straight.pose_at(kMotionEnd / 4); });
   certify(pair, straight, motion, proximity, "straight");
   const Pose pose = pose_of(asked);
   const Move move = turn_of(*pair.b, pose);

@@ -21,6 +21,7 @@
 
 #include "flashbvh/body_motion.hpp"
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/detail/motion/body_reach.hpp"
 #include "flashbvh/frame.hpp"
 #include "flashbvh/plain/motion_parts.h"
 #include "flashbvh/query.hpp"
@@ -38,15 +39,31 @@ enum class ContactOutcome : uint8_t {
   close = FLASHBVH_OUTCOME_CLOSE,
 };
 
+namespace detail {
+
+/// Which type an answer has.
+template <class Index>
+struct ContactAnswerOf {
+  /// With wider indices.
+  struct [[nodiscard]] Type {
+    Status status;
+    ContactOutcome outcome;
+    TrianglePair<Index> triangles;
+    uint32_t from;
+    uint32_t to;
+  };
+};
+/// With those of C.
+template <>
+struct ContactAnswerOf<uint16_t> {
+  using Type = flashbvh_first_contact_answer;
+};
+
+}  // namespace detail
+
 /// A flashbvh_first_contact_answer, or the same with wider indices.
 template <class Index>
-struct [[nodiscard]] FirstContactAnswerOf {
-  Status status;
-  ContactOutcome outcome;
-  TrianglePair<Index> triangles;
-  uint32_t from;
-  uint32_t to;
-};
+using FirstContactAnswerOf = typename detail::ContactAnswerOf<Index>::Type;
 
 /// What a run does next.
 enum class ContactPhase : uint8_t {
@@ -61,15 +78,15 @@ enum class ContactPhase : uint8_t {
 /// stored for any time.
 template <class Index>
 struct [[nodiscard]] FirstContactCursor {
-  uint32_t time;  ///< up to where the motion is certified, or was passed over
-  uint32_t step;  ///< the length of the interval that begins there
-  uint32_t near;  ///< since when they may be close, or kNever
+  uint32_t time;  ///< in 2^-30 of the motion: certified, or passed over, up to there
+  uint32_t step;  ///< in 2^-30 of the motion: the length of the interval that begins there
+  uint32_t near;  ///< the time since when they may be close, or kNever
   QueryCursor<Index> walk;
   Witness<Index> hint;
   Status status;
   ContactOutcome outcome;
   ContactPhase phase;
-  uint8_t near_steps;
+  uint8_t near_steps;    ///< intervals since then
   uint8_t is_begun;      ///< 1 if time 0 is tested
   uint8_t walks_at_end;  ///< 1 if the end is yet to be tested by a walk
 
@@ -115,10 +132,8 @@ class BasicFirstContact {
   Status resume(const Cursor& at);
 
  private:
-  Status error();
-  bool set_ball();
+  Status prepare();
   uint32_t margin_in(uint32_t step) const;
-  uint64_t move_by(uint32_t middle, uint32_t half, Frame& frame) const;
   uint32_t distance_in(uint32_t step, Frame& frame) const;
   bool is_shortest(uint32_t distance) const;
   bool is_apart(const Witness<Index>& slots, const Frame& frame, uint32_t distance) const;
@@ -140,11 +155,7 @@ class BasicFirstContact {
   const Mesh* b_;
   const BodyMotion* motion_;
   uint32_t within_;
-  uint32_t way_;  ///< of a point of B at most, in 1/2,048 cell, if in proportion to time; or 0
-  uint32_t path_error_;  ///< of a point of B, in 1/256 cell: of the way, and at its end
-  uint32_t rounding_;    ///< of a placed vertex, in 1/256 cell
-  int32_t centre_[3];    ///< of a ball that holds B, in 1/2,048 cell of B's frame
-  uint32_t radius_;      ///< in 1/2,048 cell
+  detail::BodyReach reach_;
   Cursor at_;
 };
 

@@ -34,8 +34,7 @@ flashbvh_status flashbvh_first_contact_start(flashbvh_first_contact_query* query
 
 flashbvh_first_contact_answer flashbvh_first_contact_run(flashbvh_first_contact_query* query,
                                                          uint32_t work) {
-  const FirstContactAnswer answer = object_in(query).run(work);
-  return {answer.status, answer.outcome, answer.triangles, answer.from, answer.to};
+  return object_in(query).run(work);
 }
 
 void flashbvh_first_contact_pass(flashbvh_first_contact_query* query) {

@@ -1,15 +1,11 @@
 // First contacts: which interval comes next, and what is known of it.
 #include "flashbvh/first_contact.hpp"
 
-#include "../lattice/fixed_point.hpp"
 #include "fine_pair.hpp"
-#include "flashbvh/detail/predicates/fraction.hpp"
 #include "moved_frame.hpp"
 #include "near_query.hpp"
 
 namespace flashbvh {
-
-using detail::magnitude;
 
 namespace {
 
@@ -19,9 +15,6 @@ constexpr uint32_t kShortestReach = kFineOne / 8;
 constexpr uint8_t kMostNearSteps = 4;
 /// A walk tests the begin only if no so large part of the motion is certified at once.
 constexpr uint32_t kLateWalk = 4;
-
-/// Of a vertex that a query places: 0.51 cells along three axes, and a fraction of a translation.
-constexpr uint32_t kVertexRounding = 228;
 
 /// Kinematics, and two triangles (query.hpp).
 constexpr uint32_t kProbeWork = 64;
@@ -38,10 +31,10 @@ constexpr uint32_t halved(uint32_t step) {
 template <class MeshType>
 BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
                                                const BodyMotion& motion, uint32_t within)
-    : a_(&a), b_(&b), motion_(&motion), within_(within), way_(0), at_() {
+    : a_(&a), b_(&b), motion_(&motion), within_(within), at_() {
   at_.near = Cursor::kNever;
   at_.step = kMotionEnd;
-  at_.status = error();
+  at_.status = prepare();
   at_.outcome = ContactOutcome::close;
   at_.phase = ContactPhase::choose;
   if (at_.status != Status::suspended) {
@@ -49,55 +42,20 @@ BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
   }
 }
 
-/// `suspended`: none. Sets what follows from meshes and motion.
+/// `suspended`: nothing is wrong.
 template <class MeshType>
-Status BasicFirstContact<MeshType>::error() {
+Status BasicFirstContact<MeshType>::prepare() {
   if (motion_->status() != Status::done) {
     return motion_->status();
   }
   if (within_ > kMaxDistance / 2) {
     return Status::distance_out_of_range;
   }
-  if (motion_->move_count() > kMostMoves || !set_ball()) {
+  if (motion_->move_count() > kMostMoves ||
+      !reach_.set(*motion_, b_->nodes[0].box, a_->origin, b_->origin)) {
     return Status::motion_out_of_range;
   }
   return Status::suspended;
-}
-
-/// The ball about B, and errors, which grow with how far it is from A's origin; false if that is
-/// out of range.
-template <class MeshType>
-bool BasicFirstContact<MeshType>::set_ball() {
-  const Box box = unpack(b_->nodes[0].box);
-  const int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
-  const int32_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
-  uint64_t diagonal = 0;
-  uint64_t far = 0;
-  uint64_t extent[3];
-  for (int i = 0; i < 3; ++i) {
-    const uint32_t origin = magnitude(b_->origin[i]);
-    if ((origin | magnitude(a_->origin[i])) >= 1u << 18) {
-      return false;
-    }
-    centre_[i] = (2 * b_->origin[i] + lower[i] + upper[i]) * (kFrameCell / 2);
-    const auto width = static_cast<uint64_t>(upper[i] - lower[i]);
-    diagonal += width * width;
-    extent[i] = magnitude(centre_[i]) + width * (kFrameCell / 2);
-    far += origin;
-  }
-  radius_ = detail::square_root(diagonal << 20) + 1;  // half of it
-  rounding_ = kVertexRounding + static_cast<uint32_t>(far * 443 >> 23) + 1;
-  const uint64_t farthest = detail::farthest(
-      *motion_, uint64_t{detail::length_of(detail::frame_of(motion_->from()).translation)} +
-                    detail::length_of(centre_) + radius_);
-  path_error_ = motion_->move_count() * (static_cast<uint32_t>(farthest >> 27) + 1) +
-                detail::end_error(*motion_, extent);
-  if (motion_->move_count() == 1) {  // no lever changes
-    Frame frame;
-    const uint64_t way = move_by(0, kMotionEnd, frame);
-    way_ = way <= UINT32_MAX ? static_cast<uint32_t>(way) : 0;
-  }
-  return farthest <= kMaxFrameTranslation;
 }
 
 /// By how much farther the bodies have to be apart in an interval: at an end of the motion, a pose
@@ -106,7 +64,7 @@ template <class MeshType>
 uint32_t BasicFirstContact<MeshType>::margin_in(uint32_t step) const {
   const bool begins = at_.time == 0 && at_.is_begun == 0;
   const bool ends = at_.time + step == kMotionEnd && at_.walks_at_end == 0;
-  return begins || ends ? rounding_ : 0;
+  return begins || ends ? reach_.rounding() : 0;
 }
 
 /// What B's points move from the middle of an interval until its ends, and what is to be added to
@@ -114,39 +72,15 @@ uint32_t BasicFirstContact<MeshType>::margin_in(uint32_t step) const {
 template <class MeshType>
 uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) const {
   const uint32_t half = step / 2;
-  uint64_t moved = move_by(at_.time + half, half, frame);
-  if (way_ != 0) {
-    moved = detail::part_of(way_, half);
-  }
-  const uint64_t distance = (moved >> 3) + 1 + within_ + path_error_ + margin_in(step);
+  const uint64_t distance = reach_.around(*motion_, at_.time + half, half, frame) + within_ +
+                            reach_.path_error() + margin_in(step);
   return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
-}
-
-/// B's frame in the middle of an interval, and how far its points are from there at the ends, in
-/// 1/2,048 cell: 0 if the way is known to be in proportion.
-template <class MeshType>
-uint64_t BasicFirstContact<MeshType>::move_by(uint32_t middle, uint32_t half, Frame& frame) const {
-  uint64_t moved = 0;
-  frame = detail::frame_of(motion_->from());
-  for (uint32_t i = motion_->move_count(); i-- > 0;) {
-    const Move& move = motion_->move(i);
-    if (way_ == 0) {
-      if (move.turn != 0) {
-        const uint64_t lever =
-            detail::distance_from_axis(move, detail::place(frame, centre_)) + radius_ + moved;
-        moved += detail::arc_of(move, half, lever);
-      }
-      moved += detail::part_of(detail::length_of(move.travel), half);
-    }
-    detail::carry(move, middle, frame);
-  }
-  return moved;
 }
 
 /// Whether an interval is not to be cut any more.
 template <class MeshType>
 bool BasicFirstContact<MeshType>::is_shortest(uint32_t distance) const {
-  const uint32_t added = within_ + path_error_ + margin_in(at_.step);
+  const uint32_t added = within_ + reach_.path_error() + margin_in(at_.step);
   return at_.step == 2 || distance - added <= kShortestReach;
 }
 
@@ -317,16 +251,16 @@ template <class MeshType>
 void BasicFirstContact<MeshType>::walk_interval(uint32_t& work) {
   Frame frame;
   const uint32_t distance = distance_in(at_.step, frame);
-  if (distance >= detail::Within::kMostShort - rounding_) {
+  if (distance >= detail::Within::kMostShort - reach_.rounding()) {
     come_near(distance);
     return;
   }
   const Pose pose = detail::pose_of(frame);
-  const Status status =
-      walk(detail::NearQuery<Mesh>(*a_, *b_, pose, distance + rounding_, direction_at(frame)), work,
-           [&](const auto& query, const Witness<Index>& slots) {
-             return is_apart(slots, frame, distance) || !query.is_pair_within();
-           });
+  const Status status = walk(
+      detail::NearQuery<Mesh>(*a_, *b_, pose, distance + reach_.rounding(), direction_at(frame)),
+      work, [&](const auto& query, const Witness<Index>& slots) {
+        return is_apart(slots, frame, distance) || !query.is_pair_within();
+      });
   if (status == Status::done) {
     certify();
   } else if (status == Status::full || status == Status::distance_out_of_range) {

@@ -120,29 +120,4 @@ uint32_t length_of(const int32_t (&vector)[3]) {
   return squared == 0 ? 0 : square_root(squared) + 1;
 }
 
-uint64_t part_of(uint32_t length, uint32_t part) {
-  return (uint64_t{length} * part >> 30) + 1;
-}
-
-uint64_t arc_of(const Move& move, uint32_t part, uint64_t lever) {
-  // By 2 pi in 2^-8, and parts of 2^-28 of a turn.
-  constexpr uint32_t full_turn = 1609;
-  const uint64_t turned = part_of(magnitude(move.turn), part);
-  return ((turned * lever >> 20) * full_turn >> 16) + 1;
-}
-
-uint32_t end_error(const BodyMotion& motion, const uint64_t (&farthest)[3]) {
-  const Frame end = frame_at(motion, kMotionEnd);
-  const Frame to = frame_of(motion.to());
-  uint64_t most = 0;
-  for (int i = 0; i < 3; ++i) {
-    uint64_t off = magnitude(end.translation[i] - to.translation[i]) + 1;
-    for (int j = 0; j < 3; ++j) {
-      off += (magnitude(end.rotation[i][j] - to.rotation[i][j]) * farthest[j] >> 30) + 1;
-    }
-    most = off > most ? off : most;
-  }
-  return static_cast<uint32_t>(most * 222 >> 10) + 1;  // sqrt(3) / 8
-}
-
 }  // namespace flashbvh::detail

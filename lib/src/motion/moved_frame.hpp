@@ -34,15 +34,6 @@ uint32_t distance_from_axis(const Move& move, const FramePoint& point);
 /// Of a vector in 1/2,048 cell, rounded up.
 uint32_t length_of(const int32_t (&vector)[3]);
 
-/// What part of a motion moves something by, in 1/2,048 cell, rounded up: of a length; and by a
-/// turn of a point that is so far from the axis.
-uint64_t part_of(uint32_t length, uint32_t part);
-uint64_t arc_of(const Move& move, uint32_t part, uint64_t lever);
-
-/// How far the moves' way ends from where the motion does, at most, in 1/256 cell: of a point that
-/// is so far from the origin of B's frame along each axis, in 1/2,048 cell.
-uint32_t end_error(const BodyMotion& motion, const uint64_t (&farthest)[3]);
-
 }  // namespace flashbvh::detail
 
 #endif
