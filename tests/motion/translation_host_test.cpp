@@ -16,7 +16,7 @@ constexpr double kEnd = kMotionEnd;
 
 long motions() {
   const char* const text = setting("FLASHBVH_MOTIONS");
-  return text != nullptr ? std::atol(text) : rounds(50'000L, 1'000'000L);
+  return text != nullptr ? std::atol(text) : rounds(100'000L, 1'000'000L);
 }
 
 struct Found {
