@@ -6,7 +6,14 @@
 #include "cycles.hpp"
 #include "text.hpp"
 
-/// Prints the cycles of `function()` by name, as tools/cycles.py reads them.
+/// Prints the cycles of `function()` by name and number, as tools/cycles.py reads them.
+template <class Function>
+void print_cycles(const char* name, int number, Function function) {
+  port::print("cycles ", name, number, " ",
+              port::cycles_of_call(port::call_object<Function>, &function), "\n");
+}
+
+/// The same by name alone.
 template <class Function>
 void print_cycles(const char* name, Function function) {
   port::print("cycles ", name, " ", port::cycles_of_call(port::call_object<Function>, &function),
