@@ -43,9 +43,19 @@ uint32_t Pipeline::cycles_of(const Instruction& next) const {
   return cycles;
 }
 
+/// While an instruction takes several `cycles` the prefetch buffer fills and fetching stops. The
+/// fetch after it comes too late for the third instruction that ends in a word after its own.
+uint32_t Pipeline::fetch_waited_by(const Instruction& next, uint32_t cycles) {
+  until_fetch_wait_ = next.is_split ? until_fetch_wait_ : 0;
+  const bool waits = until_fetch_wait_ == 1;
+  until_fetch_wait_ = cycles > 1 ? 3 : until_fetch_wait_ - (until_fetch_wait_ > 0 ? 1 : 0);
+  return waits ? table_[Rule::fetch_wait] : 0;
+}
+
 uint32_t Pipeline::add(const Instruction& next) {
   may_be_skipped_ = conditional_ > 0;
-  const uint32_t cycles = cycles_of(next);
+  uint32_t cycles = cycles_of(next);
+  cycles += fetch_waited_by(next, cycles);
   conditional_ = next.kind == Kind::it ? next.governed : conditional_ - (may_be_skipped_ ? 1 : 0);
   last_ = next;
   has_last_ = !may_be_skipped_;

@@ -20,10 +20,12 @@ class Pipeline {
   uint32_t cycles_of(const Instruction& next) const;
   uint32_t saved_by(const Instruction& next) const;
   uint32_t waited_by(const Instruction& next) const;
+  uint32_t fetch_waited_by(const Instruction& next, uint32_t cycles);
 
   const Table& table_;
   Instruction last_ = {};
-  unsigned conditional_ = 0;  ///< instructions to come that an IT governs
+  unsigned conditional_ = 0;       ///< instructions to come that an IT governs
+  unsigned until_fetch_wait_ = 0;  ///< instructions in two words; 0: none waits
   bool has_last_ = false;
   bool may_be_skipped_ = false;
 };

@@ -131,16 +131,17 @@ void end(qemu_plugin_id_t, void*) {
 
 void add(const qemu_plugin_tb* translated, size_t i, Pipeline& pipeline, Block& block) {
   qemu_plugin_insn* const code = qemu_plugin_tb_get_insn(translated, i);
-  const Instruction instruction = decode(code);
-  const Row& row = model.table[instruction.kind];
   const uint64_t address = qemu_plugin_insn_vaddr(code);
+  Instruction instruction = decode(code);
+  instruction.is_split = instruction.bytes == 4 && address % 4 != 0;
+  const Row& row = model.table[instruction.kind];
   if (!model.table.has(instruction.kind)) {
     refuse(instruction, address);
   }
   block.cycles += pipeline.add(instruction);
   block.after = address + instruction.bytes;
   block.jump = row.jump;
-  if (i == 0 && instruction.bytes == 4 && address % 4 != 0) {
+  if (i == 0 && instruction.is_split) {
     block.entry = model.table[Rule::wide_target];
   }
   if (pipeline.may_be_skipped() && row.per_word != 0 && instruction.words != 0) {

@@ -17,6 +17,7 @@ enum class Rule : uint8_t {
   address_wait,      ///< added where the instruction before computed the address
   folded_it,         ///< saved by an IT after an instruction of 16 bits
   wide_target,       ///< added by a jump to 32 bits that are not in one word
+  fetch_wait,        ///< added by the third of such in a row after an instruction of several cycles
   float_wait,        ///< added where the instruction before computed an operand
   double_precision,  ///< added to arithmetic of doubles
 };

@@ -52,6 +52,7 @@ struct Instruction {
   uint8_t words = 0;            ///< that it loads or stores
   uint8_t governed = 0;         ///< an IT: the instructions after it that are conditional
   bool is_double = false;       ///< arithmetic of doubles
+  bool is_split = false;        ///< of 32 bits, which lie in two words; by its address
   uint16_t address = 0;         ///< core registers, a bit each, that an address is made of
   uint16_t loaded = 0;          ///< core registers that a single load writes
   uint16_t computed = 0;        ///< core registers that data processing writes

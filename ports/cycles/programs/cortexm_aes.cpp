@@ -16,20 +16,25 @@ void CIPHER(256_keyschedule_enc)(uint8_t* round_keys, const uint8_t* key);
 void CIPHER(_encrypt)(const uint8_t* round_keys, const uint8_t* in, uint8_t* out, size_t rounds);
 void CIPHER(_decrypt)(const uint8_t* round_keys, const uint8_t* in, uint8_t* out, size_t rounds);
 void CM3_1T_AES_keyschedule_dec(uint8_t* round_keys, size_t rounds);
-void CM4_DSPsBOX_AES_encrypt(const uint8_t* round_keys, const uint8_t* in, uint8_t* out, size_t rounds);
-void CM4_DSPsBOX_AES_decrypt(const uint8_t* round_keys, const uint8_t* in, uint8_t* out, size_t rounds);
+void CM4_DSPsBOX_AES_encrypt(const uint8_t* round_keys, const uint8_t* in, uint8_t* out,
+                             size_t rounds);
+void CM4_DSPsBOX_AES_decrypt(const uint8_t* round_keys, const uint8_t* in, uint8_t* out,
+                             size_t rounds);
 }
 
 namespace {
 
-alignas(4) constexpr uint8_t kKey[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,
-                                       16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
+alignas(4) constexpr uint8_t kKey[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
+                                       11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+                                       22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
 alignas(4) constexpr uint8_t kPlaintext[] = {0x00, 0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77,
                                              0x88, 0x99, 0xaa, 0xbb, 0xcc, 0xdd, 0xee, 0xff};
-constexpr uint8_t kCiphertexts[][16] = {
-    {0x69, 0xc4, 0xe0, 0xd8, 0x6a, 0x7b, 0x04, 0x30, 0xd8, 0xcd, 0xb7, 0x80, 0x70, 0xb4, 0xc5, 0x5a},
-    {0xdd, 0xa9, 0x7c, 0xa4, 0x86, 0x4c, 0xdf, 0xe0, 0x6e, 0xaf, 0x70, 0xa0, 0xec, 0x0d, 0x71, 0x91},
-    {0x8e, 0xa2, 0xb7, 0xca, 0x51, 0x67, 0x45, 0xbf, 0xea, 0xfc, 0x49, 0x90, 0x4b, 0x49, 0x60, 0x89}};
+constexpr uint8_t kCiphertexts[][16] = {{0x69, 0xc4, 0xe0, 0xd8, 0x6a, 0x7b, 0x04, 0x30, 0xd8, 0xcd,
+                                         0xb7, 0x80, 0x70, 0xb4, 0xc5, 0x5a},
+                                        {0xdd, 0xa9, 0x7c, 0xa4, 0x86, 0x4c, 0xdf, 0xe0, 0x6e, 0xaf,
+                                         0x70, 0xa0, 0xec, 0x0d, 0x71, 0x91},
+                                        {0x8e, 0xa2, 0xb7, 0xca, 0x51, 0x67, 0x45, 0xbf, 0xea, 0xfc,
+                                         0x49, 0x90, 0x4b, 0x49, 0x60, 0x89}};
 alignas(4) uint8_t round_keys[15 * 16];
 alignas(4) uint8_t ciphertext[16];
 alignas(4) uint8_t plaintext[16];
@@ -54,8 +59,10 @@ struct Aes {
     print("key", [] { kSchedule(round_keys, kKey); });
     bool right = true;
 #ifdef __ARM_FEATURE_DSP
-    print("parallel_encrypt", [] { CM4_DSPsBOX_AES_encrypt(round_keys, kPlaintext, ciphertext, kRounds); });
-    print("parallel_decrypt", [] { CM4_DSPsBOX_AES_decrypt(round_keys, ciphertext, plaintext, kRounds); });
+    print("parallel_encrypt",
+          [] { CM4_DSPsBOX_AES_encrypt(round_keys, kPlaintext, ciphertext, kRounds); });
+    print("parallel_decrypt",
+          [] { CM4_DSPsBOX_AES_decrypt(round_keys, ciphertext, plaintext, kRounds); });
     right = is_right();
     memset(plaintext, 0, sizeof plaintext);
 #endif
