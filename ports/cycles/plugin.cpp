@@ -43,7 +43,8 @@ struct Block {
 struct Model {
   Table table;
   std::unique_ptr<Flash> flash;
-  std::deque<Block> blocks;  ///< stay where they are, as QEMU has their addresses
+  std::deque<Block> blocks;          ///< stay where they are, as QEMU has their addresses
+  std::map<uint64_t, Pipeline> cut;  ///< where blocks that end without a jump go on
   const Block* last = nullptr;
   uint64_t cycles = 0;
   uint64_t begun = 0;
@@ -155,15 +156,24 @@ void add(const qemu_plugin_tb* translated, size_t i, Pipeline& pipeline, Block& 
   }
 }
 
+/// QEMU cuts code at the ends of pages.
+Pipeline pipeline_at(uint64_t address) {
+  const auto cut = model.cut.find(address);
+  return cut == model.cut.end() ? Pipeline(model.table) : cut->second;
+}
+
 void translate(qemu_plugin_id_t, qemu_plugin_tb* translated) {
   Block& block = model.blocks.emplace_back();
-  Pipeline pipeline(model.table);
+  const qemu_plugin_insn* const first = qemu_plugin_tb_get_insn(translated, 0);
+  block.first = qemu_plugin_insn_vaddr(first);
+  Pipeline pipeline = pipeline_at(block.first);
   const size_t count = qemu_plugin_tb_n_insns(translated);
   for (size_t i = 0; i < count; ++i) {
     add(translated, i, pipeline, block);
   }
-  const qemu_plugin_insn* const first = qemu_plugin_tb_get_insn(translated, 0);
-  block.first = qemu_plugin_insn_vaddr(first);
+  if (block.jump == 0) {
+    model.cut.emplace(block.after, pipeline);
+  }
   block.mark = mark_of(first);
   qemu_plugin_register_vcpu_tb_exec_cb(translated, enter, QEMU_PLUGIN_CB_NO_REGS, &block);
 }
