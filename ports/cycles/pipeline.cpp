@@ -14,14 +14,23 @@ uint32_t Pipeline::saved_by(const Instruction& next) const {
     return last_.bytes == 2 ? table_[Rule::folded_it] : 0;
   }
   const bool can_overlap = is_load(next) || next.kind == Kind::store_indexed;
-  const bool overlaps = can_overlap && is_load(last_) && (next.address & last_.loaded) == 0;
-  return overlaps ? table_[Rule::load_after_load] : 0;
+  const bool overlaps =
+      can_overlap && is_load(last_) && (next.address & (last_.loaded | last_.updated)) == 0;
+  const uint32_t lost = next.updated != 0 ? table_[Rule::base_update] : 0;
+  return overlaps ? table_[Rule::load_after_load] - lost : 0;
 }
 
 uint32_t Pipeline::waited_by(const Instruction& next) const {
   uint32_t waits = 0;
   if ((next.address & last_.computed) != 0) {
     waits += table_[Rule::address_wait];
+  }
+  if (last_.kind == Kind::store) {
+    const bool loads = is_load(next) || next.kind == Kind::load_multiple;
+    waits += loads ? table_[Rule::load_after_store] : 0;
+    waits += next.kind == Kind::store && (next.address & last_.updated) != 0
+                 ? table_[Rule::base_wait]
+                 : 0;
   }
   if ((next.floats_read & last_.floats_written) != 0) {
     waits += table_[Rule::float_wait];

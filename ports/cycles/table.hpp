@@ -14,6 +14,9 @@ namespace cycles {
 enum class Rule : uint8_t {
   load_after_load,   ///< saved by a load, or an indexed store, whose address needs no register of
                      ///< the load before
+  base_update,       ///< not saved by such a load if it changes its base register
+  load_after_store,  ///< added by a load, of one register or many, after a store
+  base_wait,         ///< added by a store whose base register the store before changed
   address_wait,      ///< added where the instruction before computed the address
   folded_it,         ///< saved by an IT after an instruction of 16 bits
   wide_target,       ///< added by a jump to 32 bits that are not in one word

@@ -198,11 +198,16 @@ Instruction wide_transfer(unsigned first, unsigned second) {
   const bool is_indexed = !is_literal && !bit(first, 7) && bits(second, 6, 6) == 0;
   const auto address =
       static_cast<uint16_t>(mask(base) | (is_indexed ? mask(bits(second, 0, 4)) : 0));
-  if (!bit(first, 4)) {
-    return transfers(is_indexed ? Kind::store_indexed : Kind::store, 1, address);
-  }
   const bool is_word = bits(first, 5, 2) == 2;
-  return value == kPc && !is_word ? of(Kind::alu) : loads(value, address);  // a PLD is no load
+  if (bit(first, 4) && value == kPc && !is_word) {
+    return of(Kind::alu);  // a PLD
+  }
+  Instruction made = bit(first, 4)
+                         ? loads(value, address)
+                         : transfers(is_indexed ? Kind::store_indexed : Kind::store, 1, address);
+  const bool updates = !is_literal && !bit(first, 7) && bit(second, 11) && bit(second, 8);
+  made.updated = updates ? mask(base) : 0;
+  return made;
 }
 
 Instruction wide_multiply(unsigned second) {

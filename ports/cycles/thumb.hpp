@@ -55,6 +55,7 @@ struct Instruction {
   bool is_split = false;        ///< of 32 bits, which lie in two words; by its address
   uint16_t address = 0;         ///< core registers, a bit each, that an address is made of
   uint16_t loaded = 0;          ///< core registers that a single load writes
+  uint16_t updated = 0;         ///< the base register that a single load or store changes
   uint16_t computed = 0;        ///< core registers that data processing writes
   uint32_t floats_read = 0;     ///< single-precision registers, a bit each
   uint32_t floats_written = 0;  ///< by arithmetic
