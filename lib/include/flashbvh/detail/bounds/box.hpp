@@ -12,7 +12,6 @@
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/arch/packed.hpp"
 #include "flashbvh/detail/bounds/box_dsp.hpp"
-#include "flashbvh/detail/bounds/box_mve.hpp"
 #include "flashbvh/detail/bounds/box_simd.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
 
@@ -54,13 +53,10 @@ class TranslatedBoxTest {
       : least_{{join_halves(threshold(x), threshold(y)), join_halves(threshold(-x), threshold(-y)),
                 join_halves(threshold(z), threshold(-z))}} {}
 
-  /// True if the closed boxes share a point. Of boxes in nodes: with Helium the four bytes after a
-  /// box are read, too.
+  /// True if the closed boxes share a point.
   FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
 #if defined(FLASHBVH_BOX_SIMD)
     return bounds_reach_simd(a, b, least_);
-#elif defined(FLASHBVH_BOX_MVE)
-    return bounds_reach_mve(a, b, least_);
 #elif defined(FLASHBVH_BOX_DSP)
     return bounds_reach_dsp(a, b, least_);
 #elif defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
