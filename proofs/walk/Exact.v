@@ -119,8 +119,8 @@ Let root_b := box B 0.
 (* Two boxes; the window of a leaf of one side, and its slabs, `beyond_` being whether something of the
    other tree lies beyond one.
    code: include/flashbvh/detail/walk/leaf_planes.hpp | window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
-   code: include/flashbvh/detail/bounds/slab_dsp.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, tests.window) && may_touch_both(tests.plane, tests.edge, box);
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | return reached == nullptr || may_touch_one(edge, *reached); *)
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window) && may_touch_both(plane, edge, box);
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | return reached == nullptr || edge.may_touch *)
 Definition boxes_overlap s t : bool :=
   match pose with
   | Moved o => negb (decide (moved_boxes_dec o s t))

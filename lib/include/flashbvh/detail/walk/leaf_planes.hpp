@@ -18,14 +18,20 @@
 #include "flashbvh/detail/arch/packed.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "flashbvh/detail/bounds/slab.hpp"
-#include "flashbvh/detail/bounds/slab_dsp.hpp"
+#include "flashbvh/detail/bounds/slab_simd.hpp"
 #include "flashbvh/detail/walk/walk_run.hpp"
 #include "flashbvh/detail/walk/work.hpp"
 
 namespace flashbvh::detail {
 
 template <class Mesh>
-class LeafPlanes : protected BoxTests {
+class LeafPlanes {
+ protected:
+  // What the leaf holds against boxes: at the beginning, within reach of short instructions.
+  PackedTriple window;
+  Slab plane;
+  Slab edge;
+
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
@@ -56,13 +62,13 @@ class LeafPlanes : protected BoxTests {
     if (made_ == 0) {
       make_plane();
     }
-    if (reached != nullptr && !may_touch_one(plane, *reached)) {
+    if (reached != nullptr && !plane.may_touch(*reached)) {
       return false;
     }
     if (made_ == 1) {
       make_edge();
     }
-    return reached == nullptr || may_touch_one(edge, *reached);
+    return reached == nullptr || edge.may_touch(*reached);
   }
 
   /// Before begin() of a leaf below which a run goes on, so that no pair of boxes led to it: what
@@ -87,7 +93,10 @@ class LeafPlanes : protected BoxTests {
   }
 
   /// False only if no triangle of the leaf intersects one of a subtree with this box.
-  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const { return may_touch_all(*this, box); }
+  FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
+    return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window) &&
+           may_touch_both(plane, edge, box);
+  }
 
   /// Whether the plane's slab has all corners of the other tree's leaf, by its node, on one side;
   /// that costs work then, as its triangles are not paid for. The edge's slab would seldom add to
