@@ -9,6 +9,23 @@ bool is_load(const Instruction& instruction) {
 
 }  // namespace
 
+uint32_t wait_between(const Table& table, const Instruction& last, const Instruction& next) {
+  uint32_t waits = 0;
+  if ((next.address & last.computed) != 0) {
+    waits += table[Rule::address_wait];
+  }
+  if (last.kind == Kind::store) {
+    const bool loads = is_load(next) || next.kind == Kind::load_multiple;
+    waits += loads ? table[Rule::load_after_store] : 0;
+    waits +=
+        next.kind == Kind::store && (next.address & last.updated) != 0 ? table[Rule::base_wait] : 0;
+  }
+  if ((next.floats_read & last.floats_written) != 0) {
+    waits += table[Rule::float_wait];
+  }
+  return waits;
+}
+
 uint32_t Pipeline::saved_by(const Instruction& next) const {
   if (next.kind == Kind::it) {
     return last_.bytes == 2 ? table_[Rule::folded_it] : 0;
@@ -20,24 +37,6 @@ uint32_t Pipeline::saved_by(const Instruction& next) const {
   return overlaps ? table_[Rule::load_after_load] - lost : 0;
 }
 
-uint32_t Pipeline::waited_by(const Instruction& next) const {
-  uint32_t waits = 0;
-  if ((next.address & last_.computed) != 0) {
-    waits += table_[Rule::address_wait];
-  }
-  if (last_.kind == Kind::store) {
-    const bool loads = is_load(next) || next.kind == Kind::load_multiple;
-    waits += loads ? table_[Rule::load_after_store] : 0;
-    waits += next.kind == Kind::store && (next.address & last_.updated) != 0
-                 ? table_[Rule::base_wait]
-                 : 0;
-  }
-  if ((next.floats_read & last_.floats_written) != 0) {
-    waits += table_[Rule::float_wait];
-  }
-  return waits;
-}
-
 uint32_t Pipeline::cycles_of(const Instruction& next) const {
   const Row& row = table_[next.kind];
   uint32_t cycles = row.cycles + (next.is_double ? table_[Rule::double_precision] : 0U);
@@ -46,7 +45,7 @@ uint32_t Pipeline::cycles_of(const Instruction& next) const {
   }
   cycles += uint32_t{row.per_word} * next.words;
   if (has_last_) {
-    cycles += waited_by(next);
+    cycles += wait_between(table_, last_, next);
     cycles -= saved_by(next);
   }
   return cycles;

@@ -6,6 +6,9 @@
 
 namespace cycles {
 
+/// What an instruction takes in addition right after another one that is executed.
+uint32_t wait_between(const Table& table, const Instruction& last, const Instruction& next);
+
 class Pipeline {
  public:
   explicit Pipeline(const Table& table) : table_(table) {}
@@ -19,7 +22,6 @@ class Pipeline {
  private:
   uint32_t cycles_of(const Instruction& next) const;
   uint32_t saved_by(const Instruction& next) const;
-  uint32_t waited_by(const Instruction& next) const;
   uint32_t fetch_waited_by(const Instruction& next, uint32_t cycles);
 
   const Table& table_;

@@ -41,9 +41,10 @@ constexpr const char* kKindNames[] = {"alu",
                                       "float_load",
                                       "float_store",
                                       "vector"};
-constexpr const char* kRuleNames[] = {
-    "load_after_load", "base_update", "load_after_store", "base_wait",  "address_wait",
-    "folded_it",       "wide_target", "fetch_wait",       "float_wait", "double_precision"};
+constexpr const char* kRuleNames[] = {"load_after_load",  "base_update",  "load_after_store",
+                                      "base_wait",        "address_wait", "folded_it",
+                                      "wide_target",      "fetch_wait",   "float_wait",
+                                      "double_precision", "literal_wait", "unaligned_word"};
 static_assert(sizeof kKindNames / sizeof *kKindNames == kKinds, "a name a kind");
 static_assert(sizeof kRuleNames / sizeof *kRuleNames == kRules, "a name a rule");
 

@@ -23,9 +23,11 @@ enum class Rule : uint8_t {
   fetch_wait,        ///< added by the third of such in a row after an instruction of several cycles
   float_wait,        ///< added where the instruction before computed an operand
   double_precision,  ///< added to arithmetic of doubles
+  literal_wait,      ///< at most added to a load of a literal; of bounds alone
+  unaligned_word,    ///< added to a word in two words; of bounds alone
 };
 
-constexpr uint8_t kRules = static_cast<uint8_t>(Rule::double_precision) + 1;
+constexpr uint8_t kRules = static_cast<uint8_t>(Rule::unaligned_word) + 1;
 
 struct Row {
   uint16_t cycles = 0;
@@ -44,6 +46,7 @@ class Table {
   std::string read(const std::string& path, Range range);
 
   const Row& operator[](Kind kind) const { return rows_[static_cast<uint8_t>(kind)]; }
+  void set(Kind kind, const Row& row) { rows_[static_cast<uint8_t>(kind)] = row; }
   /// Whether the core has instructions of that kind.
   bool has(Kind kind) const { return has_row_[static_cast<uint8_t>(kind)]; }
   uint16_t operator[](Rule rule) const { return rules_[static_cast<uint8_t>(rule)]; }

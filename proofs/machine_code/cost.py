@@ -15,6 +15,7 @@ from .graph import Graph
 from .instruction import Flow, Refused
 from .longest_path import Paths, Term
 from .loops import Kind, Loops
+from .measure import Instructions
 from .program import Function, Program
 
 
@@ -26,13 +27,13 @@ class Cost:
 
     @property
     def total(self) -> int:
-        return self.fixed + sum(t.turns * t.instructions for t in self.terms if t.turns is not None)
+        return self.fixed + sum(t.turns * t.cost for t in self.terms if t.turns is not None)
 
     def term(self, kind: str) -> int:
         """Of one turn."""
         for term in self.terms:
             if term.kind == kind:
-                return term.instructions
+                return term.cost
         raise Refused(f"no {kind} in: {self}")
 
     def __str__(self) -> str:
@@ -43,8 +44,9 @@ class Costs:
     """general: without what the table calls special. together: open counts are of a whole run, not of
     a call; each turn costs what `turns` has, wherever it is."""
 
-    def __init__(self, program: Program, loops: Loops, general: bool = False, together: bool = False):
-        self._program, self._loops, self._general = program, loops, general
+    def __init__(self, program: Program, loops: Loops, general: bool = False, together: bool = False,
+                 measure: Instructions = Instructions()):
+        self._program, self._loops, self._general, self._measure = program, loops, general, measure
         self._together = together
         self.known: dict[Function, Cost | None] = {}  # None: being looked at
 
@@ -62,9 +64,8 @@ class Costs:
             if found.flow is Flow.STOP or address in graph.computed_jumps or \
                     graph.unknown_call(address):
                 raise graph.refuse(address, "not understood")
-        weight = {address: 1 + self._call(function, graph.callees.get(address))
-                  for address in graph.code}
-        paths = Paths(graph, weight, self._loops.marks(self._program, function, graph.code))
+        called = {address: self._call(function, graph.callees.get(address)) for address in graph.code}
+        paths = Paths(graph, self._measure, called, self._loops.marks(self._program, function, graph.code))
         self.known[function] = cost = Cost(paths.fixed, paths.terms, paths.cuts)
         return cost
 
@@ -74,7 +75,7 @@ class Costs:
         for cost in self.known.values():
             for term in cost.terms if cost else ():
                 if term.turns is None:
-                    longest[term.kind] = max(longest.get(term.kind, 0), term.instructions)
+                    longest[term.kind] = max(longest.get(term.kind, 0), term.cost)
         return longest
 
     def _call(self, caller: Function, callee: Function | None) -> int:

@@ -22,6 +22,8 @@ class Instruction:
     falls_through: bool = True  # the next instruction may follow
     grows: int | None = 0  # the stack's growth in bytes; None: not a constant
     name: str = ""  # of conditional branches, and "nop"
+    mnemonic: str = ""  # and code: as objdump has them
+    code: str = ""
 
     @property
     def end(self) -> int:

@@ -1,12 +1,12 @@
-"""The most instructions that a function can execute: the longest path of its control-flow graph,
-calls included, whatever its input.
+"""The most instructions or cycles that a function can take: the longest path of its
+control-flow graph, calls included, whatever its input.
 
 Loops are cut where an instruction belongs to a line of the source that the table names (loops.py):
 every cycle of the graph passes a cut. Between two cuts the graph has no cycle, and a longest path
 is found in topological order. Paths from cut to cut form a graph of a few nodes. A path leaves each
 of its strongly connected components once; inside, it makes as many steps from cuts of a kind as the
 table grants. So, with n(k) steps from kind k and inside(k) the longest of them,
-    instructions <= fixed + sum over k of n(k) * inside(k)
+    what is measured <= fixed + sum over k of n(k) * inside(k)
 where `fixed` is the longest path from the entry to a return that steps from component to component.
 That holds for irreducible loops, too.
 """
@@ -18,29 +18,36 @@ from functools import cache
 from .graph import Graph
 from .instruction import Flow
 from .loops import Kind
+from .measure import Instructions
 
 OUT = -1  # of the function, where an address is meant
 
 
 @dataclass(frozen=True)
 class Term:
-    """So many turns of a loop beyond the first, None if left open, of so many instructions each."""
+    """So many turns of a loop beyond the first, None if left open, and what each takes."""
     kind: str
     turns: int | None
-    instructions: int
+    cost: int
 
     def __str__(self) -> str:
         return f"{self.kind} " + ("" if self.turns is None else f"{self.turns}*") + \
-            str(self.instructions)
+            str(self.cost)
 
 
 class Paths:
-    """Of one function. weight: of its instructions with what they call; marks: where the table
-    allows a cut."""
+    """Of one function. called: what the calls of its instructions take; marks: where the table allows
+    a cut."""
 
-    def __init__(self, graph: Graph, weight: dict[int, int], marks: dict[int, Kind]):
-        self._graph, self._weight = graph, weight
+    def __init__(self, graph: Graph, measure: Instructions, called: dict[int, int], marks: dict[int, Kind]):
+        self._graph, self._measure, self._called = graph, measure, called
+        self._weight = {address: measure.of(found) + called[address] for address, found in graph.code.items()}
+        for address in graph.callees:
+            if graph.code[address].flow is Flow.CALL:
+                self._weight[address] += measure.jump(graph.code[address])
         self._successors = graph.successors
+        self._edges = {address: [(to, self._edge(address, to)) for to in after]
+                       for address, after in graph.successors.items()}
         self._exits = {address for address, found in graph.code.items()
                        if found.flow is Flow.LEAVE or
                        found.flow is Flow.JUMP and address in graph.callees}
@@ -53,6 +60,12 @@ class Paths:
         self.fixed = max([steps.pop(OUT, 0)] +
                          [length + self._way_out(cut) for cut, length in steps.items()])
         self.terms = self._turns()
+
+    def _edge(self, address: int, to: int) -> int:
+        """What it takes to go on from one instruction with another one, which may be its target."""
+        found = self._graph.code[address]
+        jumps = to != found.end or to == found.target
+        return self._measure.after(found, self._graph.code[to]) + (self._measure.jump(found) if jumps else 0)
 
     def _sort(self, cuts: dict[int, Kind]) -> tuple[list[int], int | None]:
         """In topological order (Kahn), edges into cuts left out; and an instruction left over."""
@@ -75,7 +88,7 @@ class Paths:
         if left is not None:
             raise self._graph.refuse(left, "a loop without a bound in the table")
         cuts = dict(sorted(marks.items()))
-        plain = [address for address in cuts if self._weight[address] == 1]
+        plain = [address for address in cuts if not self._called[address]]
         for address in plain + list(cuts):
             kind = cuts.pop(address, None)
             if kind and self._sort(cuts)[1] is not None:
@@ -90,12 +103,12 @@ class Paths:
             if address not in far:
                 continue
             if address in self._exits:
-                steps[OUT] = max(steps.get(OUT, 0), far[address])
-            for to in self._successors[address]:
+                steps[OUT] = max(steps.get(OUT, 0), far[address] + self._measure.jump(self._graph.code[address]))
+            for to, edge in self._edges[address]:
                 if to in self.cuts:
-                    steps[to] = max(steps.get(to, 0), far[address])
+                    steps[to] = max(steps.get(to, 0), far[address] + edge)
                 else:
-                    far[to] = max(far.get(to, 0), far[address] + self._weight[to])
+                    far[to] = max(far.get(to, 0), far[address] + edge + self._weight[to])
         return steps
 
     def _reached(self, start: int) -> set[int]:

@@ -93,12 +93,12 @@ class Program:
 
     def code_of(self, function: Function) -> dict[int, Instruction]:
         """All instructions of a function, in the order of their addresses."""
-        first, last = (bisect_left(self._code, at, key=lambda found: found.address)
+        first, last = (bisect_left(self.code, at, key=lambda found: found.address)
                        for at in (function.address, function.end))
-        return {found.address: found for found in self._code[first:last]}
+        return {found.address: found for found in self.code[first:last]}
 
     @cached_property
-    def _code(self) -> list[Instruction]:
+    def code(self) -> list[Instruction]:
         return sorted(disassemble(self._path, self._machine), key=lambda found: found.address)
 
     def line_at(self, address: int) -> tuple[str, int]:

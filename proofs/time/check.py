@@ -1,4 +1,4 @@
-"""check.py BOUND MEASURED MACHINE PROGRAM
+"""check.py BOUND MEASURED MACHINE PROGRAM [CORE WAIT_STATES OPTIONS]
 
 Runs a firmware of this folder under QEMU and holds what it measures against what prove.py or
 guard_prove.py wrote to BOUND. To MEASURED and to standard output goes for each kind of run the most instructions, the bound on
@@ -6,12 +6,15 @@ that run, and the largest part of its own bound that a run of the kind took:
     measured NAME INSTRUCTIONS of BOUND, nearest PART
 period-N: a guard's periods of N work. boxes-KIND-N: runs of N work that came to no pair of leaves; run-KIND-N: those that did. Fails if a run
 takes more than was proven.
+
+With CORE, the bounds are its cycles with so many wait states, and QEMU's OPTIONS make the firmware count cycles.
 """
 import sys
 from pathlib import Path
 
 from formula import most_instructions, most_of_itself, most_of_period
 from firmware import run
+from shipped import proven_in
 
 LEAST = 1000
 
@@ -58,12 +61,18 @@ def report(cost, lines):
     return [*text, f"{held} measured, {len(over)} over the bound"], not over
 
 
-def main(bound, measured, machine, program):
+def costs_in(bound, core="", wait_states=0):
+    """Of one core; none is the only one."""
+    proven = proven_in(bound)
+    costs = {name: int(value) for name, value in proven[core or next(iter(proven))].items()}
+    return {name: value + int(wait_states) * costs.get(f"reads-{name}", 0) for name, value in costs.items()}
+
+
+def main(bound, measured, machine, program, *model):
     if not Path(bound).exists():
         sys.exit(f"check.py: no bounds in {bound}: run the test that proves them first")
-    words = map(str.split, Path(bound).read_text().splitlines())
-    cost = {name: int(value) for kind, name, *rest in words if kind == "bound" for value in rest}
-    text, good = report(cost, run(machine, program, timeout=120).splitlines())
+    cost = costs_in(Path(bound).read_text(), *model[:2])
+    text, good = report(cost, run(machine, program, 120, *model[2:]).splitlines())
     Path(measured).write_text("".join(f"{line}\n" for line in text))
     print("\n".join(text))
     sys.exit(not good)

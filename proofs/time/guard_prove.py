@@ -1,8 +1,9 @@
-"""guard_prove.py OUTPUT CUTS CORE PROGRAM SOURCES
+"""guard_prove.py OUTPUT CUTS CORE PROGRAM SOURCES [DECODER TABLES CORE...]
 
 Finds what a guard's period can cost at worst in the machine code of PROGRAM, bound_guard, and writes it
 to OUTPUT, "bound guard-NAME VALUE" a line: flashbvh::GuardCosts (robot/period_bound.hpp). Where loops were
-cut goes to CUTS: see turns.py. CORE: its name; SOURCES: the folder that guard_loops.txt speaks of.
+cut goes to CUTS: see turns.py. CORE: its name; SOURCES: the folder that guard_loops.txt speaks of. With DECODER:
+see prove.py.
 
 Counts that the table leaves open are of a whole period, and lib/docs/bounded_time.md says what they are.
 So a call costs what lies outside of such loops, and their turns are added up here.
@@ -16,9 +17,10 @@ from typing import Iterator
 from machine_code.cost import Costs
 from machine_code.instruction import Refused
 from machine_code.loops import Loops
+from machine_code.measure import Instructions
 from machine_code.program import Program
 
-from prove import GO_ON, SHAPE, check_units, write
+from prove import GO_ON, SHAPE, Found, check_units, exit_with, write
 
 # In work.
 PAIR, PLACED, EXACT, POSE, AIM, LEVER, WALK = 1, 4, 24, 16, 56, 1, 8
@@ -90,18 +92,18 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
 
 
 def main() -> None:
-    output, cuts, core, file, sources = sys.argv[1:]
+    _, _, _, file, sources = sys.argv[1:6]
     check_units(sources)
     check_guard_units(sources)
     program = Program(file)
     loops = Loops(str(Path(__file__).with_name("guard_loops.txt")), sources)
-    costs = Costs(program, loops, together=True)
-    closed = Costs(program, loops, general=True, together=True)
-    write(output, cuts, core, program, costs, dict(bounds(costs, closed, loops.roots)))
+
+    def prove(measure: Instructions) -> Found:
+        costs, closed = (Costs(program, loops, special, together=True, measure=measure) for special in (False, True))
+        return costs, dict(bounds(costs, closed, loops.roots))
+
+    write(program, sys.argv[1:], prove)
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Refused as refusal:
-        sys.exit(f"guard_prove.py: {refusal}")
+    exit_with(main)

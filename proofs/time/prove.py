@@ -1,19 +1,25 @@
-"""prove.py OUTPUT CUTS CORE PROGRAM SOURCES
+"""prove.py OUTPUT CUTS CORE PROGRAM SOURCES [DECODER TABLES CORE...]
 
 Finds what a run of a query can cost at worst in the machine code of PROGRAM, the firmware of this
 folder, and writes it to OUTPUT, "bound NAME VALUE" a line: flashbvh::RunCosts (time_bound.hpp), for
 poses that translate and for those that rotate. Where loops were cut goes to CUTS: see turns.py.
 CORE: its name; SOURCES: the folder that loops.txt speaks of.
+
+With DECODER, flashbvh_most_cycles, the bounds are cycles on each of the last CORES, by their tables in
+TABLES, and in addition "bound reads-NAME VALUE": reads of flash. Nothing goes to CUTS. CORE-Fast has a
+multiplier that takes one cycle.
 """
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
-from typing import Iterator
+from typing import Callable, Iterator
 
 from machine_code.cost import Cost, Costs
 from machine_code.instruction import Refused
 from machine_code.loops import Loops
+from machine_code.measure import Cycles, FlashReads, Instructions
 from machine_code.program import Program
 
 # In work. Programs of this folder and of tests/figures have them, too.
@@ -110,26 +116,59 @@ def cut_lines(program: Program, costs: Costs) -> Iterator[str]:
             yield f"symbol {function.address:x} {function}"
 
 
-def write(output: str, cuts: str, core: str, program: Program, costs: Costs, found: dict[str, int]) -> None:
-    text = "\n".join([f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()])
-    Path(output).write_text(text + "\n")
-    Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
-    print(text)
+Found = tuple[Costs, dict[str, int]]
+
+
+def cycles_lines(program: Program, decoder: list[str], prove: Callable[[Instructions], Found],
+                 cuts: list[str]) -> Iterator[str]:
+    """cuts: where turns.py counts."""
+    for measure, prefix in (Cycles(program, decoder), ""), (FlashReads(program, decoder), "reads-"):
+        costs, found = prove(measure)
+        if list(cut_lines(program, costs)) != cuts:
+            raise Refused("loops are cut elsewhere than by the proof of instructions")
+        for name, value in found.items():
+            yield f"bound {prefix}{name} {-(-value // measure.UNIT)}"
+
+
+def write(program: Program, arguments: list[str], prove: Callable[[Instructions], Found]) -> None:
+    """prove: the costs and the bounds by a measure."""
+    output, cuts, core, _, _, *model = arguments
+    costs, found = prove(Instructions())
+    lines = []
+    if model:
+        decoder, tables, *cores = model
+        for core in cores:
+            table, fast = re.fullmatch("(.*?)(?:-(fast))?", core.lower().replace("+", "plus")).groups()
+            command = [decoder, f"{tables}/{table}.csv", *([fast] if fast else [])]
+            lines += [f"core {core}", *cycles_lines(program, command, prove, list(cut_lines(program, costs)))]
+    else:
+        lines = [f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()]
+        Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
+    Path(output).write_text("\n".join(lines) + "\n")
+    print("\n".join(lines))
 
 
 def main() -> None:
-    output, cuts, core, file, sources = sys.argv[1:]
+    _, _, _, file, sources = sys.argv[1:6]
     check_units(sources)
     program = Program(file)
     loops = Loops(str(Path(__file__).with_name("loops.txt")), sources)
-    costs = Costs(program, loops)
-    found = dict(bounds(costs, Costs(program, loops, general=True), loops.roots))
-    check_itself(costs, loops.roots, found)
-    write(output, cuts, core, program, costs, found)
+
+    def prove(measure: Instructions) -> Found:
+        costs, general = (Costs(program, loops, general=special, measure=measure) for special in (False, True))
+        found = dict(bounds(costs, general, loops.roots))
+        check_itself(costs, loops.roots, found)
+        return costs, found
+
+    write(program, sys.argv[1:], prove)
+
+
+def exit_with(run: Callable[[], None]) -> None:
+    try:
+        run()
+    except Refused as refusal:
+        sys.exit(f"{Path(sys.argv[0]).name}: {refusal}")
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Refused as refusal:
-        sys.exit(f"prove.py: {refusal}")
+    exit_with(main)
