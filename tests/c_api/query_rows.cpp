@@ -220,10 +220,18 @@ bool lengths_agree(Scene& s) {
 bool bounds_agree(Scene& s) {
 #define OF_CPP(core, ...) k##core,
 #define OF_C(core, c_name, ...) &flashbvh_##c_name,
+#define CYCLES_OF_CPP(core, ...) k##core##Cycles,
+#define CYCLES_OF_C(core, c_name, ...) &flashbvh_##c_name##_cycles,
   const RunCosts costs[] = {FLASHBVH_FOR_EACH_CORE(OF_CPP)};
   const flashbvh_run_costs* const c_costs[] = {FLASHBVH_FOR_EACH_CORE(OF_C)};
+  const RunCycles cycles[] = {FLASHBVH_FOR_EACH_CORE_IN_CYCLES(CYCLES_OF_CPP)};
+  const flashbvh_run_cycles* const c_cycles[] = {FLASHBVH_FOR_EACH_CORE_IN_CYCLES(CYCLES_OF_C)};
 #undef OF_CPP
 #undef OF_C
+#undef CYCLES_OF_CPP
+#undef CYCLES_OF_C
+  const std::uint32_t in_cycles = s.random.below(std::uint32_t{std::size(cycles)});
+  const std::uint32_t wait_states = s.random.below(8);
   const std::uint32_t core = s.random.below(std::uint32_t{std::size(costs)});
   const std::uint64_t instructions = s.random.below(1000000);
   const std::uint32_t work = s.random.below(10000);
@@ -240,6 +248,11 @@ bool bounds_agree(Scene& s) {
              work_within(instructions, costs[core], a, b) &&
          flashbvh_most_instructions(c_costs[core], &a, &b, work) ==
              most_instructions(costs[core], a, b, work) &&
+         same(*c_cycles[in_cycles], cycles[in_cycles]) &&
+         flashbvh_work_within_cycles(instructions, c_cycles[in_cycles], wait_states, &a, &b) ==
+             work_within(instructions, cycles[in_cycles], wait_states, a, b) &&
+         flashbvh_most_cycles(c_cycles[in_cycles], wait_states, &a, &b, work) ==
+             most_cycles(cycles[in_cycles], wait_states, a, b, work) &&
          flashbvh_most_work(&a, &b) == most_work(a, b) &&
          flashbvh_largest_step(&a, &b) == largest_step(a, b);
 }

@@ -16,7 +16,7 @@ static uint32_t work;
 static bool start(void) {
   flashbvh_view_unchecked(plate_image, &plate);
   flashbvh_view_unchecked(peg_image, &peg);
-  work = flashbvh_work_within(56000, &flashbvh_cortex_m4f, &plate_tree, &peg_tree);
+  work = flashbvh_work_within_cycles(84000, &flashbvh_cortex_m4f_cycles, 0, &plate_tree, &peg_tree);
   return work != 0;
 }
 

@@ -30,6 +30,7 @@
 #include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"
 #include "flashbvh/plain/run_costs.h"
+#include "flashbvh/plain/run_cycles.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
 
@@ -208,6 +209,11 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_image_tree_size(const void* image, s
 #define FLASHBVH_CONSTANT(core, c_name, ...) extern const flashbvh_run_costs flashbvh_##c_name;
 FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
+/* flashbvh_cortex_m0_cycles to flashbvh_cortex_m4f_cycles. */
+#define FLASHBVH_CONSTANT(core, c_name, ...) \
+  extern const flashbvh_run_cycles flashbvh_##c_name##_cycles;
+FLASHBVH_FOR_EACH_CORE_IN_CYCLES(FLASHBVH_CONSTANT)
+#undef FLASHBVH_CONSTANT
 /* NOLINTEND(readability-identifier-naming) */
 
 /** work_within(): the most work for which a run stays within so many instructions; 0 if none. */
@@ -217,6 +223,16 @@ uint32_t flashbvh_work_within(uint64_t instructions, const flashbvh_run_costs* c
 /** most_instructions(), of a run; not of UINT32_MAX, which is no limit. */
 uint64_t flashbvh_most_instructions(const flashbvh_run_costs* costs, const flashbvh_tree_size* a,
                                     const flashbvh_tree_size* b, uint32_t work);
+
+/** work_within(): of so many cycles, where a read of flash takes `wait_states`, at most 1000. */
+uint32_t flashbvh_work_within_cycles(uint64_t cycles, const flashbvh_run_cycles* core,
+                                     uint32_t wait_states, const flashbvh_tree_size* a,
+                                     const flashbvh_tree_size* b);
+
+/** most_cycles(), of a run; arguments as of flashbvh_work_within_cycles(). */
+uint64_t flashbvh_most_cycles(const flashbvh_run_cycles* core, uint32_t wait_states,
+                              const flashbvh_tree_size* a, const flashbvh_tree_size* b,
+                              uint32_t work);
 
 /** most_work(), of a whole query in one run. */
 uint64_t flashbvh_most_work(const flashbvh_tree_size* a, const flashbvh_tree_size* b);

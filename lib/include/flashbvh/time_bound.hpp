@@ -3,6 +3,10 @@
 //     constexpr uint32_t kWork =
 //         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm_TREE_SIZE, cell_TREE_SIZE);
 //     step = query.run(kWork, found);  // 56,000 instructions at most
+//
+// In cycles, of a core whose manual has them, in RAM or in flash with so many wait states:
+//
+//     flashbvh::work_within(84000, flashbvh::kCortexM4FCycles, 0, arm_TREE_SIZE, cell_TREE_SIZE);
 #ifndef FLASHBVH_TIME_BOUND_HPP
 #define FLASHBVH_TIME_BOUND_HPP
 
@@ -12,14 +16,22 @@
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/plain/results.h"
 #include "flashbvh/plain/run_costs.h"
+#include "flashbvh/plain/run_cycles.h"
 
 namespace flashbvh {
 
 using RunCosts = flashbvh_run_costs;
+using RunCycles = flashbvh_run_cycles;
 
 /// kCortexM0 to kRV32IMAC.
 #define FLASHBVH_CONSTANT(core, c_name, text, ...) constexpr RunCosts k##core = {__VA_ARGS__};
 FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
+#undef FLASHBVH_CONSTANT
+/// kCortexM0Cycles to kCortexM4FCycles. Fast: of parts whose MULS takes one cycle, as nearly all
+/// do.
+#define FLASHBVH_CONSTANT(core, c_name, text, ...) \
+  constexpr RunCycles k##core##Cycles = {__VA_ARGS__};
+FLASHBVH_FOR_EACH_CORE_IN_CYCLES(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
 
 namespace detail {
@@ -100,6 +112,32 @@ constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& mesh
 
 namespace detail {
 
+/// What is in cycles where a read of flash takes so many wait states.
+constexpr RunCosts with_waits(const RunCycles& core, uint32_t wait_states) {
+  const RunCosts& cycles = core.cycles;
+  const RunCosts& reads = core.reads;
+  return {cycles.start + wait_states * reads.start, cycles.ascent + wait_states * reads.ascent,
+          cycles.later_sibling + wait_states * reads.later_sibling,
+          cycles.leaf_triangle + wait_states * reads.leaf_triangle,
+          cycles.work + wait_states * reads.work};
+}
+
+}  // namespace detail
+
+/// As most_instructions(), in cycles. `wait_states`: at most 1000, of each read of the memory that
+/// code and meshes lie in; 0 of RAM. No cache is trusted.
+constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& a,
+                               const TreeSize& b, uint32_t work) {
+  return most_instructions(detail::with_waits(core, wait_states), a, b, work);
+}
+/// Of a mesh against itself.
+constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& mesh,
+                               uint32_t work) {
+  return most_instructions(detail::with_waits(core, wait_states), mesh, work);
+}
+
+namespace detail {
+
 /// `none`: what a run without work takes at most.
 constexpr uint32_t work_within(uint64_t instructions, uint64_t none, uint64_t of_work) {
   const uint64_t work = instructions < none ? 0 : (instructions - none) / of_work;
@@ -119,6 +157,18 @@ constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, con
 constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& mesh) {
   const uint64_t none = most_instructions(costs, mesh, 0);
   return detail::work_within(instructions, none, most_instructions(costs, mesh, 1) - none);
+}
+
+/// The most work for which run(work, found) stays within so many cycles; arguments as of
+/// most_cycles().
+constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
+                               const TreeSize& a, const TreeSize& b) {
+  return work_within(cycles, detail::with_waits(core, wait_states), a, b);
+}
+/// Of a mesh against itself.
+constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
+                               const TreeSize& mesh) {
+  return work_within(cycles, detail::with_waits(core, wait_states), mesh);
 }
 
 }  // namespace flashbvh

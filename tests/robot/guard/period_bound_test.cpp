@@ -48,6 +48,15 @@ TEST_CASE("bound: the work within a period is the most that the instructions are
   STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kSize) == UINT32_MAX - 1);  // still a limit
 }
 
+TEST_CASE(
+    "bound: a period's cycles are those of memory without wait states, and of reads of flash") {
+  constexpr GuardCycles core = {kCosts, {5, 4, 3, 2, 1, 6, 7, 8, 9, 10}};
+  constexpr GuardCosts waits = {50010, 808, 16, 904, 92, 92, 7014, 36, 19018, 1020};
+  STATIC_REQUIRE(most_cycles(core, 0, kSize, 96) == most_instructions(kCosts, kSize, 96));
+  STATIC_REQUIRE(most_cycles(core, 2, kSize, 96) == most_instructions(waits, kSize, 96));
+  STATIC_REQUIRE(work_within(1000000, core, 2, kSize) == work_within(1000000, waits, kSize));
+}
+
 TEST_CASE("bound: a guard's size has the joints between its pairs, and the pairs with tables") {
   const RobotPair pairs[] = {
       {0, 0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 2, 0, 1}, {0, 0, 0, 1, 2, 1, 1}, {0, 0, 0, 1, 3, 2, 2}};

@@ -55,4 +55,10 @@ typedef struct flashbvh_run_costs {
   uint32_t work;          /**< each unit of work */
 } flashbvh_run_costs;
 
+/** The most cycles that the parts of a run take on some core. */
+typedef struct flashbvh_run_cycles {
+  flashbvh_run_costs cycles; /**< in memory without wait states */
+  flashbvh_run_costs reads;  /**< reads of flash, each of which takes its wait states */
+} flashbvh_run_cycles;
+
 #endif

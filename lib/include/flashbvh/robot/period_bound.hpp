@@ -3,12 +3,15 @@
 //
 //     constexpr flashbvh::GuardSize kArm = {6, 15, 62, 4, 20, 2};
 //     static_assert(flashbvh::most_instructions(flashbvh::kGuardOnCortexM4F, kArm, 100) < 2000000);
+//     static_assert(flashbvh::most_cycles(flashbvh::kGuardCyclesOnCortexM4F, 0, kArm, 100) <
+//     3000000);
 #ifndef FLASHBVH_ROBOT_PERIOD_BOUND_HPP
 #define FLASHBVH_ROBOT_PERIOD_BOUND_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/detail/robot/guard_costs.hpp"
+#include "flashbvh/detail/robot/guard_cycles.hpp"
 #include "flashbvh/detail/walk/work.hpp"
 #include "flashbvh/robot/robot.hpp"
 
@@ -32,6 +35,18 @@ struct GuardCosts {
 #define FLASHBVH_CONSTANT(core, c_name, text, ...) \
   constexpr GuardCosts kGuardOn##core = {__VA_ARGS__};
 FLASHBVH_FOR_EACH_GUARD_CORE(FLASHBVH_CONSTANT)
+#undef FLASHBVH_CONSTANT
+
+/// The most cycles that they take.
+struct GuardCycles {
+  GuardCosts cycles;  ///< in memory without wait states
+  GuardCosts reads;   ///< reads of flash, each of which takes its wait states
+};
+
+/// kGuardCyclesOnCortexM0 to kGuardCyclesOnCortexM4F, as RunCycles.
+#define FLASHBVH_CONSTANT(core, c_name, text, ...) \
+  constexpr GuardCycles kGuardCyclesOn##core = {__VA_ARGS__};
+FLASHBVH_FOR_EACH_GUARD_CORE_IN_CYCLES(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
 
 /// What of a robot a period's bound depends on. No node has more than kMostBoundedArity children,
@@ -61,6 +76,17 @@ constexpr GuardSize guard_size_of(const Robot& robot, uint32_t depth, uint32_t l
 }
 
 namespace detail {
+
+/// What is in cycles where a read of flash takes so many wait states.
+constexpr GuardCosts with_waits(const GuardCycles& core, uint32_t wait_states) {
+  const auto cost = [&](uint32_t GuardCosts::*of) {
+    return core.cycles.*of + wait_states * core.reads.*of;
+  };
+  return {cost(&GuardCosts::start),   cost(&GuardCosts::joint),   cost(&GuardCosts::turn),
+          cost(&GuardCosts::pair),    cost(&GuardCosts::between), cost(&GuardCosts::table),
+          cost(&GuardCosts::measure), cost(&GuardCosts::ascent),  cost(&GuardCosts::within),
+          cost(&GuardCosts::work)};
+}
 
 /// As in guard_measure.cpp: what it takes to begin to measure a pair, and to measure its witness.
 constexpr uint32_t kBeginWork = 16;
@@ -101,6 +127,13 @@ constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& s
          (uint64_t{work} + detail::kBeginWork + detail::kWitnessWork + joints - 1) * of_work;
 }
 
+/// As most_instructions(), in cycles. `wait_states`: at most 1000, of each read of the memory that
+/// code and robot lie in; 0 of RAM. No cache is trusted.
+constexpr uint64_t most_cycles(const GuardCycles& core, uint32_t wait_states, const GuardSize& size,
+                               uint32_t work) {
+  return most_instructions(detail::with_waits(core, wait_states), size, work);
+}
+
 /// The most work for which a period stays within so many instructions; 0 if none does, and never
 /// UINT32_MAX.
 constexpr uint32_t work_within(uint64_t instructions, const GuardCosts& costs,
@@ -111,6 +144,11 @@ constexpr uint32_t work_within(uint64_t instructions, const GuardCosts& costs,
     work = more != UINT32_MAX && most_instructions(costs, size, more) <= instructions ? more : work;
   }
   return work;
+}
+/// Within so many cycles; arguments as of most_cycles().
+constexpr uint32_t work_within(uint64_t cycles, const GuardCycles& core, uint32_t wait_states,
+                               const GuardSize& size) {
+  return work_within(cycles, detail::with_waits(core, wait_states), size);
 }
 
 }  // namespace flashbvh

@@ -1,0 +1,16 @@
+// Each core's GuardCycles, by the names in plain/run_cycles.h: cycles, then reads of flash; proven
+// by proofs/time for GCC 12 at -O2, written by tools/figures.sh.
+#ifndef FLASHBVH_DETAIL_ROBOT_GUARD_CYCLES_HPP
+#define FLASHBVH_DETAIL_ROBOT_GUARD_CYCLES_HPP
+
+// clang-format off
+#define FLASHBVH_FOR_EACH_GUARD_CORE_IN_CYCLES(core) \
+  core(CortexM0, cortex_m0, "Cortex-M0", {548695, 26054, 16, 10791, 4300, 313, 0, 51, 500332, 19206}, {113992, 3084, 13, 2868, 624, 167, 0, 36, 91161, 3515}) \
+  core(CortexM0Fast, cortex_m0_fast, "Cortex-M0-Fast", {246592, 8570, 16, 6482, 1696, 282, 0, 51, 214714, 8388}, {113992, 3084, 13, 2868, 624, 167, 0, 36, 91161, 3515}) \
+  core(CortexM0Plus, cortex_m0plus, "Cortex-M0+", {539132, 25821, 15, 10517, 4260, 290, 0, 46, 493535, 18945}, {113992, 3084, 13, 2868, 624, 167, 0, 36, 91161, 3515}) \
+  core(CortexM0PlusFast, cortex_m0plus_fast, "Cortex-M0+-Fast", {236941, 8337, 15, 6208, 1656, 259, 0, 46, 206285, 8068}, {113992, 3084, 13, 2868, 624, 167, 0, 36, 91161, 3515}) \
+  core(CortexM3, cortex_m3, "Cortex-M3", {138781, 1937, 15, 4179, 690, 226, 18988, 795, 44907, 2963}, {62276, 662, 11, 1989, 270, 134, 8373, 319, 16751, 1335}) \
+  core(CortexM4F, cortex_m4f, "Cortex-M4F", {104898, 1397, 15, 3940, 573, 226, 16848, 46, 36191, 2054}, {55161, 663, 11, 1977, 268, 135, 8580, 35, 16665, 1101})
+// clang-format on
+
+#endif
