@@ -104,7 +104,7 @@ for link in $links; do
   last=$link
 done
 $flashbvh report $(for link in $links; do echo $demo/kr5/$link.fbvh; done) --poses $demo/asked \
-  --core $board --hz 1000 --mhz 168 -o $demo/arm.html
+  --core $board --hz 1000 --clock 168MHz -o $demo/arm.html
 echo "Open $PWD/$demo/arm.html"
 
 if [ -n "${FLASHBVH_DEMO_OF_MESHES:-}" ]; then

@@ -20,16 +20,22 @@ def cards(*arguments):
 
 def cards_agree(core, constants, hz, mhz, bound, arguments):
     """The cards' instructions are those of time_bound.hpp, worked out here from `collide --bound`'s numbers."""
-    costs = text(f"{INCLUDE}/flashbvh/plain/run_costs.h")
-    start, depth, sibling, leaf, unit = map(int, search(f'"{constants}", (.*)\\)', costs).split(", "))
     period, siblings, size = int(mhz * 1000000 / hz), bound["later_siblings"], bound["leaf_size"]
-    start += bound["depths"] * depth + siblings * sibling + (size - 1) * leaf
-    unit += ceil(siblings * sibling / 32)
+
+    def costs(constants):
+        start, depth, sibling, leaf, unit = map(int, constants.split(", "))
+        return (start + bound["depths"] * depth + siblings * sibling + (size - 1) * leaf,
+                unit + ceil(siblings * sibling / 32))
+
+    first, each = costs(search(f'"{constants}", (.*)\\)', text(f"{INCLUDE}/flashbvh/plain/run_costs.h")))
+    in_cycles = re.search(f'"{constants}", {{([^}}]*)}}', text(f"{INCLUDE}/flashbvh/plain/run_cycles.h"))
+    start, unit = costs(in_cycles[1]) if in_cycles else (first, each)
     within = int((period - start - (max(size + 8, 32) - 1) * unit) / unit)
-    found = cards(*arguments, "--core", core, "--hz", hz, "--mhz", mhz)
+    found = cards(*arguments, "--core", core, "--hz", hz, "--clock", f"{mhz}MHz")
     for work, instructions, verdict in found:
-        most = start + work * unit
+        most = first + work * each
         hold(instructions in (str(most), f"{most / 1e6:.3g}"), f"instructions: {instructions}, not {most}")
+        most = start + work * unit
         wanted = (f"needs at most {ceil(work / within)} slices of {within} work" if most > period else
                   f"fits in {100 * most / period:.{int(most < period / 10)}f} % of the period")
         hold(verdict == wanted, f"{verdict}, not {wanted}")

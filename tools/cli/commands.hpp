@@ -3,9 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "evaluate/part.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 
@@ -44,6 +48,20 @@ CLI::Option* add_option(CLI::App& command, const char* name, Value& to, const ch
                         const std::string& what) {
   return command.add_option(name, to, what)->type_name(type);
 }
+
+/// Declares --clock; `to`: megahertz, a double or none of one.
+template <class Megahertz>
+CLI::Option* add_clock(CLI::App& command, Megahertz& to, const std::string& what) {
+  const auto read = [](std::string& text) {
+    const std::optional<double> megahertz = parse_clock(text);
+    text = megahertz ? shortest(*megahertz) : text;
+    return megahertz ? "" : text + " is no clock; give a number and kHz or MHz, as 168MHz";
+  };
+  return add_option(command, "--clock", to, "CLOCK", what)->transform(CLI::Validator(read, ""));
+}
+
+/// Declares --flash, which flash_wait_states() names.
+CLI::Option* add_flash(CLI::App& command, std::string& to);
 
 /// One of `words`; the help shows the default.
 inline CLI::Option* add_choice(CLI::App& command, const char* name, std::string& to,

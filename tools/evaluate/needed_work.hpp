@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,16 @@ TreeSize tree_size(const ImageHeader& header);
 struct Core {
   const char* name;
   RunCosts costs;
+  std::optional<RunCycles> cycles = {};
 };
 
 /// Those of time_bound.hpp.
 #define FLASHBVH_CORE_OF(core, c_name, text, ...) {text, k##core},
 inline constexpr Core kCores[] = {FLASHBVH_FOR_EACH_CORE(FLASHBVH_CORE_OF)};
 #undef FLASHBVH_CORE_OF
+
+/// Those, with cycles where they are proven, after cores that differ from one of them in cycles.
+std::vector<Core> cores_in_cycles();
 
 struct VisitBound {
   std::uint64_t visits = 0;

@@ -171,7 +171,8 @@ def copy_tracked(tree: Path, *below: str) -> None:
 def write_python(target: Path, facts: dict[str, str]) -> None:
     tree = target / f"flashbvh-{facts['version']}"
     copy_tracked(tree, "CMakeLists.txt", "LICENSE", "README.md", "lib", "tools",
-                 "tests/reference", "tests/figures/budgets.csv")  # the paper's trees; what costs are made of
+                 "tests/reference", "tests/figures/budgets.csv", "tests/figures/cycles.csv",
+                 "ports/cycles/tables/flash.csv")  # the paper's trees; what costs are made of
     for name in "pyproject.toml", "setup.py":
         shutil.move(tree / "tools/python" / name, tree)
     fill_templates("python", tree, facts, {})

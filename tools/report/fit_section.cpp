@@ -20,24 +20,27 @@ constexpr std::uint64_t kPoseBytes = 68;
 struct Need {
   std::uint64_t work = 0;
   double instructions = 0;       ///< of a single run each
+  double cycles = 0;             ///< as Budget::costs()
   std::uint64_t slice_work = 0;  ///< of a run that takes no longer than a period; 0: none does
   std::size_t queries = 1;
 
-  double share(const Budget& budget) const { return instructions / budget.instructions(); }
+  double share(const Budget& budget) const { return cycles / budget.cycles(); }
 };
 
 Need need_of(std::uint64_t work, const TreeSize& a, const TreeSize& b, const Budget& budget) {
-  const RunCosts& costs = budget.core.costs;
-  const auto period = static_cast<std::uint64_t>(std::min(budget.instructions(), 1e18));
+  const auto period = static_cast<std::uint64_t>(std::min(budget.cycles(), 1e18));
   // A single run spends what there is to do and no more.
-  const double instructions =
-      static_cast<double>(instructions_of_start(costs, a, b)) +
-      static_cast<double>(work) * static_cast<double>(instructions_of_work(costs, a, b));
-  return {work, instructions, work_within(period, costs, a, b)};
+  const auto most = [&](const RunCosts& costs) {
+    return static_cast<double>(instructions_of_start(costs, a, b)) +
+           static_cast<double>(work) * static_cast<double>(instructions_of_work(costs, a, b));
+  };
+  return {work, most(budget.core.costs), most(budget.costs()),
+          work_within(period, budget.costs(), a, b)};
 }
 
 Need operator+(const Need& a, const Need& b) {
-  return {a.work + b.work, a.instructions + b.instructions, 0, a.queries + b.queries};
+  return {a.work + b.work, a.instructions + b.instructions, a.cycles + b.cycles, 0,
+          a.queries + b.queries};
 }
 
 /// "fits in 37 % of the period", "needs at most 4 slices of 888 work"; of several queries, "takes
@@ -62,10 +65,11 @@ std::string verdict(const Need& need, const Budget& budget) {
          " work";
 }
 
-/// "0.37 ms".
+/// "0.37 ms", "roughly 0.37 ms".
 std::string milliseconds(const Need& need, const Budget& budget) {
-  const double time = need.instructions / (budget.mhz * 1e3);
-  return (time >= 100 ? grouped(static_cast<std::uint64_t>(std::llround(time)))
+  const double time = need.cycles / (budget.mhz * 1e3);
+  return (budget.core.cycles ? "" : "roughly ") +
+         (time >= 100 ? grouped(static_cast<std::uint64_t>(std::llround(time)))
                       : significant(time, 2)) +
          " ms";
 }
@@ -120,8 +124,7 @@ std::string tiles(const Subjects& subjects, const Budget& budget) {
       fact("Period", significant(1e3 / budget.hz, 4) + " ms",
            significant(budget.hz, 6) + " Hz on a " + budget.core.name + " at " +
                significant(budget.mhz, 6) + " MHz: " +
-               grouped(static_cast<std::uint64_t>(std::min(budget.instructions(), 1e18))) +
-               " instructions at one a cycle."));
+               grouped(static_cast<std::uint64_t>(std::min(budget.cycles(), 1e18))) + " cycles."));
 }
 
 /// "1,234,567" or "38.9 million".
@@ -138,8 +141,9 @@ std::string card(const char* name, const Need& need, const Budget& budget) {
   return concat("<div class=\"card ", state, "\"><h4>", name, "</h4><b>", verdict(need, budget),
                 "</b><div class=gauge><span style=\"width:", fixed(std::min(1.0, share) * 100, 1),
                 "%\"></span></div><small>", grouped(need.work), " work<br>at most ",
-                large(need.instructions), " instructions<br>", milliseconds(need, budget),
-                "</small></div>\n");
+                large(need.instructions), " instructions<br>",
+                budget.core.cycles ? large(need.cycles) + " cycles, " : "",
+                milliseconds(need, budget), "</small></div>\n");
 }
 
 std::string cards(const std::string& title, const Needs& needs, bool has_poses,
@@ -191,6 +195,17 @@ std::string pose_note(const std::vector<QueriedPair>& pairs, const ReportOptions
          "give them with <code>--poses</code>.";
 }
 
+/// Where cycles and milliseconds come from.
+std::string cycles_note(const Budget& budget) {
+  return budget.core.cycles
+             ? "Cycles are proven, too, by the core&#39;s manual, with " +
+                   counted(flash_wait_states().at(budget.flash), "wait state", "wait states") +
+                   " of the flash and no cache"
+             : std::string(
+                   "Milliseconds are rough: cycles of this core are not proven, an "
+                   "instruction is taken for one, and wait states of the flash come on top");
+}
+
 std::string notes(const std::vector<QueriedPair>& pairs, const ReportOptions& options) {
   return note("Poses: " + pose_note(pairs, options)) +
          note(concat(
@@ -199,9 +214,9 @@ std::string notes(const std::vector<QueriedPair>& pairs, const ReportOptions& op
              options.budget.core.name,
              ", proven for GCC 12 at -O2 (<code>flashbvh/time_bound.hpp</code>). Queries on a "
              "robot&#39;s links were measured to take about a tenth of that "
-             "(<code>lib/docs/figures.md</code>). Milliseconds assume an instruction a "
-             "cycle; wait states of the flash come on top, and so does making the query, once a "
-             "pose. A "
+             "(<code>lib/docs/figures.md</code>). ",
+             cycles_note(options.budget),
+             ". Making the query comes on top, once a pose. A "
              "slice is a call of <code>run(work)</code> that takes no longer than a period."));
 }
 

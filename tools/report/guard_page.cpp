@@ -186,11 +186,11 @@ std::string counts(const GuardedTrajectory& guarded) {
                                 grouped(summary.priming), " to prime"))));
 }
 
-std::string cost_cell(const GuardTiming& timing, double instructions) {
-  const std::string text = grouped(static_cast<std::uint64_t>(std::llround(instructions)));
-  return timing.clock
-             ? concat(text, ", ", fixed(100 * instructions / timing.clock->instructions(), 1), " %")
-             : text;
+std::string cost_cell(const GuardTiming& timing, double instructions,
+                      std::optional<std::uint64_t> cycles = {}) {
+  return cost_text(timing, instructions, cycles, [](double number) {
+    return grouped(static_cast<std::uint64_t>(std::llround(number)));
+  });
 }
 
 /// On a core. Nothing if none is given.
@@ -211,13 +211,13 @@ std::string time_section(const GuardedTrajectory& guarded) {
     items += fact("a period has time for", within ? grouped(*within) : "none", "work");
   }
   for (const ProvenWork& proven : proven_work(timing)) {
-    items +=
-        fact(concat("proven with ", grouped(proven.work), " work"),
-             cost_cell(timing, static_cast<double>(proven.instructions)), "instructions at most");
+    items += fact(concat("proven with ", grouped(proven.work), " work"),
+                  cost_cell(timing, static_cast<double>(proven.instructions), proven.cycles),
+                  "instructions at most");
   }
   return section("time", "Time on a " + timing.costs.core,
                  facts(items) +
-                     table(timing.clock ? "Instructions of a period, and part of it"
+                     table(timing.clock ? "Instructions of a period, their time, and part of it"
                                         : "Instructions of a period",
                            {"of periods", "#as replayed", "#with the least work"}, rows) +
                      note(escaped(estimate_note(timing.costs))));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evaluate/needed_work.hpp"
+#include "evaluate/part.hpp"
 #include "flashbvh/pose.hpp"
 #include "image/image_file.hpp"
 #include "report/subject.hpp"
@@ -19,10 +20,16 @@ namespace flashbvh::tool {
 /// A period of a core.
 struct Budget {
   Core core;
-  double hz;   ///< periods a second
-  double mhz;  ///< a million instructions a second: one a cycle
+  double hz;  ///< periods a second
+  double mhz;
+  std::string flash = "none";  ///< of flash_wait_states()
 
-  double instructions() const { return mhz * 1e6 / hz; }  ///< of a period
+  double cycles() const { return mhz * 1e6 / hz; }  ///< of a period
+  /// In cycles; roughly, at one an instruction, where no cycles are proven.
+  RunCosts costs() const {
+    return core.cycles ? flashbvh::detail::with_waits(*core.cycles, flash_wait_states().at(flash))
+                       : core.costs;
+  }
 };
 
 struct ReportOptions {

@@ -31,7 +31,7 @@ std::vector<std::string> poses_read(const std::string& poses) {
 }
 
 void write_page(ReportArguments& arguments) {
-  for (const Core& core : kCores) {
+  for (const Core& core : cores_in_cycles()) {
     if (arguments.core == core.name) {
       arguments.options.budget.core = core;
     }
@@ -58,19 +58,21 @@ std::string refuse_rate(const std::string& text) {
 
 void add_budget(CLI::App& command, ReportArguments& arguments) {
   std::vector<std::string> names;
-  for (const Core& core : kCores) {
+  for (const Core& core : cores_in_cycles()) {
     names.emplace_back(core.name);
   }
   Budget& budget = arguments.options.budget;
-  command.add_option("--core", arguments.core, "Core whose proven instructions are taken")
+  command
+      .add_option("--core", arguments.core,
+                  "Core whose proven cycles are taken, or instructions if there are none; Fast: "
+                  "MULS takes a cycle")
       ->transform(CLI::IsMember(names, CLI::ignore_case))
       ->capture_default_str();
   command.add_option("--hz", budget.hz, "Periods a second")
       ->check(refuse_rate, "NUMBER")
       ->capture_default_str();
-  command.add_option("--mhz", budget.mhz, "The core's clock")
-      ->check(refuse_rate, "NUMBER")
-      ->capture_default_str();
+  add_clock(command, budget.mhz, "The core's clock")->default_str("168MHz");
+  add_flash(command, budget.flash);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/guard_output.hpp"
+#include "evaluate/part.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
 
@@ -264,7 +265,8 @@ struct GuardArguments : RobotArguments {
   std::string core;
   std::optional<double> megahertz;
   double hertz = 1000;
-  double cycles = 1.5;
+  std::string flash = "none";
+  std::optional<double> cycles;
   bool motion = false;
   bool json = false;
 };
@@ -302,13 +304,17 @@ std::optional<GuardTiming> timing_of(const GuardArguments& arguments, const Robo
                         {},
                         {},
                         arguments.work,
-                        proven_period(costs.core, robot)};
+                        proven_period(costs.core, flash_wait_states().at(arguments.flash), robot)};
   timing.replayed = quantiles_of(timing.costs, answers);
   if (timing.least) {
     timing.of_least = quantiles_of(timing.costs, timing.least->answers);
   }
   if (arguments.megahertz) {
-    timing.clock = {*arguments.megahertz, arguments.hertz, arguments.cycles};
+    constexpr double kRoughCycles = 1.5;
+    const auto measured = measured_cycles(costs.core, arguments.flash);
+    timing.clock = {*arguments.megahertz, arguments.hertz,
+                    arguments.cycles.value_or(measured.value_or(kRoughCycles)),
+                    !arguments.cycles && !measured};
   }
   return timing;
 }
@@ -350,18 +356,18 @@ void add_timing_options(CLI::App& command, GuardArguments& a) {
              concat("CORE:{", joined(measured_cores(), ","), "}").c_str(),
              "Estimate the instructions of each period, and find the least --work that keeps\n"
              "not_yet_known below 0.1 % of periods");
-  add_option(command, "--mhz", a.megahertz, "MHZ",
-             "Clock of the core: print parts of a period and the work it has time for, too")
-      ->check(positive)
+  add_clock(command, a.megahertz,
+            "Clock of the core: print cycles, time, parts of a period and the work it has time for")
       ->needs("--core");
+  add_flash(command, a.flash)->needs("--core");
   add_option(command, "--hz", a.hertz, "HZ", "Periods a second; default: 1000")
       ->check(positive)
-      ->needs("--mhz");
+      ->needs("--clock");
   add_option(command, "--cpi", a.cycles, "CYCLES",
-             "Cycles an instruction takes on the part, with flash wait states; default: 1.5, no\n"
-             "measurement")
+             "Cycles an instruction takes on the part on average; default: as measured with core\n"
+             "and flash, else 1.5, marked rough")
       ->check(positive)
-      ->needs("--mhz");
+      ->needs("--clock");
 }
 
 }  // namespace

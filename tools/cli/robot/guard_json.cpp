@@ -78,7 +78,15 @@ Json proven_json(const GuardTiming& timing) {
   }
   Json json = {{"instructions", Json::object()}};
   for (const ProvenWork& proven : proven_work(timing)) {
-    json["instructions"][concat(proven.work)] = proven.instructions;
+    const std::string work = concat(proven.work);
+    json["instructions"][work] = proven.instructions;
+    if (proven.cycles) {
+      json["cycles"][work] = *proven.cycles;
+      if (timing.clock) {
+        json["milliseconds"][work] =
+            static_cast<double>(*proven.cycles) / timing.clock->megahertz / 1e3;
+      }
+    }
   }
   if (timing.clock) {
     json["work_within"] = proven_work_within(*timing.proven, *timing.clock);
@@ -100,6 +108,8 @@ Json timing_json(const GuardTiming& timing) {
   if (timing.clock) {
     const auto within = work_within(costs, *timing.clock);
     json["period"] = std::round(timing.clock->instructions());
+    json["cycles_per_instruction"] = timing.clock->cycles;
+    json["is_rough"] = timing.clock->is_rough;
     json["work_within"] = within ? Json(*within) : Json();
   }
   json["proven"] = proven_json(timing);

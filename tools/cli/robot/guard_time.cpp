@@ -9,25 +9,27 @@
 namespace flashbvh::tool {
 namespace {
 
-/// "4165  3.7 %": without a clock the instructions alone.
-std::string cost_text(const GuardTiming& timing, double instructions) {
-  const std::string text = fixed(instructions, 0);
-  return timing.clock
-             ? text + "  " + fixed(100 * instructions / timing.clock->instructions(), 1) + " %"
-             : text;
+std::string plain(double number) {
+  return fixed(number, 0);
+}
+
+std::string estimate(const GuardTiming& timing, double instructions) {
+  return cost_text(timing, instructions, std::nullopt, plain);
 }
 
 std::string head_of(const GuardTiming& timing) {
   const std::string text = "\ntime on a " + timing.costs.core;
   return timing.clock ? concat(text, " of ", significant(timing.clock->megahertz, 6), " MHz at ",
                                significant(timing.clock->hertz, 6), " Hz, ",
-                               significant(timing.clock->cycles, 6),
-                               " cycles an instruction: instructions, and part of a period\n")
+                               timing.clock->is_rough ? "roughly " : "about ",
+                               significant(timing.clock->cycles, 3),
+                               " cycles an instruction: instructions, time, and part of a period\n")
                       : text + ": instructions\n";
 }
 
-void print_row(const std::string& name, const std::string& replayed, const std::string& least) {
-  std::cout << std::left << std::setw(13) << name << std::setw(20) << replayed << least << "\n";
+void print_row(int width, const std::string& name, const std::string& replayed,
+               const std::string& least) {
+  std::cout << std::left << std::setw(13) << name << std::setw(width) << replayed << least << "\n";
 }
 
 /// "least work that keeps 'not yet known' below 0.1 % of periods: 96".
@@ -41,7 +43,7 @@ void print_least(const GuardTiming& timing) {
   }
 }
 
-/// "proven: with 680 work at most 1881169  1679.6 %".
+/// "proven: with 680 work at most 1881169, 3402817 cycles, 20.3 ms, 2025.5 %".
 void print_proven(const GuardTiming& timing) {
   if (!timing.proven) {
     std::cout << "proven: nothing of leaves with more than " << kMostBoundedLeaf << " triangles\n";
@@ -49,7 +51,8 @@ void print_proven(const GuardTiming& timing) {
   }
   for (const ProvenWork& proven : proven_work(timing)) {
     std::cout << "proven: with " << proven.work << " work at most "
-              << cost_text(timing, static_cast<double>(proven.instructions)) << "\n";
+              << cost_text(timing, static_cast<double>(proven.instructions), proven.cycles, plain)
+              << "\n";
   }
   if (timing.clock) {
     const std::uint32_t within = proven_work_within(*timing.proven, *timing.clock);
@@ -62,11 +65,12 @@ void print_proven(const GuardTiming& timing) {
 
 void print_timing(const GuardTiming& timing) {
   std::cout << head_of(timing);
-  print_row("of periods", "as replayed",
+  const int width = timing.clock ? 52 : 20;
+  print_row(width, "of periods", "as replayed",
             timing.least ? concat("with ", timing.least->work, " work") : "");
   for (std::size_t i = 0; i < kQuantileNames.size(); ++i) {
-    print_row(concat(kQuantileNames[i], " %"), cost_text(timing, timing.replayed[i]),
-              timing.least ? cost_text(timing, timing.of_least[i]) : "");
+    print_row(width, concat(kQuantileNames[i], " %"), estimate(timing, timing.replayed[i]),
+              timing.least ? estimate(timing, timing.of_least[i]) : "");
   }
   print_least(timing);
   const PeriodCosts& costs = timing.costs;

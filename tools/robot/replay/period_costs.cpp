@@ -15,6 +15,17 @@ namespace {
 constexpr const char* kRows =
 #include "guard_costs.inc"
     ;
+/// Those of tests/figures/cycles.csv.
+constexpr const char* kCyclesRows =
+#include "guard_cycles.inc"
+    ;
+/// A column there that is of a part, not of a core without flash.
+struct MeasuredPart {
+  const char* core;
+  const char* flash;
+  const char* column;
+};
+constexpr MeasuredPart kMeasuredParts[] = {{"Cortex-M4F", "stm32f4-5ws", "STM32F4"}};
 
 /// Figures by name and core.
 using Figures = std::map<std::string, std::map<std::string, double>>;
@@ -31,10 +42,10 @@ std::vector<std::string> cells_of(std::string_view line) {
   return cells;
 }
 
-Figures measured_figures() {
+Figures measured_figures(const char* rows = kRows) {
   Figures figures;
   std::vector<std::string> head;
-  for (Lines lines(kRows); lines.next();) {
+  for (Lines lines(rows); lines.next();) {
     const std::vector<std::string> cells = cells_of(lines.line());
     for (std::size_t i = 1; i < cells.size() && !head.empty(); ++i) {
       if (const auto value = parse_number(cells[i])) {
@@ -94,6 +105,35 @@ PeriodCosts costs_on(const std::string& core, const Robot& robot) {
 std::string estimate_note(const PeriodCosts& costs) {
   return concat("These are means of a KUKA KR5's guard, whose longest period took ",
                 fixed(costs.longest, 1), " times its estimate, and no bound.");
+}
+
+std::optional<double> measured_cycles(const std::string& core, const std::string& flash) {
+  std::string column = flash == "none" ? core : "";
+  for (const MeasuredPart& part : kMeasuredParts) {
+    column = core == part.core && flash == part.flash ? part.column : column;
+  }
+  Figures cycles = measured_figures(kCyclesRows);
+  Figures instructions = measured_figures();
+  const char* const mean = "guard.half.mean";
+  const auto found = cycles[mean].find(column);
+  return found == cycles[mean].end() ? std::nullopt
+                                     : std::make_optional(found->second / instructions[mean][core]);
+}
+
+std::string cost_text(const GuardTiming& timing, double instructions,
+                      std::optional<std::uint64_t> cycles, std::string (*whole)(double)) {
+  std::string text = whole(instructions);
+  if (!timing.clock && !cycles) {
+    return text;
+  }
+  const double all = cycles ? static_cast<double>(*cycles) : instructions * timing.clock->cycles;
+  text += concat(cycles                   ? ", "
+                 : timing.clock->is_rough ? ", roughly "
+                                          : ", about ",
+                 whole(all), " cycles");
+  return timing.clock ? concat(text, ", ", significant(all / timing.clock->megahertz / 1e3, 3),
+                               " ms, ", fixed(100 * all / timing.clock->period_cycles(), 1), " %")
+                      : text;
 }
 
 double instructions_of(const PeriodCosts& costs, std::uint32_t work) {
@@ -159,7 +199,7 @@ std::vector<ProvenWork> proven_work(const GuardTiming& timing) {
   std::vector<ProvenWork> proven;
   const auto add = [&](std::uint32_t work) {
     if (const auto most = timing.proven ? timing.proven->most(work) : std::nullopt) {
-      proven.push_back({work, *most});
+      proven.push_back({work, *most, timing.proven->most_cycles(work)});
     }
   };
   add(timing.work);
@@ -170,8 +210,9 @@ std::vector<ProvenWork> proven_work(const GuardTiming& timing) {
 }
 
 std::uint32_t proven_work_within(const ProvenPeriod& proven, const PeriodClock& clock) {
-  const double instructions = std::min(clock.instructions(), 0x1p62);
-  return work_within(static_cast<std::uint64_t>(instructions), proven.costs, proven.size);
+  const double within = proven.cycles ? clock.period_cycles() : clock.instructions();
+  return work_within(static_cast<std::uint64_t>(std::min(within, 0x1p62)),
+                     proven.cycles.value_or(proven.costs), proven.size);
 }
 
 }  // namespace flashbvh::tool

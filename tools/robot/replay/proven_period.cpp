@@ -17,6 +17,17 @@ struct CoreCosts {
 constexpr CoreCosts kCores[] = {FLASHBVH_FOR_EACH_GUARD_CORE(FLASHBVH_CORE_OF)};
 #undef FLASHBVH_CORE_OF
 
+/// None if no cycles are proven.
+std::optional<GuardCosts> guard_cycles_on(const std::string& core, std::uint32_t wait_states) {
+#define FLASHBVH_CORE_OF(name, c_name, text, ...)                 \
+  if (core == (text)) {                                           \
+    return detail::with_waits(kGuardCyclesOn##name, wait_states); \
+  }
+  FLASHBVH_FOR_EACH_GUARD_CORE_IN_CYCLES(FLASHBVH_CORE_OF)
+#undef FLASHBVH_CORE_OF
+  return std::nullopt;
+}
+
 /// None if the proof does not hold of a tree.
 std::optional<GuardSize> size_of(const Robot& robot) {
   std::uint32_t depth = 0;
@@ -43,11 +54,17 @@ std::optional<std::uint64_t> ProvenPeriod::most(std::uint32_t work) const {
   return work >= kAllWork ? std::nullopt : std::make_optional(most_instructions(costs, size, work));
 }
 
-std::optional<ProvenPeriod> proven_period(const std::string& core, const Robot& robot) {
+std::optional<std::uint64_t> ProvenPeriod::most_cycles(std::uint32_t work) const {
+  return cycles && work < kAllWork ? std::make_optional(most_instructions(*cycles, size, work))
+                                   : std::nullopt;
+}
+
+std::optional<ProvenPeriod> proven_period(const std::string& core, std::uint32_t wait_states,
+                                          const Robot& robot) {
   const std::optional<GuardSize> size = size_of(robot);
   for (const CoreCosts& known : kCores) {
     if (size && core == known.core) {
-      return ProvenPeriod{known.costs, *size};
+      return ProvenPeriod{known.costs, *size, guard_cycles_on(core, wait_states)};
     }
   }
   return std::nullopt;

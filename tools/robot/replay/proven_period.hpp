@@ -14,13 +14,17 @@ namespace flashbvh::tool {
 struct ProvenPeriod {
   GuardCosts costs;
   GuardSize size;
+  std::optional<GuardCosts> cycles = {};  ///< in cycles, wait states included; none of some cores
 
   /// Instructions; none without a limit of work.
   std::optional<std::uint64_t> most(std::uint32_t work) const;
+  /// None of cores whose cycles are not proven, too.
+  std::optional<std::uint64_t> most_cycles(std::uint32_t work) const;
 };
 
 /// None of a robot with leaves or nodes beyond kMostBoundedLeaf or kMostBoundedArity. `core`:
-/// "Cortex-M4F".
-std::optional<ProvenPeriod> proven_period(const std::string& core, const Robot& robot);
+/// "Cortex-M4F"; `wait_states`: of each read of flash.
+std::optional<ProvenPeriod> proven_period(const std::string& core, std::uint32_t wait_states,
+                                          const Robot& robot);
 
 }  // namespace flashbvh::tool
