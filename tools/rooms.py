@@ -5,7 +5,7 @@ import re
 import sys
 
 LIB = pathlib.Path(__file__).resolve().parents[1] / "lib"
-ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "motion", "robot", "c"]
+ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "motion", "self_test", "robot", "c"]
 # Public headers lie in one folder; all others are of the room query.
 PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "frame", "units", "status", "version"],
           "predicates": ["triangle"], "motion": ["body_motion", "first_contact", "flashbvh"]}

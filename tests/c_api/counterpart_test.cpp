@@ -120,8 +120,8 @@ TEST_CASE("each function of C answers as its counterpart in C++") {
     CAPTURE(round);
     Scene scene(random);
     pairs += count_pairs(scene.a.mesh, scene.b.mesh, scene.pose).count;
-    for (const auto& rows :
-         {query_rows(), pose_rows(), distance_rows(), shape_rows(), motion_rows()}) {
+    for (const auto& rows : {query_rows(), pose_rows(), distance_rows(), shape_rows(),
+                             motion_rows(), self_test_rows()}) {
       for (const Row& row : rows) {
         bool agrees = false;
         {

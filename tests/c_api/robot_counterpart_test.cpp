@@ -10,6 +10,7 @@
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/robot_float.hpp"
+#include "flashbvh/robot/self_test.hpp"
 #include "flashbvh/robot/workcell.hpp"
 #include "support/random.hpp"
 #include "support/same_view.hpp"
@@ -222,12 +223,27 @@ TEST_CASE("a guard in C answers as in C++, also after its state was stored, or d
       reinterpret_cast<uint32_t*>(&c_state)[1] ^= damage;
       REQUIRE(same(flashbvh_guard_resume(&c), guard.resume()));
     }
+    if (random.below(20) == 0) {
+      guard.seal();
+      flashbvh_guard_seal(&c);
+      memcpy(static_cast<void*>(&state), &c_state, sizeof state);  // C++ verifies what C sealed
+      REQUIRE(guard.verify() == Status::done);
+      REQUIRE(flashbvh_guard_verify(&c) == FLASHBVH_STATUS_DONE);
+      reinterpret_cast<char*>(&c_state)[random.below(c_arm_GUARD_STATE_SIZE)] ^= 16;
+      REQUIRE(flashbvh_guard_verify(&c) == FLASHBVH_STATUS_GUARD_STATE_INVALID);
+      memcpy(static_cast<void*>(&c_state), &state, sizeof state);
+    }
     if (random.below(50) == 0) {
       guard.forget();
       flashbvh_guard_forget(&c);
     }
   }
   CHECK(verdicts == 0x1F);
+}
+
+TEST_CASE("the guard's known answers come out on this core") {
+  CHECK(test_known_guard() == Status::done);
+  CHECK(flashbvh_test_known_guard() == FLASHBVH_STATUS_DONE);
 }
 
 TEST_CASE("certified motions in C are those of C++") {

@@ -53,6 +53,7 @@ std::vector<Row> pose_rows();
 std::vector<Row> distance_rows();
 std::vector<Row> shape_rows();
 std::vector<Row> motion_rows();
+std::vector<Row> self_test_rows();
 
 /// In C, by its numbers.
 flashbvh_pose taken_to_c(const Pose& pose);

@@ -147,13 +147,13 @@ typedef struct flashbvh_pair_detail {
 } flashbvh_pair_detail;
 
 /** Guard, of one robot; what it knows lies in the state. */
-FLASHBVH_OPAQUE(flashbvh_guard, 12, 0, void*);
+FLASHBVH_OPAQUE(flashbvh_guard, 11, 16, void*);
 
 /** Bytes of a guard's state: of a robot with so many joints and pairs, and joints between the links
  * of all pairs; or of one with fewer. A workcell's counts: those of its flashbvh_workcell_robot().
  */
 #define FLASHBVH_GUARD_STATE_SIZE(joints, pairs, pair_joints) \
-  (104 + 64 * (joints) + 16 * (pairs) + 4 * (pair_joints) + ((joints) + (pair_joints) + 3) / 4 * 4)
+  (108 + 64 * (joints) + 16 * (pairs) + 4 * (pair_joints) + ((joints) + (pair_joints) + 3) / 4 * 4)
 
 /** Knows nothing yet; the state is written. GUARD_STATE_INVALID, as of every later call: `size`, in
  * bytes, is too small, or the state does not start at a multiple of 4. */
@@ -165,6 +165,15 @@ void flashbvh_guard_forget(flashbvh_guard* guard);
 
 /** Guard::resume(), after the guard was made and the state copied back. GUARD_STATE_INVALID. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_resume(flashbvh_guard* guard);
+
+/** Guard::seal(), after each period. */
+void flashbvh_guard_seal(flashbvh_guard* guard);
+
+/** Guard::verify(), before the next one. GUARD_STATE_INVALID: memory is damaged. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_verify(const flashbvh_guard* guard);
+
+/** test_known_guard(), of robot/self_test.hpp. DONE or SELF_TEST_FAILED. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_guard(void);
 
 /** Guard::update(). NOT_A_COORDINATE, JOINT_OUT_OF_LIMITS, JOINT_JUMPED: the verdict is REFUSED,
  * and nothing changes. */

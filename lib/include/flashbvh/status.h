@@ -68,7 +68,10 @@ typedef enum flashbvh_status {
 
   /** A motion of a body that may get farther than 2^19 cells from an origin, by the sum of its
    * lengths. */
-  FLASHBVH_STATUS_MOTION_OUT_OF_RANGE = 48
+  FLASHBVH_STATUS_MOTION_OUT_OF_RANGE = 48,
+
+  /** A known answer came out differently, or memory that does not change has changed. */
+  FLASHBVH_STATUS_SELF_TEST_FAILED = 49
 } flashbvh_status;
 
 #ifdef __cplusplus

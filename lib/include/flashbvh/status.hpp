@@ -35,6 +35,7 @@ enum class Status : uint8_t {
   vertex_out_of_lattice = FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE,
   mesh_changed = FLASHBVH_STATUS_MESH_CHANGED,
   motion_out_of_range = FLASHBVH_STATUS_MOTION_OUT_OF_RANGE,
+  self_test_failed = FLASHBVH_STATUS_SELF_TEST_FAILED,
 
   image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
   image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,

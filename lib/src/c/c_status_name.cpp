@@ -40,6 +40,7 @@ const char* flashbvh_status_name(flashbvh_status status) {
     FLASHBVH_CASE(vertex_out_of_lattice);
     FLASHBVH_CASE(mesh_changed);
     FLASHBVH_CASE(motion_out_of_range);
+    FLASHBVH_CASE(self_test_failed);
   }
   return "unknown";
 }

@@ -178,14 +178,21 @@ Status open_any(const void* bytes, size_t size, BasicMesh<Index, layout>& mesh) 
 
 namespace detail {
 
+/// The remainder of each four bits by the reflected polynomial 0xEDB88320.
+constexpr uint32_t kCrcOfNibble[16] = {
+    0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu,
+    0x76DC4190u, 0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
+    0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
+    0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
+};
+
 uint32_t crc32(const void* bytes, size_t size, uint32_t crc) {
   const unsigned char* byte = static_cast<const unsigned char*>(bytes);
   crc = ~crc;
   for (size_t i = 0; i < size; ++i) {
     crc ^= byte[i];
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
-    }
+    crc = (crc >> 4) ^ kCrcOfNibble[crc & 15u];
+    crc = (crc >> 4) ^ kCrcOfNibble[crc & 15u];
   }
   return ~crc;
 }

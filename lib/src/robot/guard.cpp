@@ -15,7 +15,7 @@ using detail::sum_of;
 
 namespace {
 
-constexpr uint32_t kStateVersion = 2;
+constexpr uint32_t kStateVersion = 3;
 
 constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}};
 
@@ -40,11 +40,12 @@ uint32_t Guard::joints_between() const {
 }
 
 void Guard::forget() {
-  if (!fits_) {
+  if (!fits()) {
     return;
   }
   core_->version = kStateVersion;
   core_->robot_hash = robot_->hash;
+  core_->checksum = 0;
   core_->walked_pair = kNoPair;
   core_->has_values = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
@@ -61,7 +62,7 @@ void Guard::forget() {
 
 /// Whether nothing in the state leads out of the robot's arrays, or out of the range of numbers.
 bool Guard::is_possible() const {
-  if (!fits_ || core_->version != kStateVersion || core_->robot_hash != robot_->hash) {
+  if (!fits() || core_->version != kStateVersion || core_->robot_hash != robot_->hash) {
     return false;
   }
   const uint16_t walked = core_->walked_pair;
@@ -247,7 +248,7 @@ bool Guard::has_one_way(uint32_t i) const {
 }
 
 Status Guard::move_to(const JointCoordinate* values) {
-  if (!fits_) {
+  if (!fits()) {
     return Status::guard_state_invalid;
   }
   // Refused values change nothing, so the coordinates are made apart from those that count.
@@ -283,7 +284,7 @@ GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
 /// pair is due twice. The one may end a walk that began in an earlier period. A walk is given up
 /// for a pair alone that has nothing left and that none is given up for, which is then certified.
 GuardAnswer Guard::go_on(uint32_t work) {
-  if (!fits_ || core_->has_values == 0) {
+  if (!fits() || core_->has_values == 0) {
     return {Status::guard_state_invalid, Verdict::refused, kNoPair, 0, 0};
   }
   const uint32_t granted = work;

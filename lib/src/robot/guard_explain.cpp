@@ -69,7 +69,7 @@ PairDetail Guard::explain(uint16_t i, int32_t* changes) {
   PairDetail detail{};
   detail.variable = kNoVariable;
   detail.status = Status::guard_state_invalid;
-  if (!fits_ || core_->has_values == 0 || i >= robot_->pair_count) {
+  if (!fits() || core_->has_values == 0 || i >= robot_->pair_count) {
     return detail;
   }
   const RobotPair& pair = robot_->pairs[i];

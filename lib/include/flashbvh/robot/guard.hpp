@@ -62,6 +62,7 @@ struct GuardPair {
 struct GuardCore {
   uint32_t version;
   uint32_t robot_hash;
+  uint32_t checksum;  ///< of the rest of the state, by Guard::seal()
   uint16_t walked_pair;  ///< that is being measured, or kNoPair
   uint8_t has_values;    ///< 0 or not: of a state that was damaged, no bool
   uint8_t has_frames;
@@ -153,12 +154,12 @@ class Guard {
         walked_shares_(shares_ + joints_between()) {
     const auto begin = reinterpret_cast<uintptr_t>(memory);
     const auto end = reinterpret_cast<uintptr_t>(walked_shares_ + robot.joint_count);
-    fits_ = begin % alignof(GuardCore) == 0 && end - begin <= size;
+    fits_ = begin % alignof(GuardCore) == 0 && (end - begin + 3) / 4 * 4 <= size;
     forget();
   }
 
   /// Whether the memory is enough for the robot.
-  bool fits() const { return fits_; }
+  bool fits() const { return fits_ != 0; }
 
   /// Forgets all certificates and where the robot was.
   void forget();
@@ -166,6 +167,20 @@ class Guard {
   /// Takes the state as it was copied back into its place, and goes on. `guard_state_invalid`, and
   /// all is forgotten, if it is not one of this robot's.
   Status resume();
+
+  /// Stores checksums of the guard, of the robot's view, of its meshes' views and of the whole state
+  /// for verify(): after each update() or go_on(), and after the robot's view or a mesh's changes.
+  void seal();
+
+  /// `done`: nothing changed since seal(). `guard_state_invalid`: memory is damaged, or was not
+  /// sealed; neither guard nor robot is to be used. Any change within one aligned word of 32 bits is
+  /// found, others but for a chance of 2^-32. No pointer is followed before its checksum holds. The
+  /// state's checksum has no addresses: of a guard that was sealed before a stored, sealed state was
+  /// copied into its place, verify() checks that state.
+  ///
+  /// Arrays that the views point to are not read: images in flash and a workcell's memory are for
+  /// RegionTest (self_test.hpp). Instructions of seal() or verify() on a Cortex-M4F: SEAL_COST
+  Status verify() const;
 
   /// A period: from the last values to these. `values`: variable_count of them. `work`: what may be
   /// spent on measuring, as of queries (query.hpp); it is overdrawn by one step at most, and
@@ -227,6 +242,10 @@ class Guard {
   Share share_of(const RobotPair& pair, uint8_t variable, const NearestPoints& nearest) const;
   bool place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,
                      Triangle& b) const;
+  uint32_t own_checksum() const;
+  uint32_t robot_checksum() const;
+  uint32_t meshes_checksum() const;
+  uint32_t state_checksum() const;
 
   const Robot* robot_;
   GuardCore* core_;
@@ -239,7 +258,10 @@ class Guard {
   JointCoordinate* certified_;
   uint8_t* shares_;
   uint8_t* walked_shares_;
-  bool fits_;
+  uint32_t fits_;  ///< 0 or not: checksums are of words without padding
+  uint32_t robot_seal_ = 0;
+  uint32_t meshes_seal_ = 0;
+  uint32_t seal_ = 0;  ///< of all words before it
 };
 
 }  // namespace flashbvh

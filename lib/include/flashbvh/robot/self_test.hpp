@@ -1,0 +1,15 @@
+// The known-answer test of guards; self_test.hpp has those of meshes.
+#ifndef FLASHBVH_ROBOT_SELF_TEST_HPP
+#define FLASHBVH_ROBOT_SELF_TEST_HPP
+
+#include "flashbvh/status.hpp"
+
+namespace flashbvh {
+
+/// Kinematics, the guard and its measurements, on a small robot of its own: `done` or
+/// `self_test_failed`. GUARD_COST
+Status test_known_guard();
+
+}  // namespace flashbvh
+
+#endif

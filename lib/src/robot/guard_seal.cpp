@@ -1,0 +1,60 @@
+// The guard: checksums that find damaged memory.
+#include "flashbvh/detail/lattice/checksum.hpp"
+#include "flashbvh/robot/guard.hpp"
+
+namespace flashbvh {
+
+using detail::kNoWords;
+
+namespace {
+
+/// Of whole words, from a checksum on.
+[[gnu::noinline]] uint32_t checksum_of(const void* begin, const void* end, uint32_t checksum) {
+  const auto* const last = static_cast<const unsigned char*>(end);
+#pragma GCC unroll 4
+  for (const auto* at = static_cast<const unsigned char*>(begin); at < last; at += 4) {
+    uint32_t word;
+    __builtin_memcpy(&word, __builtin_assume_aligned(at, alignof(uint32_t)), sizeof word);
+    checksum = detail::with_word(checksum, word);
+  }
+  return checksum;
+}
+
+}  // namespace
+
+uint32_t Guard::own_checksum() const {
+  return checksum_of(this, &seal_, kNoWords);
+}
+
+uint32_t Guard::robot_checksum() const {
+  return checksum_of(robot_, robot_ + 1, kNoWords);
+}
+
+uint32_t Guard::meshes_checksum() const {
+  return checksum_of(robot_->meshes, robot_->meshes + robot_->link_count, kNoWords);
+}
+
+/// Its last word may hold bytes of the state's padding.
+uint32_t Guard::state_checksum() const {
+  return checksum_of(&core_->checksum + 1, walked_shares_ + robot_->joint_count,
+                     detail::with_word(core_->version, core_->robot_hash));
+}
+
+void Guard::seal() {
+  if (!fits()) {
+    return;
+  }
+  core_->checksum = state_checksum();
+  robot_seal_ = robot_checksum();
+  meshes_seal_ = meshes_checksum();
+  seal_ = own_checksum();
+}
+
+/// In an order in which what is read next has been checked.
+Status Guard::verify() const {
+  const bool is_intact = seal_ == own_checksum() && fits() && robot_seal_ == robot_checksum() &&
+                         meshes_seal_ == meshes_checksum() && core_->checksum == state_checksum();
+  return is_intact ? Status::done : Status::guard_state_invalid;
+}
+
+}  // namespace flashbvh

@@ -1,0 +1,63 @@
+// What known-answer tests share: a mesh, poses and a digest of all answers.
+#ifndef FLASHBVH_SELF_TEST_KNOWN_ANSWERS_HPP
+#define FLASHBVH_SELF_TEST_KNOWN_ANSWERS_HPP
+
+#include <stdint.h>
+
+#include "flashbvh/detail/lattice/checksum.hpp"
+#include "flashbvh/image.hpp"
+#include "flashbvh/pose.hpp"
+#include "flashbvh/status.hpp"
+#include "known_mesh.hpp"
+
+namespace flashbvh::detail {
+
+/// Of all answers in their order, and of the work that they took.
+class AnswerDigest {
+ public:
+  void add(uint32_t word) { value_ = with_word(value_, word); }
+  void add(uint32_t low, uint32_t high) { add(low | high << 16); }
+  uint32_t value() const { return value_; }
+
+ private:
+  uint32_t value_ = kNoWords;
+};
+
+constexpr Status passed(uint32_t digest, uint32_t known) {
+  return digest == known ? Status::done : Status::self_test_failed;
+}
+
+inline Mesh known_mesh() {
+  return view_unchecked<Mesh>(kKnownMesh);
+}
+
+/// Visits four translations, then eight rigid poses, each the one before it moved by one rotation
+/// about an axis beside the origin. `apart`: factor of all translations.
+template <class Visit>
+void for_each_known_pose(int32_t apart, Visit&& visit) {
+  constexpr int16_t translations[4][3] = {
+      {1900, 700, -300}, {-2600, 500, 900}, {300, -1500, 1100}, {-100, 60, 20}};
+  for (const int16_t(&by)[3] : translations) {
+    visit(Pose::translated(by[0] * apart, by[1] * apart, by[2] * apart));
+  }
+  constexpr int32_t rotation[3][3] = {{435771147, -850914073, -488845837},
+                                      {421159491, 645276505, -747772973},
+                                      {886368826, 111736191, 595639851}};
+  const int32_t cells[3] = {900 * apart, -500 * apart, -1149 * apart};
+  constexpr int16_t fraction[3] = {12345, -23456, 31000};
+  const Pose turn = Pose::rigid(rotation, cells, fraction);
+  Pose pose = turn;
+  for (int i = 0; i < 8; ++i) {
+    visit(pose);
+    pose = Pose::composed(turn, pose);
+  }
+}
+
+/// Of the known-answer tests that self_test.hpp has.
+uint32_t known_pairs_digest();
+uint32_t known_distances_digest();
+uint32_t known_rays_digest();
+
+}  // namespace flashbvh::detail
+
+#endif
