@@ -1,6 +1,8 @@
 // Self-tests on each core: answers are the known ones, and regions are checked in slices.
 #include <catch2/catch.hpp>
 
+#include <initializer_list>
+
 #include "flashbvh/self_test.hpp"
 #include "self_test/known_answers.hpp"
 
