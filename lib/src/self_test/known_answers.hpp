@@ -32,7 +32,7 @@ inline Mesh known_mesh() {
 }
 
 /// Visits four translations, then eight rigid poses, each the one before it moved by one rotation
-/// about an axis beside the origin. `apart`: factor of all translations.
+/// about an axis off the origin. `apart`: factor of all translations.
 template <class Visit>
 void for_each_known_pose(int32_t apart, Visit&& visit) {
   constexpr int16_t translations[4][3] = {

@@ -1,0 +1,69 @@
+// Flipped bits of images: every one is refused, and so are two at once.
+#include <iostream>
+#include <map>
+
+#include "flashbvh/image.hpp"
+#include "flashbvh/robot/image.hpp"
+#include "robot/known_robot.hpp"
+#include "safety/flips.hpp"
+#include "self_test/known_mesh.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+/// How many flips ended with each status.
+using Counts = std::map<Status, std::uint32_t>;
+
+Status open(std::vector<std::uint32_t>& words, Mesh*) {
+  Mesh mesh{};
+  return open_image(words.data(), words.size() * 4, mesh);
+}
+
+Status open(std::vector<std::uint32_t>& words, Robot*) {
+  Mesh meshes[2];
+  Robot robot{};
+  return open_robot(words.data(), words.size() * 4, meshes, 2, robot);
+}
+
+void print(const char* title, const Counts& counts) {
+  std::cout << title;
+  for (const auto& [status, count] : counts) {
+    std::cout << ", " << status_name(status) << ' ' << count;
+  }
+  std::cout << '\n';
+}
+
+template <class View, std::size_t count>
+void check_flips(const char* name, const std::uint32_t (&image)[count]) {
+  std::vector<std::uint32_t> words(std::begin(image), std::end(image));
+  View* const view = nullptr;
+  REQUIRE(open(words, view) == Status::done);
+  Counts single;
+  (void)count_flips(words.data(), words.size() * 4, [&] {
+    ++single[open(words, view)];
+    return false;
+  });
+  print(name, single);
+  CHECK(single.count(Status::done) == 0);
+
+  Random random(test_seed());
+  Counts pairs;
+  for (int i = 0; i < 100'000; ++i) {
+    const std::uint32_t bits = 32 * count;
+    const std::uint32_t first = random.below(bits);
+    const std::uint32_t second = (first + 1 + random.below(bits - 1)) % bits;
+    words[first / 32] ^= 1u << first % 32;
+    words[second / 32] ^= 1u << second % 32;
+    ++pairs[open(words, view)];
+    words.assign(std::begin(image), std::end(image));
+  }
+  print("  100,000 random pairs of bits", pairs);
+  CHECK(pairs.count(Status::done) == 0);
+}
+
+}  // namespace
+
+TEST_CASE("each flipped bit of an image is refused, and each of 100,000 pairs of bits") {
+  check_flips<Mesh>("each bit of a mesh's image", detail::kKnownMesh);
+  check_flips<Robot>("each bit of a robot's image", detail::kKnownRobot);
+}

@@ -1,0 +1,58 @@
+// Sealed guards on each core: every flipped bit is found.
+#include <catch2/catch.hpp>
+
+#include <string.h>
+
+#include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/image.hpp"
+#include "robot/known_robot.hpp"
+#include "safety/flips.hpp"
+#include "support/print.hpp"
+
+using namespace flashbvh;
+using namespace flashbvh::test;
+
+namespace {
+
+using State = GuardStateOf<2, 1, 2>;
+
+Mesh meshes[2];
+Robot robot = view_robot_unchecked(detail::kKnownRobot, meshes);
+State state;
+State stored;
+
+/// A guard after some periods; `work` of each.
+Guard moved_guard(uint32_t work) {
+  memset(static_cast<void*>(&state), 0, sizeof state);
+  Guard guard(robot, state);
+  for (int i = 0; i < 8; ++i) {
+    const JointCoordinate values[2] = {(i - 24) * (kFullTurn / 100), i * 300'000};
+    (void)guard.update(values, work);
+  }
+  return guard;
+}
+
+/// Whether each flipped bit of the memory is found, and none before and after.
+bool finds_all(const Guard& guard, const char* name, void* memory, uint32_t size) {
+  const auto is_found = [&] { return guard.verify() == Status::guard_state_invalid; };
+  const bool was_good = !is_found();
+  const uint32_t found = count_flips(memory, size, is_found);
+  print("flipped bits of the ", name, ": ", found, " of ", 8 * size, " found\n");
+  return was_good && found == 8 * size && !is_found();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "verify() finds each flipped bit of the state, the guard and the views, at rest and in a "
+    "walk") {
+  for (const uint32_t work : {UINT32_MAX, uint32_t{20}}) {
+    Guard guard = moved_guard(work);
+    CHECK((state.core.walked_pair != kNoPair) == (work == 20));
+    guard.seal();
+    CHECK(finds_all(guard, "state", &state, sizeof state));
+    CHECK(finds_all(guard, "guard", &guard, sizeof guard));
+    CHECK(finds_all(guard, "robot's view", &robot, sizeof robot));
+    CHECK(finds_all(guard, "meshes' views", meshes, sizeof meshes));
+  }
+}

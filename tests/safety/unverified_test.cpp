@@ -1,0 +1,278 @@
+// What a guard does with a flipped bit that nobody looks for: the reason for Guard::verify().
+//
+// A guard is on its way to a collision, its certificates in place. Each bit of its state is flipped
+// in turn; then the guard goes on, and each period that it permits is compared with brute force.
+#include <cstddef>
+#include <iomanip>
+#include <iostream>
+
+#include "flashbvh/robot.h"
+#include "safety/flips.hpp"
+#include "support/arms/guarded_arm.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+constexpr int kPeriods = 100;         ///< of the whole way
+constexpr int kAhead[] = {2, 5, 12};  ///< the flip is so many periods before the collision
+constexpr int kLooked = 16;           ///< periods that are compared after the flip
+constexpr std::uint32_t kWork = 250;  ///< of a period
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+/// The parts of a guard's state.
+struct Field {
+  const char* name;
+  std::size_t size;
+  bool leads_out = false;  ///< has numbers of pairs or triangles, which may be none
+  std::uint32_t refused =
+      0;  ///< bits that resume() refuses: without it, a pair or a triangle that is none
+  std::uint32_t wrong = 0;  ///< bits after which a period was permitted in spite of a collision
+};
+
+std::vector<Field> fields_of(const Robot& robot, std::uint32_t between) {
+  const std::size_t values = robot.joint_count * sizeof(JointCoordinate);
+  std::vector<Field> fields = {{"version, hash", 8},
+                               {"checksum", 4},
+                               {"pair that is measured", 2, true},
+                               {"has values, has frames", 2},
+                               {"distance tested", 4},
+                               {"distance of the witness", 4},
+                               {"witness", 4, true},
+                               {"cursor", 12},
+                               {"pose", sizeof(Pose)},
+                               {"values before", values},
+                               {"step", values},
+                               {"next values", values},
+                               {"values of the walk", values},
+                               {"frames", robot.joint_count * sizeof(Frame)}};
+  for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
+    fields.insert(fields.end(), {{"pairs: lower", 4},
+                                 {"pairs: upper", 4},
+                                 {"pairs: began", 4},
+                                 {"pairs: witness", 4, true}});
+  }
+  fields.push_back({"certified values", between * sizeof(JointCoordinate)});
+  fields.push_back({"shares", between});
+  fields.push_back({"shares of the walk", robot.joint_count});
+  return fields;
+}
+
+/// A guard in memory of exactly its size, so that the address sanitizer sees what lies outside.
+struct GuardInMemory {
+  explicit GuardInMemory(const FixedArm& arm) : robot(arm.robot()) {
+    for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
+      between += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
+    }
+    words.resize(FLASHBVH_GUARD_STATE_SIZE(robot.joint_count, robot.pair_count, between) / 4);
+    fields = fields_of(robot, between);
+  }
+  Guard guard() { return Guard(robot, words.data(), words.size() * 4); }
+
+  Robot robot;
+  std::uint32_t between = 0;
+  std::vector<std::uint32_t> words;
+  std::vector<Field> fields;
+};
+
+/// Joint values from where all pairs are apart to where some are nearer than their stop distance.
+struct Way {
+  /// Whether the arm has one, found in some tries.
+  bool find(const FixedArm& arm, Random& random) {
+    for (int i = 0; i < 200; ++i) {
+      from = arm.any_values(random);
+      to = arm.any_values(random);
+      collision = 0;
+      for (int at = 0; at <= kPeriods && collision == 0; ++at) {
+        collision = is_too_near(arm, this->at(at)) ? at : 0;
+        if (at == 0 && is_too_near(arm, from)) {
+          break;
+        }
+      }
+      if (collision > 12) {
+        return true;
+      }
+    }
+    return false;
+  }
+  Values at(int period) const {
+    Values values;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const std::int64_t way = std::int64_t{to[i]} - from[i];
+      values.push_back(static_cast<JointCoordinate>(from[i] + way * period / kPeriods));
+    }
+    return values;
+  }
+  /// Beyond all that placing rounds.
+  static bool is_too_near(const FixedArm& arm, const Values& values) {
+    for (std::uint32_t i = 0; i < arm.robot().pair_count; ++i) {
+      const RobotPair& pair = arm.robot().pairs[i];
+      if (pair.stop > 2 * kPlacingFine &&
+          arm.is_closer(pair, values, pair.stop - 2 * kPlacingFine)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Values from;
+  Values to;
+  int collision = 0;
+};
+
+/// Whether a period from `begin` on is permitted though brute force sees a collision at its end.
+bool permits_collision(Guard& guard, const Way& way, const std::vector<bool>& is_hit, int begin) {
+  bool is_wrong = false;
+  for (int i = 0; i < kLooked; ++i) {
+    const GuardAnswer answer = guard.update(way.at(begin + i).data(), kWork);
+    is_wrong = is_wrong || (answer.verdict <= Verdict::warn && is_hit[static_cast<std::size_t>(i)]);
+  }
+  return is_wrong;
+}
+
+/// Flips each bit, so many periods `ahead` of the collision. With `resumes`, resume() then takes up
+/// the state, and makes poses again; without, the guard goes on, but for bits that resume() refuses
+/// as they lead out of the robot's arrays. Returns whether a measurement was suspended then.
+bool flip_all(const FixedArm& arm, const Way& way, int ahead, bool resumes, GuardInMemory& memory) {
+  const int begin = way.collision - ahead;
+  Guard guard = memory.guard();
+  for (int i = 0; i < begin; ++i) {
+    REQUIRE(guard.update(way.at(i).data(), i == 0 ? UINT32_MAX : kWork).status == Status::done);
+  }
+  std::vector<bool> is_hit;
+  for (int i = 0; i < kLooked; ++i) {
+    is_hit.push_back(Way::is_too_near(arm, way.at(begin + i)));
+  }
+  std::vector<std::uint32_t> flipped = memory.words;
+  const bool is_walk = reinterpret_cast<GuardCore*>(flipped.data())->walked_pair != kNoPair;
+  REQUIRE_FALSE(permits_collision(guard, way, is_hit, begin));
+  auto* at = reinterpret_cast<unsigned char*>(flipped.data());
+  for (Field& field : memory.fields) {
+    field.wrong += count_flips(at, field.size, [&] {
+      memory.words = flipped;
+      const bool is_refused = guard.resume() != Status::done;
+      field.refused += is_refused ? 1 : 0;
+      if (is_refused && (resumes || field.leads_out)) {
+        return false;
+      }
+      memory.words = resumes ? memory.words : flipped;
+      return permits_collision(guard, way, is_hit, begin);
+    });
+    at += field.size;
+  }
+  return is_walk;
+}
+
+/// Prints and returns the sum of each name's fields.
+std::vector<Field> summed(const std::vector<Field>& fields, const char* title) {
+  std::vector<Field> sums;
+  for (const Field& field : fields) {
+    const auto sum = std::find_if(sums.begin(), sums.end(), [&](const Field& one) {
+      return std::strcmp(one.name, field.name) == 0;
+    });
+    if (sum == sums.end()) {
+      sums.push_back(field);
+    } else {
+      sum->size += field.size;
+      sum->refused += field.refused;
+      sum->wrong += field.wrong;
+    }
+  }
+  std::cout << title
+            << "\nfield                      bits  refused by resume()  collision permitted\n";
+  for (const Field& sum : sums) {
+    std::cout << std::left << std::setw(24) << sum.name << std::right << std::setw(7)
+              << 8 * sum.size << std::setw(21) << sum.refused << std::setw(21) << sum.wrong << '\n';
+  }
+  return sums;
+}
+
+}  // namespace
+
+TEST_CASE("flipped bits that are not looked for: permitted collisions, counted; no crash, an end") {
+  Random random(test_seed());
+  for (const bool resumes : {true, false}) {
+    if (kIsSanitized && !resumes) {
+      continue;  // a pose that was not checked computes beyond its ranges
+    }
+    std::vector<Field> all;
+    int walks = 0;
+    for (int arms = 0; arms < 3;) {
+      const FixedArm arm = any_guarded_arm(random, 3 + random.below(3), 1e-3);
+      Way way;
+      if (!way.find(arm, random)) {
+        continue;
+      }
+      ++arms;
+      for (const int ahead : kAhead) {
+        GuardInMemory memory(arm);
+        walks += flip_all(arm, way, ahead, resumes, memory) ? 1 : 0;
+        all.insert(all.end(), memory.fields.begin(), memory.fields.end());
+      }
+    }
+    std::uint32_t wrong = 0;
+    for (const Field& field : summed(all, resumes ? "\ntaken up by resume()" : "\nas they are")) {
+      wrong += field.wrong;
+    }
+    CHECK((resumes || wrong != 0));
+    CHECK(walks > 1);
+  }
+}
+
+TEST_CASE("verify() finds each flipped bit of guards of generated robots") {
+  for_rounds(2, [&](Random& random, int) {
+    const FixedArm arm = any_guarded_arm(random, 3 + random.below(3), 1e-3);
+    GuardInMemory memory(arm);
+    std::vector<Mesh> meshes(arm.robot().meshes, arm.robot().meshes + arm.robot().link_count);
+    memory.robot.meshes = meshes.data();
+    Guard guard = memory.guard();
+    Wandering wandering(arm, arm.any_values(random), 0.01);
+    auto& core = *reinterpret_cast<GuardCore*>(memory.words.data());
+    for (int i = 0; i < 20 || (core.walked_pair == kNoPair && i < 500); ++i) {
+      (void)guard.update(wandering.step(random).data(), 20);
+    }
+    guard.seal();
+    const auto finds_all = [&](void* bytes, std::size_t size) {
+      return guard.verify() == Status::done &&
+             count_flips(bytes, size,
+                         [&] { return guard.verify() == Status::guard_state_invalid; }) == 8 * size;
+    };
+    CHECK(finds_all(memory.words.data(), memory.words.size() * 4));
+    CHECK(finds_all(&guard, sizeof guard));
+    CHECK(finds_all(&memory.robot, sizeof memory.robot));
+    CHECK(finds_all(meshes.data(), meshes.size() * sizeof meshes[0]));
+  });
+}
+
+TEST_CASE("a sealed state that was stored is verified and taken up by another guard") {
+  for_rounds(3, [&](Random& random, int) {
+    const FixedArm arm = any_guarded_arm(random, 3, 1e-3);
+    GuardInMemory memory(arm);
+    GuardInMemory other(arm);
+    Guard guard = memory.guard();
+    Guard later = other.guard();
+    CHECK(guard.verify() == Status::guard_state_invalid);  // not sealed
+    Wandering wandering(arm, arm.any_values(random), 0.01);
+    for (int i = 0; i < 30; ++i) {
+      (void)guard.update(wandering.step(random).data(), 50);
+    }
+    guard.seal();
+    later.seal();
+    other.words = memory.words;
+    REQUIRE(later.verify() == Status::done);
+    REQUIRE(later.resume() == Status::done);
+    const Values next = wandering.step(random);
+    const GuardAnswer answer = guard.update(next.data(), 50);
+    CHECK(answer.status == Status::done);
+    CHECK(are_same(later.update(next.data(), 50), answer));
+    guard.forget();
+    CHECK(guard.verify() == Status::guard_state_invalid);  // changed since
+    memory.words[2 + random.below(20)] ^= 1u << random.below(32);
+    other.words = memory.words;
+    CHECK(later.verify() == Status::guard_state_invalid);
+  });
+}
