@@ -208,6 +208,8 @@ void measure_standing() {
   Guard guard(robot, guard_memory);
   (void)guard.prime(zeros);
   measure({{"guard", "standing"}}, [&] { (void)guard.update(zeros, kWork); });
+  measure({{"guard", "seal"}}, [&] { guard.seal(); });
+  measure({{"guard", "verify"}}, [&] { (void)guard.verify(); });
   add_figure({{"guard", "state"}}, sizeof guard_memory);
 }
 

@@ -1,6 +1,8 @@
 // Sealed guards on each core: every flipped bit is found.
 #include <catch2/catch.hpp>
 
+#include <initializer_list>
+
 #include <string.h>
 
 #include "flashbvh/robot/guard.hpp"

@@ -8,11 +8,10 @@
 
 namespace flashbvh::detail {
 
-/// Both joints go to the wall at a constant speed, from a turn and no slide on.
-constexpr JointCoordinate kKnownTurn = -kFullTurn / 4;
-constexpr JointCoordinate kKnownTurnStep = kFullTurn / 100;
-constexpr JointCoordinate kKnownSlideStep = 300'000;
-constexpr int kKnownPeriods = 26;
+/// Both joints go to the wall at a constant speed.
+constexpr JointCoordinate kKnownStart[2] = {-kFullTurn / 6, 2'500'000};
+constexpr JointCoordinate kKnownStep[2] = {kFullTurn / 200, 165'000};
+constexpr int kKnownPeriods = 44;
 constexpr uint32_t kKnownWork = 150;
 
 uint32_t known_guard_digest();

@@ -11,38 +11,46 @@ namespace flashbvh {
 namespace detail {
 namespace {
 
-/// More than a walk of the last period takes, if none is broken.
+/// More than a walk of a period takes, if none is broken.
 constexpr uint32_t kEnoughWork = 20'000;
+
+void add(const GuardAnswer& answer, AnswerDigest& digest) {
+  digest.add(static_cast<uint32_t>(answer.status), static_cast<uint32_t>(answer.verdict));
+  digest.add(answer.distance);
+  digest.add(answer.work);
+}
+
+/// The hand turns and slides to the wall and past it, in slices of little work.
+[[gnu::noinline]] void move_hand(const Robot& robot, AnswerDigest& digest) {
+  GuardStateOf<2, 1, 2> state;
+  Guard guard(robot, state);
+  JointCoordinate values[2] = {kKnownStart[0], kKnownStart[1]};
+  add(guard.update(values, kEnoughWork), digest);
+  for (int i = 0; i < kKnownPeriods; ++i) {
+    values[0] += kKnownStep[0];
+    values[1] += kKnownStep[1];
+    add(guard.update(values, kKnownWork), digest);
+  }
+  add(guard.go_on(kEnoughWork), digest);
+}
 
 }  // namespace
 
-/// The hand turns and slides to the wall and into it, in slices of little work.
+/// With what the robot's distance table says, and without.
 uint32_t known_guard_digest() {
   Mesh meshes[2];
-  const Robot robot = view_robot_unchecked(kKnownRobot, meshes);
-  GuardStateOf<2, 1, 2> state;
-  Guard guard(robot, state);
+  Robot robot = view_robot_unchecked(kKnownRobot, meshes);
   AnswerDigest digest;
-  const auto add = [&](const GuardAnswer& answer) {
-    digest.add(static_cast<uint32_t>(answer.status), static_cast<uint32_t>(answer.verdict));
-    digest.add(answer.distance);
-    digest.add(answer.work);
-  };
-  JointCoordinate values[2] = {kKnownTurn, 0};
-  add(guard.prime(values));
-  for (int i = 0; i < kKnownPeriods; ++i) {
-    values[0] += kKnownTurnStep;
-    values[1] += kKnownSlideStep;
-    add(guard.update(values, kKnownWork));
-  }
-  add(guard.go_on(kEnoughWork));
+  move_hand(robot, digest);
+  robot.distance_table_bytes = 0;
+  move_hand(robot, digest);
   return digest.value();
 }
 
 }  // namespace detail
 
 Status test_known_guard() {
-  return detail::passed(detail::known_guard_digest(), 0x37D172ADu);
+  return detail::passed(detail::known_guard_digest(), 0x9F9C81F0u);
 }
 
 }  // namespace flashbvh

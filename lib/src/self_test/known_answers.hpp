@@ -31,12 +31,13 @@ inline Mesh known_mesh() {
   return view_unchecked<Mesh>(kKnownMesh);
 }
 
-/// Visits four translations, then eight rigid poses, each the one before it moved by one rotation
-/// about an axis off the origin. `apart`: factor of all translations.
+/// Visits four translations, two of which let one vertex touch another if `apart` is 1, then eight
+/// rigid poses, each the one before it moved by one rotation about an axis off the origin. `apart`:
+/// factor of all translations.
 template <class Visit>
 void for_each_known_pose(int32_t apart, Visit&& visit) {
   constexpr int16_t translations[4][3] = {
-      {1900, 700, -300}, {-2600, 500, 900}, {300, -1500, 1100}, {-100, 60, 20}};
+      {0, 1611, 2066}, {-4781, 0, -1038}, {300, -1500, 1100}, {-100, 60, 20}};
   for (const int16_t(&by)[3] : translations) {
     visit(Pose::translated(by[0] * apart, by[1] * apart, by[2] * apart));
   }

@@ -1,0 +1,47 @@
+// The known guard's verdicts are right: brute force over all pairs of triangles at each period's end.
+#include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot/image.hpp"
+#include "robot/known_guard.hpp"
+#include "robot/known_robot.hpp"
+#include "support/all_distances.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+/// Of the hand to the wall, in 1/256 cell, rounded down.
+std::uint32_t true_distance(const Robot& robot, const JointCoordinate* values) {
+  JointCoordinate coordinates[2];
+  Frame frames[2];
+  REQUIRE(set_coordinates(robot, values, coordinates) == Status::done);
+  set_frames(robot, coordinates, frames);
+  const Pose pose = relative_pose(kIdentityFrame, frames[robot.links[1].joint]);
+  return lower_of(least_of(all_distances(robot.meshes[0], robot.meshes[1], pose)).squared);
+}
+
+}  // namespace
+
+TEST_CASE("the known guard is free, warns and stops where brute force says so") {
+  Mesh meshes[2];
+  Robot robot{};
+  REQUIRE(open_robot(detail::kKnownRobot, sizeof detail::kKnownRobot, meshes, 2, robot) ==
+          Status::done);
+  REQUIRE(robot.links[robot.pairs[0].a].joint == kBase);
+  const RobotPair& pair = robot.pairs[0];
+  GuardStateOf<2, 1, 2> state;
+  Guard guard(robot, state);
+  JointCoordinate values[2] = {detail::kKnownStart[0], detail::kKnownStart[1]};
+  std::uint32_t verdicts = 0;
+  for (int i = 0; i < detail::kKnownPeriods; ++i) {
+    const GuardAnswer answer = guard.update(values, detail::kKnownWork);
+    const std::uint32_t truth = true_distance(robot, values) + 1;
+    CAPTURE(i, truth, answer.distance);
+    REQUIRE(answer.status == Status::done);
+    CHECK(answer.distance <= truth);
+    CHECK((answer.verdict != Verdict::free || truth > pair.warn));
+    CHECK((answer.verdict > Verdict::warn || truth > pair.stop));
+    verdicts |= 1u << static_cast<std::uint32_t>(answer.verdict);
+    values[0] += detail::kKnownStep[0];
+    values[1] += detail::kKnownStep[1];
+  }
+  CHECK(verdicts == 0xF);  // free, warn, not yet known, stop
+}
