@@ -85,7 +85,7 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 /// surface is closed. `mesh` is written only on `done`; every query on it then stays inside the
 /// image and ends.
 ///
-/// Instructions: 45 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400
+/// Instructions: 10 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400
 /// bytes on Cortex-M3 to M55 at -O2.
 ///
 /// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
@@ -114,7 +114,7 @@ struct ImageOffsets {
 /// The header may hold anything.
 ImageOffsets image_offsets(const ImageHeader& header);
 
-/// The checksum that the header of an image of `size` bytes must hold; at least 16 bytes. 45
+/// The checksum that the header of an image of `size` bytes must hold; at least 16 bytes. 10
 /// instructions a byte.
 uint32_t image_crc(const void* bytes, size_t size);
 
