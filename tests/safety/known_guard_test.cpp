@@ -1,7 +1,8 @@
-// The known guard's verdicts are right: brute force over all pairs of triangles at each period's end.
+// The known guard's verdicts are right: brute force over all pairs of triangles at each period's
+// end.
+#include "robot/known_guard.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
-#include "robot/known_guard.hpp"
 #include "robot/known_robot.hpp"
 #include "support/all_distances.hpp"
 #include "support/test.hpp"

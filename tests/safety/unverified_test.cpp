@@ -1,4 +1,4 @@
-// What a guard does with a flipped bit that nobody looks for: the reason for Guard::verify().
+// What a guard does after a flipped bit if verify() is not called.
 //
 // A guard is on its way to a collision, its certificates in place. Each bit of its state is flipped
 // in turn; then the guard goes on, and each period that it permits is compared with brute force.
@@ -193,7 +193,7 @@ std::vector<Field> summed(const std::vector<Field>& fields, const char* title) {
 
 }  // namespace
 
-TEST_CASE("flipped bits that are not looked for: permitted collisions, counted; no crash, an end") {
+TEST_CASE("flipped bits without verify(): permitted collisions, counted; no crash, an end") {
   Random random(test_seed());
   for (const bool resumes : {true, false}) {
     if (kIsSanitized && !resumes) {

@@ -28,7 +28,7 @@ MUTATIONS = [
     ("src/robot/kinematics.cpp", "fixed_product(frame.rotation[i][2], coordinate)", "fixed_product(frame.rotation[i][1], coordinate)"),
     ("src/robot/spheres.cpp", "between > radii ? between - radii : 0", "between"),
     ("src/robot/guard.cpp", "now.left = difference_of(now.distance, pair.stop)", "now.left = now.distance"),
-    ("src/robot/guard_measure.cpp", "core_->asked, core_->nearest, 0, core_->witness", "core_->nearest, core_->nearest, 0, core_->witness"),
+    ("src/robot/guard_measure.cpp", "*to++ = at[joint];", "*to++ = at[0];"),
 ]
 PROGRAM = """
 #include "flashbvh/robot/self_test.hpp"

@@ -1,7 +1,7 @@
 // The known-answer test of guards.
 #include "flashbvh/robot/self_test.hpp"
 
-#include "../self_test/known_answers.hpp"
+#include "../self_test/answer_digest.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "known_guard.hpp"

@@ -1,31 +1,15 @@
-// What known-answer tests share: a mesh, poses and a digest of all answers.
+// What the known-answer tests of meshes share: a mesh and poses.
 #ifndef FLASHBVH_SELF_TEST_KNOWN_ANSWERS_HPP
 #define FLASHBVH_SELF_TEST_KNOWN_ANSWERS_HPP
 
 #include <stdint.h>
 
-#include "flashbvh/detail/lattice/checksum.hpp"
+#include "answer_digest.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/pose.hpp"
-#include "flashbvh/status.hpp"
 #include "known_mesh.hpp"
 
 namespace flashbvh::detail {
-
-/// Of all answers in their order, and of the work that they took.
-class AnswerDigest {
- public:
-  void add(uint32_t word) { value_ = with_word(value_, word); }
-  void add(uint32_t low, uint32_t high) { add(low | high << 16); }
-  uint32_t value() const { return value_; }
-
- private:
-  uint32_t value_ = kNoWords;
-};
-
-constexpr Status passed(uint32_t digest, uint32_t known) {
-  return digest == known ? Status::done : Status::self_test_failed;
-}
 
 inline Mesh known_mesh() {
   return view_unchecked<Mesh>(kKnownMesh);
