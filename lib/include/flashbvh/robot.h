@@ -172,9 +172,6 @@ void flashbvh_guard_seal(flashbvh_guard* guard);
 /** Guard::verify(), before the next one. GUARD_STATE_INVALID: memory is damaged. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_verify(const flashbvh_guard* guard);
 
-/** test_known_guard(), of robot/self_test.hpp. DONE or SELF_TEST_FAILED. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_guard(void);
-
 /** Guard::update(). NOT_A_COORDINATE, JOINT_OUT_OF_LIMITS, JOINT_JUMPED: the verdict is REFUSED,
  * and nothing changes. */
 FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_update(
@@ -192,6 +189,9 @@ flashbvh_guard_prime(flashbvh_guard* guard, const flashbvh_joint_coordinate* val
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_explain(flashbvh_guard* guard, uint16_t pair,
                                                           int32_t* changes,
                                                           flashbvh_pair_detail* detail);
+
+/** test_known_guard(), of robot/self_test.hpp. DONE or SELF_TEST_FAILED. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_guard(void);
 
 /* Certified motions: robot/motion.hpp ---------------------------------------------------------- */
 
