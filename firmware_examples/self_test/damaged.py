@@ -1,5 +1,5 @@
-"""damaged.py ELF RUN...: flips a bit of sealed firmware, of code, constants and the list of regions; each copy, run by
-the command RUN, must refuse to start. Fails if one starts."""
+"""damaged.py ELF RUN...: flips a bit of sealed firmware, of code, constants, an initial value and the list of
+regions; each copy, run by the command RUN, must refuse to start. Fails if one starts."""
 import random
 import subprocess
 import sys
@@ -15,7 +15,8 @@ SEED = 20261127
 def places(elf):
     """Names and offsets in the file of bytes that no code runs or reads before the test of memory has failed."""
     rng = random.Random(SEED)
-    for name, shares in (("plate_image", [rng.random() for _ in range(4)]), ("peg_image", [rng.random() for _ in range(4)]),
+    some = [rng.random() for _ in range(4)]
+    for name, shares in (("plate_image", some), ("peg_image", some), ("_ZN12_GLOBAL__N_16heightE", [0.5]),
                          ("_ZN8flashbvh16test_known_pairsEv", [0.2, 0.9])):
         begin, size = symbol_at(elf, name)
         yield from ((f"{name}+{int(share * size)}", begin + int(share * size)) for share in shares)

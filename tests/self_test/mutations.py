@@ -11,9 +11,12 @@ import tempfile
 LIB = pathlib.Path(__file__).resolve().parents[2] / "lib"
 # A file of lib, a text that is there once, and what it becomes.
 MUTATIONS = [
-    ("include/flashbvh/detail/bounds/box.hpp", "below(low_half(both_z), zero + z)", "below(low_half(both_z), zero + z + 1)"),
-    ("include/flashbvh/detail/bounds/box.hpp", "join_halves(threshold(z), threshold(-z))", "join_halves(threshold(z), threshold(z))"),
-    ("include/flashbvh/detail/walk/ranked.hpp", "if (b_.parent_rank <= a_.parent_rank)", "if (b_.parent_rank < a_.parent_rank)"),
+    ("include/flashbvh/detail/bounds/box.hpp", "below(low_half(both_z), zero + z)",
+     "below(low_half(both_z), zero + z + 1)"),
+    ("include/flashbvh/detail/bounds/box.hpp", "join_halves(threshold(z), threshold(-z))",
+     "join_halves(threshold(z), threshold(z))"),
+    ("include/flashbvh/detail/walk/ranked.hpp", "if (b_.parent_rank <= a_.parent_rank)",
+     "if (b_.parent_rank < a_.parent_rank)"),
     ("src/predicates/triangle.cpp", "bits(height[0] < 0, height[1] < 0, height[2] < 0)",
      "bits(height[0] < 0, height[1] < 0, height[1] < 0)"),
     ("src/predicates/triangle_distance.cpp", "sign_of(area - first) >= 0", "sign_of(area - first) > 9"),
@@ -25,7 +28,8 @@ MUTATIONS = [
     ("src/query/ray.cpp", "order < 0 || (order == 0", "order > 0 || (order == 0"),
     ("src/query/solid.cpp", "p.y <= box.upper[1] - kBoundBias", "p.y + 900 <= box.upper[1] - kBoundBias"),
     ("src/robot/kinematics.cpp", "- fixed_product(x, at.sine)", "+ fixed_product(x, at.sine)"),
-    ("src/robot/kinematics.cpp", "fixed_product(frame.rotation[i][2], coordinate)", "fixed_product(frame.rotation[i][1], coordinate)"),
+    ("src/robot/kinematics.cpp", "fixed_product(frame.rotation[i][2], coordinate)",
+     "fixed_product(frame.rotation[i][1], coordinate)"),
     ("src/robot/spheres.cpp", "between > radii ? between - radii : 0", "between"),
     ("src/robot/guard.cpp", "now.left = difference_of(now.distance, pair.stop)", "now.left = now.distance"),
     ("src/robot/guard_measure.cpp", "*to++ = at[joint];", "*to++ = at[0];"),
