@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include <stddef.h>
 #include <string.h>
 
 #include "flashbvh/robot/guard.hpp"
@@ -44,6 +45,19 @@ bool finds_all(const Guard& guard, const char* name, void* memory, uint32_t size
 }
 
 }  // namespace
+
+TEST_CASE("verify() finds the top bits of two words flipped, which products alone would lose") {
+  Guard guard = moved_guard(UINT32_MAX);
+  guard.seal();
+  auto* const bytes = reinterpret_cast<unsigned char*>(&state);
+  for (uint32_t at = offsetof(GuardCore, walked_pair) + 3; at + 4 < sizeof state; at += 4) {
+    bytes[at] ^= 0x80;
+    bytes[at + 4] ^= 0x80;
+    REQUIRE(guard.verify() == Status::guard_state_invalid);
+    bytes[at] ^= 0x80;
+    bytes[at + 4] ^= 0x80;
+  }
+}
 
 TEST_CASE(
     "verify() finds each flipped bit of the state, the guard and the views, at rest and in a "
