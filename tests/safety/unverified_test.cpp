@@ -18,7 +18,7 @@ constexpr int kAhead[] = {2, 5, 12};  ///< the flip is so many periods before th
 constexpr int kLooked = 16;           ///< periods that are compared after the flip
 constexpr std::uint32_t kWork = 250;  ///< of a period
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(FLASHBVH_SANITIZE)
 constexpr bool kIsSanitized = true;
 #else
 constexpr bool kIsSanitized = false;
@@ -197,7 +197,7 @@ TEST_CASE("flipped bits without verify(): permitted collisions, counted; no cras
   Random random(test_seed());
   for (const bool resumes : {true, false}) {
     if (kIsSanitized && !resumes) {
-      continue;  // a pose that was not checked computes beyond its ranges
+      continue;  // a pose that was not checked leads beyond the ranges of numbers
     }
     std::vector<Field> all;
     int walks = 0;
