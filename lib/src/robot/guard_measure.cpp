@@ -226,9 +226,6 @@ Status Guard::walk(uint32_t& work) {
   if (core_->nearest <= sum_of(pair.stop, robot_->slack)) {
     return finish({0, core_->nearest, 0, core_->witness});
   }
-  if (core_->pose.status() == Status::suspended || core_->pose.status() == Status::full) {
-    return Status::guard_state_invalid;  // damaged: no pose ends so, and a walk by it would not end
-  }
   Query<Ranked<Mesh>, detail::WithinAlong> query(robot_->meshes[pair.a], robot_->meshes[pair.b],
                                                  core_->pose, {},
                                                  detail::WithinAlong(within(core_->asked)));
@@ -278,6 +275,9 @@ Status Guard::measure(const Found& found, uint32_t& work) {
       return Status::done;
     }
     begin_walk(found.due, work);
+  }
+  if (core_->pose.status() == Status::suspended || core_->pose.status() == Status::full) {
+    return Status::guard_state_invalid;  // damaged: no pose ends so, and a walk by it would not end
   }
   Status status = Status::suspended;
   while (status == Status::suspended && work != 0) {
