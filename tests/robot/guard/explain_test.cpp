@@ -136,3 +136,54 @@ TEST_CASE("a cart that comes nearer is warned of where it is near, not where its
     CHECK(verdicts[static_cast<int>(Verdict::warn)] > 0);
   }
 }
+
+TEST_CASE("of a period the variable is named that brought two links nearer by most") {
+  long named[3] = {};
+  long none = 0;
+  for_rounds(20, [&](Random& random, int) {
+    // A carriage that slides, an arm on it, and a forearm that mimics the arm.
+    Model model;
+    const std::size_t carriage =
+        add_joint(model, tool::kNoJoint, turned(1, kPi / 2), JointType::prismatic, -1, 1);
+    const std::size_t arm_joint =
+        add_joint(model, carriage, turned(1, -kPi / 2), JointType::revolute, -3, 3);
+    const std::size_t mimic =
+        add_mimic(model, arm_joint, shifted({0.5, 0, 0}), JointType::revolute, 1, -0.5, 0);
+    add_joint(model, mimic, shifted({0.5, 0, 0}), JointType::revolute, -3, 3);
+    add_link(model, 3, box({0, -0.02, -0.02}, {0.3, 0.02, 0.02}));
+    add_link(model, tool::kNoJoint, box({1.7, -1, -0.1}, {1.8, 1, 0.1}));
+    const FixedArm arm(model, 1e-3, {{0, 1, 0.01, 0.02}});
+    const auto state = std::make_unique<AnyGuardState>();
+    Guard guard(arm.robot(), *state);
+    const auto near = [&](double centre, std::size_t v) {
+      return static_cast<JointCoordinate>((centre + real_between(random, -0.3, 0.3)) /
+                                          arm.unit_of(v));
+    };
+    const Values from = {near(0, 0), near(0, 1), near(0, 2)};
+    Values to = from;
+    for (std::size_t v = 0; v < 3; ++v) {
+      to[v] += static_cast<JointCoordinate>(real_between(random, -1e-3, 1e-3) / arm.unit_of(v));
+    }
+    (void)guard.prime(from.data());
+    REQUIRE(guard.update(to.data(), UINT32_MAX).status == Status::done);
+    std::int32_t changes[3];
+    const PairDetail detail = guard.explain(0, changes);
+    REQUIRE(detail.status == Status::done);
+    const auto way_of = [&](std::size_t v) { return 1.0 * changes[v] * (to[v] - from[v]); };
+    double nearest = 0;
+    for (std::size_t v = 0; v < 3; ++v) {
+      nearest = std::min(nearest, way_of(v));
+    }
+    if (nearest == 0) {
+      ++none;
+      return;
+    }
+    REQUIRE(detail.variable < 3);
+    CHECK(way_of(detail.variable) <= 0.99 * nearest);
+    ++named[detail.variable];
+  });
+  CHECK(named[0] > 0);
+  CHECK(named[1] > 0);
+  CHECK(named[2] > 0);
+  CHECK(none > 0);
+}

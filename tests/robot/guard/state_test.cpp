@@ -142,22 +142,28 @@ TEST_CASE("what is no state of this guard") {
   CHECK(none.go_on(1).status == Status::guard_state_invalid);
   CHECK(none.prime(values.data()).status == Status::guard_state_invalid);
   CHECK(none.resume() == Status::guard_state_invalid);
+  std::int32_t changes[8];
+  CHECK(none.explain(0, changes).status == Status::guard_state_invalid);
 }
 
 TEST_CASE("half a turn of a joint, or of its mimic, is ambiguous") {
   Model model;
-  const std::size_t master = add_joint(model, tool::kNoJoint, {}, JointType::continuous, -kPi, kPi);
-  add_mimic(model, master, shifted({0.5, 0, 0}), JointType::continuous, 0, -3, 0);
+  // Two others come first: a joint, and what mimics it.
+  const std::size_t other = add_joint(model, tool::kNoJoint, {}, JointType::revolute, -1, 1);
+  const std::size_t its_mimic = add_mimic(model, other, {}, JointType::revolute, 0, 1, 0);
+  const std::size_t master = add_joint(model, its_mimic, {}, JointType::continuous, -kPi, kPi);
+  const std::size_t mimic =
+      add_mimic(model, master, shifted({0.5, 0, 0}), JointType::continuous, 1, -3, 0);
   add_link(model, tool::kNoJoint, box({-1, -1, -1}, {-0.9, 1, 1}));
-  add_link(model, 1, box({0, 0, 0}, {0.1, 0.1, 0.1}));
+  add_link(model, mimic, box({0, 0, 0}, {0.1, 0.1, 0.1}));
   const FixedArm arm(model, 1e-3, {{0, 1, 0.01, 0.02}});
   const auto state = no_state();
   Guard guard(arm.robot(), *state);
   const auto status_of_step = [&](JointCoordinate step) {
-    const JointCoordinate from = 12345;
-    (void)guard.prime(&from);
-    const JointCoordinate to = from + step;
-    return guard.update(&to, UINT32_MAX).status;
+    const Values from = {0, 12345};
+    (void)guard.prime(from.data());
+    const Values to = {0, from[1] + step};
+    return guard.update(to.data(), UINT32_MAX).status;
   };
   CHECK(status_of_step(kFullTurn / 2) == Status::joint_jumped);
   CHECK(status_of_step(-kFullTurn / 2) == Status::joint_jumped);
