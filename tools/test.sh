@@ -4,10 +4,11 @@
 # test.sh --quick   What most changes of the library break: formatting, the library's tests on this
 #                   machine with sanitizers, answers and arithmetic on a Cortex-M4F.
 # test.sh --all     Also an Xtensa LX106 and a plain RV32IM; on every board all tests that fit it, which
-#                   otherwise run natively and on the Cortex-M4F (on Cortex-M0 and RISC-V what a core
-#                   has of its own: answers, arithmetic, stack, bounds, figures; of the others answers
-#                   and arithmetic); random tests with all their tries, compilers in all ways,
-#                   libFuzzer; a deeper lint; the packages of a release.
+#                   otherwise run natively and on the Cortex-M4F (on a Cortex-M0 what a core has of
+#                   its own: answers, arithmetic, stack, bounds, figures; of the others answers and
+#                   arithmetic); random tests with all their tries, compilers in all ways, libFuzzer;
+#                   builds of others that build the host program; a deeper lint; the packages of a
+#                   release.
 #
 # A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
 # where the minutes went. Installs what is missing.
@@ -25,7 +26,7 @@ case ${1:-} in
     export FLASHBVH_QUICK=ON ;;
   --all) list=--all packages="$packages $xtensa_packages" release=yes
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;
-  *) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages $test_packages
 
