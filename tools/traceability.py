@@ -22,7 +22,7 @@ def files_of(*patterns):
 def names_of_tests():
     """Pairs of a test's name and its place: Catch2's, CTest's and the command line's."""
     titles = re.compile(r'(?:TEST_CASE|_test)\("((?:[^"\\\n]|\\.)*)"|"\$\{\w+\}/([^"\n]*)"|^== (.*)$', re.M)
-    for file in files_of("tests/**/*_test.cpp", "tests/**/CMakeLists.txt", "tests/**/*.cmake",
+    for file in files_of("tests/**/*.cpp", "tests/**/CMakeLists.txt", "tests/**/*.cmake", "firmware_examples/**/CMakeLists.txt",
                          "proofs/**/CMakeLists.txt", "tests/cli/cases/*.txt"):
         text = (ROOT / file).read_text()
         for found in titles.finditer(text):
