@@ -174,6 +174,11 @@ TEST_CASE("half a turn of a joint, or of its mimic, is ambiguous") {
   CHECK(status_of_step(-kFullTurn / 5) == Status::joint_jumped);
   CHECK(status_of_step(kFullTurn / 3) == Status::joint_jumped);
   CHECK(status_of_step(kFullTurn / 100) == Status::done);
+  for (const JointCoordinate beyond : {kFullTurn + 1, -kFullTurn - 1}) {
+    CHECK(status_of_step(1) == Status::done);
+    state->before[master] = beyond;
+    CHECK(guard.resume() == Status::guard_state_invalid);
+  }
 }
 
 TEST_CASE("a damaged state is refused, or the guard goes on and comes to an end") {
