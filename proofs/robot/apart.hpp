@@ -1,0 +1,90 @@
+// Whether two links stay apart wherever the joints between them stand: a box of joint values is
+// halved until, pair of nodes by pair of nodes, what separates two parts of the links in the
+// middle of the box is more than the joints can move these two parts in it.
+#pragma once
+
+#include <string>
+
+#include "body.hpp"
+#include "image.hpp"
+
+namespace robot_check {
+
+/// By variable that moves the two links against each other: radians or cells.
+struct Range {
+  double lower, upper;
+};
+
+enum class Found { apart, near, undecided };
+
+struct Answer {
+  Found found = Found::apart;
+  std::vector<double> at;    ///< where they are near, or may be
+  double nearest = HUGE_VAL; ///< distance of any two triangles that were measured, cells
+  std::size_t boxes = 0;
+};
+
+class PairSpace {
+ public:
+  PairSpace(const Robot& robot, std::uint32_t a, const Body& body_a, std::uint32_t b,
+            const Body& body_b);
+
+  /// The variables of the joints between, a's own first.
+  const std::vector<std::uint32_t>& variables() const { return variables_; }
+  /// Their limits, a unit more either way; one turn of what turns freely.
+  std::vector<Range> limits() const;
+  /// "elbow 0.51, wrist -1.2".
+  std::string text(const std::vector<double>& at) const;
+
+  /// Proves that they are more than `need` cells apart in the box. `near`: where they are at most
+  /// `refuse` cells apart in the middle of a part, the answer is near.
+  Answer prove(const std::vector<Range>& box, double need, double refuse, std::size_t most_boxes);
+
+ private:
+  struct PathJoint {
+    const Joint* joint;
+    std::size_t dimension;
+    double scale, offset;  ///< its coordinate by the variable's value
+    Vec origin, axis;      ///< in a's frame, in the middle of the box
+    double travel;         ///< of a point at distance 1 from the axis; of any point, if it slides
+    double distance(const Vec& point) const;
+    double moves(const Vec& point, double radius) const;
+  };
+  struct Placed {
+    std::size_t box = 0;  ///< for which the rest holds
+    Vec centre, half;     ///< of the node's box, in a's frame
+    double moved;
+  };
+  struct Near {
+    std::uint32_t a, b;  ///< nodes
+    double distance, moved;
+  };
+
+  void add_path(const Robot& robot, std::uint32_t a, std::uint32_t b);
+  void place(const std::vector<Range>& box);
+  void choose_side();
+  const Placed& placed_a(std::uint32_t node);
+  const Placed& placed_b(std::uint32_t node);
+  double moved(const Vec& centre, double radius, bool of_a) const;
+  double moved(const Triangle& triangle, bool of_a) const;
+  Triangle triangle_b(std::uint32_t node) const;
+  double gap(std::uint32_t a, std::uint32_t b);
+  bool are_apart(std::uint32_t a, std::uint32_t b, double need);
+  bool leaves_apart(std::uint32_t a, std::uint32_t b, double need);
+  std::size_t widest(std::size_t dimensions) const;
+
+  const Robot& robot_;
+  const Body& a_;
+  const Body& b_;
+  std::vector<PathJoint> path_;  ///< from a to b
+  std::size_t own_ = 0;          ///< so many of them are on a's branch
+  std::size_t cut_ = 0;          ///< joints before it move a, the others b
+  std::vector<std::uint32_t> variables_;
+  Frame frame_;  ///< b's in a's
+  std::size_t stamp_ = 0;
+  std::vector<Placed> placed_a_, placed_b_;
+  Near near_{};
+  double nearest_ = HUGE_VAL;
+};
+
+}  // namespace robot_check

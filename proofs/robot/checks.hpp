@@ -1,0 +1,65 @@
+// What is checked of a robot, a group a function, and how its result is reported.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "apart.hpp"
+#include "body.hpp"
+#include "image.hpp"
+
+namespace robot_check {
+
+class Report {
+ public:
+  /// A row that is wrong: its name, both numbers, what follows.
+  void refuse(const std::string& row) { refused_.push_back(row); }
+  /// A row that is neither confirmed nor refuted.
+  void doubt(const std::string& row) { undecided_.push_back(row); }
+  /// Ends a group: prints its line and its rows. False if any was refused.
+  bool end(const std::string& group, const std::string& confirmed);
+  /// Exit status: 0 all confirmed, 1 refused, 3 undecided.
+  int status() const { return any_refused_ ? 1 : any_undecided_ ? 3 : 0; }
+
+ private:
+  std::vector<std::string> refused_;
+  std::vector<std::string> undecided_;
+  bool any_refused_ = false;
+  bool any_undecided_ = false;
+};
+
+/// Text of numbers and words.
+template <class... Parts>
+std::string text(const Parts&... parts);
+
+/// Calls `row` with 0 to count - 1, on all processors.
+void for_each_row(std::size_t count, const std::function<void(std::size_t)>& row);
+
+/// Limits, mimics, frames, counts, sums, distances, order. False: no other check can run.
+bool check_rules(const Robot& robot, Report& report);
+void check_trees(const Robot& robot, Report& report);
+void check_spheres(const Robot& robot, Report& report);
+void check_slack(const Robot& robot, Report& report);
+
+/// Of all links, in cells, in their joints' frames.
+using Bodies = std::vector<Body>;
+/// `most_boxes`: of joint values, for a row.
+void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
+                   Report& report);
+void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
+                  Report& report);
+void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
+                  Report& report);
+void check_zones(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
+
+}  // namespace robot_check
+
+#include <sstream>
+
+template <class... Parts>
+std::string robot_check::text(const Parts&... parts) {
+  std::ostringstream out;
+  (out << ... << parts);
+  return out.str();
+}

@@ -1,0 +1,377 @@
+#include "image.hpp"
+
+#include <cstring>
+
+namespace robot_check {
+namespace {
+
+[[noreturn]] void refuse(std::size_t offset, const std::string& what) {
+  throw BadImage("byte " + std::to_string(offset) + ": " + what);
+}
+
+/// Little-endian numbers, one after the other.
+class Reader {
+ public:
+  Reader(const std::string& bytes, std::size_t begin, std::size_t end)
+      : bytes_(bytes), begin_(begin), at_(begin), end_(end) {}
+
+  template <class Number>
+  Number read() {
+    need(sizeof(Number));
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < sizeof(Number); ++i) {
+      value |= std::uint64_t{static_cast<std::uint8_t>(bytes_[at_++])} << (8 * i);
+    }
+    return static_cast<Number>(value);
+  }
+  std::uint8_t u8() { return read<std::uint8_t>(); }
+  std::uint16_t u16() { return read<std::uint16_t>(); }
+  std::uint32_t u32() { return read<std::uint32_t>(); }
+  std::int32_t i32() { return read<std::int32_t>(); }
+  double f64() {
+    const auto bits = read<std::uint64_t>();
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+  template <std::size_t N>
+  void i32s(std::int32_t (&values)[N]) {
+    for (std::int32_t& value : values) {
+      value = i32();
+    }
+  }
+  std::string text() {
+    const std::size_t end = bytes_.find('\0', at_);
+    if (end >= end_ || end - at_ > 255) {
+      refuse(at_, "a name without an end, or longer than 255 bytes");
+    }
+    const std::string name = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    return name;
+  }
+  void need(std::size_t count) const {
+    if (count > end_ - at_) {
+      refuse(at_, "the image ends within what its header counts");
+    }
+  }
+  void zero(std::uint32_t value) const {
+    if (value != 0) {
+      refuse(at_, "not zero where the format wants zeros");
+    }
+  }
+  /// To the next word.
+  void fill() {
+    while ((at_ - begin_) % 4 != 0) {
+      zero(u8());
+    }
+  }
+  std::size_t at() const { return at_; }
+
+ private:
+  const std::string& bytes_;
+  std::size_t begin_;
+  std::size_t at_;
+  std::size_t end_;
+};
+
+/// IEEE 802.3, bit by bit; the four bytes at 12 count as absent.
+std::uint32_t checksum(const std::string& bytes, std::size_t begin, std::size_t end) {
+  std::uint32_t crc = ~0u;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i - begin >= 12 && i - begin < 16) {
+      continue;
+    }
+    crc ^= static_cast<std::uint8_t>(bytes[i]);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = crc >> 1 ^ (0xEDB88320u & (0u - (crc & 1)));
+    }
+  }
+  return ~crc;
+}
+
+/// FNV-1a.
+void hash(const std::string& bytes, std::size_t begin, std::size_t end, std::uint32_t& value) {
+  for (std::size_t i = begin; i < end; ++i) {
+    value = (value ^ static_cast<std::uint8_t>(bytes[i])) * 16777619u;
+  }
+}
+
+/// The rotation's rows to columns of length 1 at right angles: what rounding left of them is within
+/// the slack.
+Frame frame_of(const std::int32_t (&rotation)[3][3], const std::int32_t (&translation)[3]) {
+  Frame frame;
+  for (std::size_t i = 0; i < 3; ++i) {
+    frame.axes[i] = 0x1p-30 * Vec{1.0 * rotation[0][i], 1.0 * rotation[1][i], 1.0 * rotation[2][i]};
+  }
+  Vec& x = frame.axes[0];
+  Vec& y = frame.axes[1];
+  x = 1 / length(x) * x;
+  y = y - dot(x, y) * x;
+  y = 1 / length(y) * y;
+  frame.axes[2] = cross(x, y);
+  frame.origin = 1.0 / 2048 * Vec{1.0 * translation[0], 1.0 * translation[1], 1.0 * translation[2]};
+  return frame;
+}
+
+Joint read_joint(Reader& in) {
+  Joint joint{};
+  for (auto& row : joint.rotation) {
+    in.i32s(row);
+  }
+  in.i32s(joint.translation);
+  joint.lower = in.i32();
+  joint.upper = in.i32();
+  joint.multiplier = in.i32();
+  joint.offset = in.i32();
+  joint.shift = in.u8();
+  joint.parent = in.u8();
+  joint.variable = in.u8();
+  joint.type = in.u8();
+  joint.zeros = in.u32();
+  joint.fixed = frame_of(joint.rotation, joint.translation);
+  return joint;
+}
+
+Link read_link(Reader& in) {
+  Link link{};
+  in.i32s(link.centre);
+  link.radius = in.u32();
+  link.first_reach = in.u16();
+  link.joint = in.u8();
+  link.zero = in.u8();
+  link.deviation = in.u32();
+  return link;
+}
+
+Pair read_pair(Reader& in) {
+  Pair pair{};
+  pair.stop = in.u32();
+  pair.warn = in.u32();
+  pair.reach = in.u32();
+  pair.a = in.u8();
+  pair.b = in.u8();
+  pair.joints_a = in.u8();
+  pair.joints_b = in.u8();
+  return pair;
+}
+
+Unguarded read_unguarded(Reader& in) {
+  Unguarded pair{};
+  pair.a = in.u8();
+  pair.b = in.u8();
+  pair.why = in.u8();
+  pair.joint = in.u8();
+  pair.radius = in.u32();
+  return pair;
+}
+
+/// `element`: reads one. Arrays begin at multiples of 4.
+template <class Element, class Read>
+void read_array(Reader& in, std::vector<Element>& elements, std::size_t count, Read&& element) {
+  in.fill();
+  in.need(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    elements.push_back(element());
+  }
+}
+
+/// Adds what the robot's hash takes of it.
+Mesh read_mesh(const std::string& bytes, std::size_t& at, std::uint32_t& robot_hash) {
+  const std::size_t begin = at;
+  Reader in(bytes, begin, bytes.size());
+  if (in.u32() != 0x48564246) {
+    refuse(begin, "no mesh begins here: its magic is not FBVH");
+  }
+  const std::uint32_t version = in.u16();
+  const std::uint32_t layout = in.u8();
+  const std::uint32_t index_bits = in.u8();
+  if (version != 2 || layout != 1 || index_bits != 16) {
+    refuse(begin, "a mesh of another version, layout or index width than 2, post-indexed, 16 bits");
+  }
+  const std::size_t end = begin + in.u32();
+  if (end > bytes.size() || end < begin + 80 || checksum(bytes, begin, end) != in.u32()) {
+    refuse(begin, "the mesh is cut off or its checksum does not match");
+  }
+  Mesh mesh{};
+  mesh.node_count = in.u32();
+  mesh.leaf_count = in.u32();
+  const std::uint32_t triangle_count = in.u32();
+  const std::uint32_t vertex_count = in.u32();
+  in.u32();  // depth, then stack_need: of no use to this program
+  in.u32();
+  mesh.leaf_size = in.u8();
+  const std::uint32_t name_size = in.u8();
+  in.u16();
+  in.i32s(mesh.origin);
+  mesh.cell_bits = in.read<std::uint64_t>();
+  mesh.deviation = in.f64();
+  const std::uint32_t shell_count = in.u32();
+  in.u16();
+  mesh.unit = in.u8();
+  mesh.flags = in.u8();
+
+  const auto index = [&] { return std::uint32_t{in.u16()}; };
+  std::vector<std::uint32_t> unused;
+  read_array(in, mesh.nodes, std::size_t{mesh.node_count} * 16, [&] { return in.u8(); });
+  hash(bytes, in.at() - mesh.nodes.size(), in.at(), robot_hash);
+  if ((mesh.flags & 1) != 0) {
+    read_array(in, unused, mesh.node_count, index);
+    read_array(in, unused, mesh.node_count, index);
+  }
+  const auto corners = [&] { return std::array<std::uint16_t, 3>{in.u16(), in.u16(), in.u16()}; };
+  read_array(in, mesh.corners, triangle_count, corners);
+  hash(bytes, in.at() - 6 * std::size_t{triangle_count}, in.at(), robot_hash);
+  read_array(in, unused, triangle_count, index);
+  if (mesh.leaf_count != triangle_count) {
+    read_array(in, mesh.leaf_offsets, mesh.leaf_count + std::size_t{1}, index);
+  } else {
+    for (std::uint32_t i = 0; i <= mesh.leaf_count; ++i) {
+      mesh.leaf_offsets.push_back(i);
+    }
+  }
+  read_array(in, mesh.lattice, vertex_count, [&] {
+    return std::array<std::int32_t, 3>{in.read<std::int16_t>(), in.read<std::int16_t>(),
+                                       in.read<std::int16_t>()};
+  });
+  hash(bytes, in.at() - 6 * std::size_t{vertex_count}, in.at(), robot_hash);
+  hash(bytes, begin + 44, begin + 56, robot_hash);
+  read_array(in, unused, shell_count, index);
+  in.fill();
+  in.need(name_size);
+  mesh.name = bytes.substr(in.at(), name_size);
+
+  for (const auto& [x, y, z] : mesh.lattice) {
+    mesh.vertices.push_back({1.0 * x + mesh.origin[0], 1.0 * y + mesh.origin[1],
+                             1.0 * z + mesh.origin[2]});
+  }
+  for (const auto& corner : mesh.corners) {
+    for (const std::uint16_t number : corner) {
+      if (number >= vertex_count) {
+        refuse(begin, "a triangle of the mesh has a corner that is no vertex");
+      }
+    }
+  }
+  at = end;
+  return mesh;
+}
+
+}  // namespace
+
+Robot read_robot(const std::string& bytes) {
+  Reader in(bytes, 0, bytes.size());
+  if (in.u32() != 0x52564246) {
+    refuse(0, "no robot: its magic is not FBVR; give the .robot file that flashbvh robot writes");
+  }
+  const std::uint32_t version = in.u16();
+  if (version != 4) {
+    refuse(4, "a robot of version " + std::to_string(version) + ", not 4: bake it again");
+  }
+  Robot robot{};
+  const std::uint32_t joint_count = in.u8();
+  const std::uint32_t link_count = in.u8();
+  if (in.u32() != bytes.size()) {
+    refuse(8, "the file's size is not byte_count");
+  }
+  const std::uint32_t crc = in.u32();
+  const std::uint32_t wanted_hash = in.u32();
+  robot.slack = in.u32();
+  robot.cell_bits = in.read<std::uint64_t>();
+  std::memcpy(&robot.cell, &robot.cell_bits, sizeof robot.cell);
+  robot.pair_joint_count = in.u32();
+  const std::uint32_t table_bytes = in.u32();
+  const std::uint32_t pair_count = in.u16();
+  const std::uint32_t reach_count = in.u16();
+  const std::size_t names_size = in.u16();
+  robot.variable_count = in.u8();
+  const std::uint32_t mount_count = in.u8();
+  const std::uint32_t unguarded_count = in.u16();
+  in.zero(in.u16());
+
+  std::uint32_t value = 2166136261u;
+  const std::size_t arrays = in.at();
+  read_array(in, robot.joints, joint_count, [&] { return read_joint(in); });
+  read_array(in, robot.links, link_count, [&] { return read_link(in); });
+  read_array(in, robot.pairs, pair_count, [&] { return read_pair(in); });
+  read_array(in, robot.reaches, reach_count, [&] { return in.u32(); });
+  hash(bytes, arrays, in.at(), value);
+  std::vector<std::uint8_t> mounts;
+  read_array(in, mounts, mount_count * std::size_t{52}, [&] { return in.u8(); });
+  read_array(in, robot.unguarded, unguarded_count, [&] { return read_unguarded(in); });
+  read_array(in, robot.tables, table_bytes, [&] { return in.u8(); });
+  hash(bytes, in.at() - table_bytes, in.at(), value);
+  hash(bytes, 20, 32, value);  // slack and cell
+  const std::size_t names = in.at();
+  robot.name = in.text();
+  for (Joint& joint : robot.joints) {
+    joint.name = in.text();
+  }
+  for (Link& link : robot.links) {
+    link.name = in.text();
+  }
+  for (std::uint32_t i = 0; i < mount_count; ++i) {
+    in.text();
+  }
+  if (in.at() - names != names_size) {
+    refuse(names, "the names are not names_size bytes");
+  }
+  in.fill();
+  std::size_t at = in.at();
+  if (checksum(bytes, 0, at) != crc) {
+    refuse(12, "the robot's checksum does not match");
+  }
+  for (Link& link : robot.links) {
+    link.mesh = read_mesh(bytes, at, value);
+  }
+  if (at != bytes.size() || value != wanted_hash) {
+    refuse(16, "bytes are left behind the last mesh, or the hash does not match");
+  }
+  return robot;
+}
+
+std::vector<std::uint32_t> Robot::branch(std::uint32_t link) const {
+  std::vector<std::uint32_t> joints_in;
+  for (std::uint32_t j = links[link].joint; j != kBase; j = joints[j].parent) {
+    joints_in.push_back(j);
+  }
+  return joints_in;
+}
+
+Robot::Between Robot::between(std::uint32_t a, std::uint32_t b) const {
+  Between of{branch(a), branch(b)};
+  while (!of.a.empty() && !of.b.empty() && of.a.back() == of.b.back()) {
+    of.a.pop_back();
+    of.b.pop_back();
+  }
+  return of;
+}
+
+const Joint& Robot::master(std::uint32_t variable) const {
+  std::size_t i = 0;
+  while (joints[i].variable != variable || joints[i].shift != 0) {
+    ++i;
+  }
+  return joints[i];
+}
+
+std::string Robot::joint_name(std::uint32_t joint) const {
+  return joint == kBase ? "base" : joints[joint].name;
+}
+
+std::string Robot::link_name(std::uint32_t link) const {
+  return links[link].name + (whole_of(link) == link ? "" : "#" + std::to_string(link));
+}
+
+std::string Robot::pair_name(std::uint32_t a, std::uint32_t b) const {
+  return link_name(a) + " - " + link_name(b);
+}
+
+std::uint32_t Robot::whole_of(std::uint32_t link) const {
+  for (std::uint32_t i = 0; i < link; ++i) {
+    if (links[i].name == links[link].name && links[i].joint == links[link].joint) {
+      return i;
+    }
+  }
+  return link;
+}
+
+}  // namespace robot_check

@@ -1,0 +1,127 @@
+// flashbvh_check_robot: a second opinion on a baked robot (lib/docs/proofs.md).
+#include <atomic>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <thread>
+
+#include "checks.hpp"
+
+namespace robot_check {
+namespace {
+
+constexpr const char* kUsage =
+    "Usage: flashbvh_check_robot NAME.robot [--boxes N]\n"
+    "Recomputes what a baked robot promises, by other methods than the baker's.\n"
+    "  --boxes N  most boxes of joint values a row; more decide more (default 400000)\n"
+    "Exit status: 0 all confirmed, 1 refused, 2 usage or unreadable image, 3 undecided rows\n";
+/// Of a group, rows that are printed.
+constexpr std::size_t kMostRows = 8;
+
+void print(const char* verdict, const std::vector<std::string>& rows) {
+  for (std::size_t i = 0; i < rows.size() && i < kMostRows; ++i) {
+    std::cout << "  " << verdict << ": " << rows[i] << '\n';
+  }
+  if (rows.size() > kMostRows) {
+    std::cout << "  " << verdict << ": " << rows.size() - kMostRows << " more rows\n";
+  }
+}
+
+int check(const Robot& robot, std::size_t most_boxes) {
+  Report report;
+  if (!check_rules(robot, report)) {
+    return report.status();
+  }
+  Bodies bodies;
+  for (const Link& link : robot.links) {
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i < link.mesh.corners.size(); ++i) {
+      triangles.push_back(link.mesh.triangle(i));
+    }
+    if (triangles.empty()) {
+      report.refuse("mesh of link " + link.name + ": no triangles");
+      report.end("meshes", "");
+      return report.status();
+    }
+    bodies.emplace_back(std::move(triangles));
+  }
+  check_trees(robot, report);
+  check_spheres(robot, report);
+  check_slack(robot, report);
+  check_reaches(robot, bodies, most_boxes, report);
+  check_tables(robot, bodies, most_boxes, report);
+  check_matrix(robot, bodies, most_boxes, report);
+  check_zones(robot, bodies, most_boxes, report);
+  return report.status();
+}
+
+int run(int count, char** arguments) {
+  std::size_t most_boxes = 400'000;
+  if (count == 4 && arguments[2] == std::string("--boxes")) {
+    const std::string number = arguments[3];
+    if (number.empty() || number.size() > 9 ||
+        number.find_first_not_of("0123456789") != std::string::npos) {
+      std::cerr << "flashbvh_check_robot: --boxes " << number << ": give 1 to 999999999\n";
+      return 2;
+    }
+    most_boxes = std::stoul(number);
+  } else if (count != 2) {
+    std::cerr << kUsage;
+    return 2;
+  }
+  std::ifstream file(arguments[1], std::ios::binary);
+  if (!file) {
+    std::cerr << "flashbvh_check_robot: " << arguments[1] << ": cannot be opened\n";
+    return 2;
+  }
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  try {
+    return check(read_robot(bytes), most_boxes);
+  } catch (const BadImage& bad) {
+    std::cerr << "flashbvh_check_robot: " << arguments[1] << ": " << bad.what() << '\n';
+    return 2;
+  }
+}
+
+}  // namespace
+
+bool Report::end(const std::string& group, const std::string& confirmed) {
+  const bool holds = refused_.empty();
+  std::cout << group << ": ";
+  if (holds && undecided_.empty()) {
+    std::cout << confirmed;
+  } else {
+    std::cout << refused_.size() << " refused, " << undecided_.size() << " undecided";
+  }
+  std::cout << std::endl;
+  print("refused", refused_);
+  print("undecided", undecided_);
+  any_refused_ = any_refused_ || !holds;
+  any_undecided_ = any_undecided_ || !undecided_.empty();
+  refused_.clear();
+  undecided_.clear();
+  return holds;
+}
+
+void for_each_row(std::size_t count, const std::function<void(std::size_t)>& row) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      row(i);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) {
+    threads.emplace_back(work);
+  }
+  work();
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+}
+
+}  // namespace robot_check
+
+int main(int count, char** arguments) {
+  return robot_check::run(count, arguments);
+}

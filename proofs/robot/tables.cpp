@@ -1,0 +1,114 @@
+// Each byte of a distance table, by its own joint box.
+#include <mutex>
+
+#include "checks.hpp"
+
+namespace robot_check {
+namespace {
+
+/// Joint boxes of a joint: the least power of two as width that makes them 32 or fewer.
+struct Axis {
+  double lower, width, unit;
+  double upper;
+  std::size_t count;
+
+  explicit Axis(const Joint& joint) : unit(joint.unit()) {
+    const std::int64_t first = joint.is_free() ? -(1 << 27) : joint.lower;
+    const std::int64_t last = joint.is_free() ? (1 << 27) - 1 : joint.upper;
+    int shift = 0;
+    while ((last - first) >> shift >= 32) {
+      ++shift;
+    }
+    lower = static_cast<double>(first);
+    upper = static_cast<double>(joint.is_free() ? last + 1 : last);
+    width = std::ldexp(1, shift);
+    count = static_cast<std::size_t>((last - first) >> shift) + 1;
+  }
+
+  /// A coordinate more either way.
+  Range range(std::size_t box) const {
+    const double from = lower + static_cast<double>(box) * width;
+    return {(from - 1) * unit, (std::min(from + width, upper) + 1) * unit};
+  }
+};
+
+/// In cells.
+double distance_of(std::uint8_t byte) {
+  return byte == 0 ? 0 : std::ldexp(16 + byte % 16, byte / 16);
+}
+
+struct Table {
+  const Pair* pair;
+  std::vector<Axis> axes;
+  std::size_t first;
+  std::size_t size;
+};
+
+std::vector<Table> tables_of(const Robot& robot) {
+  std::vector<Table> tables;
+  std::size_t first = 0;
+  for (const Pair& pair : robot.pairs) {
+    Robot::Between between = robot.between(pair.a, pair.b);
+    between.a.insert(between.a.end(), between.b.begin(), between.b.end());
+    Table table{&pair, {}, first, 1};
+    bool has_mimic = false;
+    for (const std::uint32_t joint : between.a) {
+      table.axes.emplace_back(robot.joints[joint]);
+      table.size *= table.axes.back().count;
+      has_mimic = has_mimic || robot.joints[joint].shift != 0;
+    }
+    if (!has_mimic && !table.axes.empty() && table.axes.size() <= 2) {
+      tables.push_back(table);
+      first += table.size;
+    }
+  }
+  return tables;
+}
+
+}  // namespace
+
+void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
+                  Report& report) {
+  const std::vector<Table> tables = tables_of(robot);
+  const std::size_t size = tables.empty() ? 0 : tables.back().first + tables.back().size;
+  if (!robot.tables.empty() && robot.tables.size() != size) {
+    report.refuse(text("distance tables: ", robot.tables.size(), " bytes, but the pairs' have ",
+                       size));
+  }
+  std::mutex mutex;
+  double nearest = HUGE_VAL;
+  std::size_t known = 0;
+  for_each_row(robot.tables.size() == size ? tables.size() : 0, [&](std::size_t i) {
+    const Table& table = tables[i];
+    const Pair& pair = *table.pair;
+    PairSpace space(robot, pair.a, bodies[pair.a], pair.b, bodies[pair.b]);
+    for (std::size_t place = 0; place < table.size; ++place) {
+      const double stored = distance_of(robot.tables[table.first + place]);
+      if (stored == 0) {
+        continue;
+      }
+      std::vector<Range> box(table.axes.size());  // the space's order: a's own first, b's own last
+      std::size_t rest = place;
+      for (std::size_t axis = box.size(); axis-- != 0; rest /= table.axes[axis].count) {
+        const bool is_mirrored = pair.joints_b == 2;
+        box[is_mirrored ? 1 - axis : axis] = table.axes[axis].range(rest % table.axes[axis].count);
+      }
+      const Answer answer = space.prove(box, stored, stored - 0.001, most_boxes);
+      const std::lock_guard<std::mutex> lock(mutex);
+      ++known;
+      nearest = std::min(nearest, answer.nearest - stored);
+      const std::string row = text("table of ", robot.pair_name(pair.a, pair.b), ", byte ", place,
+                                   ": ", stored, " cells");
+      if (answer.found == Found::near) {
+        report.refuse(text(row, ", but ", answer.nearest, " at ", space.text(answer.at),
+                           ": a guard looks again too late"));
+      } else if (answer.found == Found::undecided) {
+        report.doubt(text(row, ", not proven about ", space.text(answer.at)));
+      }
+    }
+  });
+  report.end("tables", text(tables.size(), " tables, ", known, " bytes that are not 0 hold; the ",
+                            "nearest by at most ", nearest, " cells"));
+}
+
+}  // namespace robot_check
