@@ -12,6 +12,13 @@ constexpr double kResolution = 0.1;
 /// Of a coordinate, in units: what it is rounded by, a mimic's by three.
 constexpr double kRounding = 4;
 
+/// At most the distance: of what lies along a direction.
+double gap_along(const Vec& direction, const Triangle& t, const Triangle& u) {
+  const double end = std::max({dot(direction, t[0]), dot(direction, t[1]), dot(direction, t[2])});
+  const double begin = std::min({dot(direction, u[0]), dot(direction, u[1]), dot(direction, u[2])});
+  return begin > end ? (begin - end) / length(direction) : 0;
+}
+
 }  // namespace
 
 double PairSpace::PathJoint::distance(const Vec& point) const {
@@ -55,17 +62,15 @@ void PairSpace::add_path(const Robot& robot, std::uint32_t a, std::uint32_t b) {
   }
 }
 
-std::vector<Range> PairSpace::limits() const {
-  std::vector<Range> ranges;
+Box PairSpace::limits() const {
+  Box ranges;
   for (const std::uint32_t variable : variables_) {
     const Joint& joint = robot_.master(variable);
     Range range{(joint.lower - 1.0) * joint.unit(), (joint.upper + 1.0) * joint.unit()};
-    const bool is_alone =
-        std::none_of(robot_.joints.begin(), robot_.joints.end(), [&](const Joint& other) {
-          return other.variable == variable && other.shift != 0;
-        });
-    if (joint.is_free() ||
-        (is_alone && !joint.slides() && range.upper - range.lower >= 2 * M_PI)) {
+    const bool is_alone = std::none_of(
+        robot_.joints.begin(), robot_.joints.end(),
+        [&](const Joint& other) { return other.variable == variable && other.shift != 0; });
+    if (joint.is_free() || (is_alone && !joint.slides() && range.upper - range.lower >= 2 * M_PI)) {
       range = {-M_PI, M_PI};
     }
     ranges.push_back(range);
@@ -83,7 +88,7 @@ std::string PairSpace::text(const std::vector<double>& at) const {
 }
 
 /// The links in the middle of the box, and what each joint can move.
-void PairSpace::place(const std::vector<Range>& box) {
+void PairSpace::place(const Box& box) {
   ++stamp_;
   std::vector<Frame> frames(path_.size());
   Frame ends[2];
@@ -96,10 +101,9 @@ void PairSpace::place(const std::vector<Range>& box) {
       const Range& range = box[on_path.dimension];
       const double half = std::fabs(on_path.scale) * (range.upper - range.lower) / 2 +
                           kRounding * on_path.joint->unit();
-      on_path.travel =
-          on_path.joint->slides() ? half : 2 * std::sin(std::min(half, M_PI) / 2);
-      frame = frame * on_path.joint->moved(
-                          on_path.scale * (range.lower + range.upper) / 2 + on_path.offset);
+      on_path.travel = on_path.joint->slides() ? half : 2 * std::sin(std::min(half, M_PI) / 2);
+      frame = frame * on_path.joint->moved(on_path.scale * (range.lower + range.upper) / 2 +
+                                           on_path.offset);
       frames[place] = frame;
     }
     ends[of_b] = frame;
@@ -144,8 +148,8 @@ double PairSpace::moved(const Vec& centre, double radius, bool of_a) const {
 }
 
 double PairSpace::moved(const Triangle& triangle, bool of_a) const {
-  return std::max({moved(triangle[0], 0, of_a), moved(triangle[1], 0, of_a),
-                   moved(triangle[2], 0, of_a)});
+  return std::max(
+      {moved(triangle[0], 0, of_a), moved(triangle[1], 0, of_a), moved(triangle[2], 0, of_a)});
 }
 
 const PairSpace::Placed& PairSpace::placed_a(std::uint32_t number) {
@@ -166,7 +170,8 @@ const PairSpace::Placed& PairSpace::placed_b(std::uint32_t number) {
       return std::fabs(x) * node.half.x + std::fabs(y) * node.half.y + std::fabs(z) * node.half.z;
     };
     const Vec centre = frame_.placed(node.centre);
-    placed = {stamp_, centre,
+    placed = {stamp_,
+              centre,
               {extent(u.x, v.x, w.x), extent(u.y, v.y, w.y), extent(u.z, v.z, w.z)},
               moved(centre, node.radius, false)};
   }
@@ -193,6 +198,10 @@ Triangle PairSpace::triangle_b(std::uint32_t node) const {
 bool PairSpace::leaves_apart(std::uint32_t a, std::uint32_t b, double need) {
   const Triangle& t = a_.triangles()[a_.nodes()[a].first];
   const Triangle u = triangle_b(b);
+  const Vec apart = placed_b(b).centre - placed_a(a).centre;
+  if (gap_along(apart, t, u) - placed_a(a).moved - placed_b(b).moved > need) {
+    return true;
+  }
   near_ = {a, b, distance(t, u), moved(t, true) + moved(u, false)};
   nearest_ = std::min(nearest_, near_.distance);
   return near_.distance - near_.moved > need;
@@ -231,16 +240,26 @@ std::size_t PairSpace::widest(std::size_t dimensions) const {
   const Triangle u = triangle_b(near_.b);
   for (std::size_t i = 0; i < path_.size(); ++i) {
     const Triangle& of = i < cut_ ? t : u;
-    parts[path_[i].dimension] += std::max(
-        {path_[i].moves(of[0], 0), path_[i].moves(of[1], 0), path_[i].moves(of[2], 0)});
+    parts[path_[i].dimension] +=
+        std::max({path_[i].moves(of[0], 0), path_[i].moves(of[1], 0), path_[i].moves(of[2], 0)});
   }
   return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end()) - parts.begin());
 }
 
-Answer PairSpace::prove(const std::vector<Range>& whole, double need, double refuse,
-                        std::size_t most_boxes) {
+bool PairSpace::is_within(const Box& box, double near, double most) {
+  place(box);
+  return !are_apart(0, 0, near) && near_.distance + near_.moved < most;
+}
+
+const Frame& PairSpace::frame_at(const Box& box) {
+  place(box);
+  return frame_;
+}
+
+Answer PairSpace::prove(const Box& whole, double need, double refuse, std::size_t most_boxes,
+                        const std::function<bool(const Box&)>& excused) {
   struct Part {
-    std::vector<Range> box;
+    Box box;
     Near hint;
   };
   Answer answer;
@@ -260,12 +279,14 @@ Answer PairSpace::prove(const std::vector<Range>& whole, double need, double ref
       break;
     }
     place(part.box);
-    const bool fails_at_hint =
-        has_hint && !leaves_apart(part.hint.a, part.hint.b, need + kOutward);
+    const bool fails_at_hint = has_hint && !leaves_apart(part.hint.a, part.hint.b, need + kOutward);
     if (!fails_at_hint && are_apart(0, 0, need + kOutward)) {
       continue;
     }
     has_hint = true;
+    if (excused && excused(part.box)) {
+      continue;
+    }
     if (near_.distance <= refuse) {
       answer = {Found::near, middle, near_.distance, answer.boxes};
       return answer;

@@ -3,6 +3,7 @@
 // middle of the box is more than the joints can move these two parts in it.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "body.hpp"
@@ -15,12 +16,14 @@ struct Range {
   double lower, upper;
 };
 
+using Box = std::vector<Range>;
+
 enum class Found { apart, near, undecided };
 
 struct Answer {
   Found found = Found::apart;
-  std::vector<double> at;    ///< where they are near, or may be
-  double nearest = HUGE_VAL; ///< distance of any two triangles that were measured, cells
+  std::vector<double> at;     ///< where they are near, or may be
+  double nearest = HUGE_VAL;  ///< distance of any two triangles that were measured, cells
   std::size_t boxes = 0;
 };
 
@@ -32,13 +35,20 @@ class PairSpace {
   /// The variables of the joints between, a's own first.
   const std::vector<std::uint32_t>& variables() const { return variables_; }
   /// Their limits, a unit more either way; one turn of what turns freely.
-  std::vector<Range> limits() const;
+  Box limits() const;
   /// "elbow 0.51, wrist -1.2".
   std::string text(const std::vector<double>& at) const;
 
   /// Proves that they are more than `need` cells apart in the box. `near`: where they are at most
-  /// `refuse` cells apart in the middle of a part, the answer is near.
-  Answer prove(const std::vector<Range>& box, double need, double refuse, std::size_t most_boxes);
+  /// `refuse` cells apart in the middle of a part, the answer is near. Boxes that `excused` says
+  /// yes of need no proof.
+  Answer prove(const Box& box, double need, double refuse, std::size_t most_boxes,
+               const std::function<bool(const Box&)>& excused = {});
+  /// Whether some triangles less than `near` apart are proven to stay less than `most` apart in
+  /// the box. False says nothing.
+  bool is_within(const Box& box, double near, double most);
+  /// b's frame in a's, in the middle of the box.
+  const Frame& frame_at(const Box& box);
 
  private:
   struct PathJoint {
@@ -61,7 +71,7 @@ class PairSpace {
   };
 
   void add_path(const Robot& robot, std::uint32_t a, std::uint32_t b);
-  void place(const std::vector<Range>& box);
+  void place(const Box& box);
   void choose_side();
   const Placed& placed_a(std::uint32_t node);
   const Placed& placed_b(std::uint32_t node);

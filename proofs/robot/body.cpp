@@ -38,8 +38,12 @@ void Body::build(std::size_t first, std::size_t count) {
       high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
     }
   }
-  Node node{0.5 * (low + high), 0.5 * (high - low), 0, static_cast<std::uint32_t>(first),
-            static_cast<std::uint32_t>(count), 0};
+  Node node{0.5 * (low + high),
+            0.5 * (high - low),
+            0,
+            static_cast<std::uint32_t>(first),
+            static_cast<std::uint32_t>(count),
+            0};
   for (std::size_t i = first; i < first + count; ++i) {
     for (const Vec& v : triangles_[i]) {
       node.radius = std::max(node.radius, length(v - node.centre));
@@ -54,17 +58,16 @@ void Body::build(std::size_t first, std::size_t count) {
   const int axis = h.x >= h.y && h.x >= h.z ? 0 : h.y >= h.z ? 1 : 2;
   const auto begin = triangles_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto half = static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(begin, begin + half, begin + static_cast<std::ptrdiff_t>(count),
-                   [&](const Triangle& p, const Triangle& q) {
-                     return middle(p, axis) < middle(q, axis);
-                   });
+  std::nth_element(
+      begin, begin + half, begin + static_cast<std::ptrdiff_t>(count),
+      [&](const Triangle& p, const Triangle& q) { return middle(p, axis) < middle(q, axis); });
   build(first, count / 2);
   nodes_[number].right = static_cast<std::uint32_t>(nodes_.size());
   build(first + count / 2, count - count / 2);
 }
 
-double Body::distance(const Vec& point) const {
-  double least = HUGE_VAL;
+double Body::distance(const Vec& point, double most) const {
+  double least = most;
   std::vector<std::uint32_t> waiting = {0};
   while (!waiting.empty()) {
     const std::uint32_t number = waiting.back();

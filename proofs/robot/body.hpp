@@ -23,7 +23,8 @@ class Body {
 
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  double distance(const Vec& point) const;
+  /// Of a point; `most` if it is not less.
+  double distance(const Vec& point, double most = HUGE_VAL) const;
 
  private:
   void build(std::size_t first, std::size_t count);

@@ -47,10 +47,8 @@ using Bodies = std::vector<Body>;
 /// `most_boxes`: of joint values, for a row.
 void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
                    Report& report);
-void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
-                  Report& report);
-void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
-                  Report& report);
+void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
+void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
 void check_zones(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
 
 }  // namespace robot_check

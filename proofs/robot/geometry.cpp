@@ -14,25 +14,21 @@ double segment_distance(const Vec& p, const Vec& q, const Vec& point) {
   return length(p + part * along - point);
 }
 
-/// Where both lines are nearest, moved into both segments; or from one of the four ends.
-double edge_distance(const Vec& p, const Vec& q, const Vec& r, const Vec& s) {
-  const Vec u = q - p;
-  const Vec v = s - r;
-  double least = std::min({segment_distance(p, q, r), segment_distance(p, q, s),
-                           segment_distance(r, s, p), segment_distance(r, s, q)});
+/// Where both lines are nearest, if that is within both; ends are nearest as corners are.
+double edge_distance(const Vec& p, const Vec& u, const Vec& r, const Vec& v) {
+  const Vec w = p - r;
   const double uv = dot(u, v);
   const double uu = dot(u, u);
   const double vv = dot(v, v);
+  const double uw = dot(u, w);
+  const double vw = dot(v, w);
   const double denominator = uu * vv - uv * uv;
-  if (denominator > 0) {
-    const Vec w = p - r;
-    const double at_u = (uv * dot(v, w) - vv * dot(u, w)) / denominator;
-    const double at_v = (uu * dot(v, w) - uv * dot(u, w)) / denominator;
-    if (at_u >= 0 && at_u <= 1 && at_v >= 0 && at_v <= 1) {
-      least = std::min(least, length(w + at_u * u - at_v * v));
-    }
+  const double at_u = uv * vw - vv * uw;
+  const double at_v = uu * vw - uv * uw;
+  if (!(denominator > 0) || at_u < 0 || at_u > denominator || at_v < 0 || at_v > denominator) {
+    return HUGE_VAL;
   }
-  return least;
+  return length(w + at_u / denominator * u - at_v / denominator * v);
 }
 
 /// Of a point of the triangle's plane.
@@ -74,7 +70,7 @@ double distance(const Triangle& a, const Triangle& b) {
     }
     least = std::min({least, distance(a[i], b), distance(b[i], a)});
     for (std::size_t j = 0; j < 3; ++j) {
-      least = std::min(least, edge_distance(a[i], a[k], b[j], b[(j + 1) % 3]));
+      least = std::min(least, edge_distance(a[i], a[k] - a[i], b[j], b[(j + 1) % 3] - b[j]));
     }
   }
   return least;

@@ -11,14 +11,24 @@ struct Vec {
   double x = 0, y = 0, z = 0;
 };
 
-inline Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec operator*(double s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline double dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec operator+(const Vec& a, const Vec& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec operator-(const Vec& a, const Vec& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec operator*(double s, const Vec& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline double dot(const Vec& a, const Vec& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double length(const Vec& a) { return std::sqrt(dot(a, a)); }
+inline double length(const Vec& a) {
+  return std::sqrt(dot(a, a));
+}
 
 /// Where a frame lies in another one: its axes and its origin there.
 struct Frame {
@@ -27,7 +37,9 @@ struct Frame {
 
   Vec turned(const Vec& v) const { return v.x * axes[0] + v.y * axes[1] + v.z * axes[2]; }
   Vec placed(const Vec& v) const { return turned(v) + origin; }
-  Vec turned_back(const Vec& v) const { return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)}; }
+  Vec turned_back(const Vec& v) const {
+    return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)};
+  }
 };
 
 inline Frame operator*(const Frame& outer, const Frame& inner) {

@@ -241,8 +241,8 @@ Mesh read_mesh(const std::string& bytes, std::size_t& at, std::uint32_t& robot_h
   mesh.name = bytes.substr(in.at(), name_size);
 
   for (const auto& [x, y, z] : mesh.lattice) {
-    mesh.vertices.push_back({1.0 * x + mesh.origin[0], 1.0 * y + mesh.origin[1],
-                             1.0 * z + mesh.origin[2]});
+    mesh.vertices.push_back(
+        {1.0 * x + mesh.origin[0], 1.0 * y + mesh.origin[1], 1.0 * z + mesh.origin[2]});
   }
   for (const auto& corner : mesh.corners) {
     for (const std::uint16_t number : corner) {

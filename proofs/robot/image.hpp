@@ -42,12 +42,12 @@ struct Mesh {
   std::uint32_t leaf_size, flags, unit, node_count, leaf_count;
   std::int32_t origin[3];
   std::uint64_t cell_bits;
-  double deviation;                                 ///< in the unit
-  std::vector<std::uint8_t> nodes;                  ///< 16 bytes each
+  double deviation;                 ///< in the unit
+  std::vector<std::uint8_t> nodes;  ///< 16 bytes each
   std::vector<std::array<std::uint16_t, 3>> corners;
-  std::vector<std::uint32_t> leaf_offsets;          ///< leaf_count + 1
-  std::vector<std::array<std::int32_t, 3>> lattice; ///< vertices, without the origin
-  std::vector<Vec> vertices;                        ///< in the joint's frame
+  std::vector<std::uint32_t> leaf_offsets;           ///< leaf_count + 1
+  std::vector<std::array<std::int32_t, 3>> lattice;  ///< vertices, without the origin
+  std::vector<Vec> vertices;                         ///< in the joint's frame
 
   Triangle triangle(std::size_t i) const {
     return {vertices[corners[i][0]], vertices[corners[i][1]], vertices[corners[i][2]]};

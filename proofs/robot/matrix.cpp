@@ -22,8 +22,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> named_pairs(const Robot& robot
 void check_parts(const Robot& robot, const Bodies& bodies, Report& report) {
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
     const std::uint32_t whole = robot.whole_of(i);
-    const double allowed =
-        (robot.links[i].deviation + robot.links[whole].deviation) / 256.0 + 0.01;
+    const double allowed = (robot.links[i].deviation + robot.links[whole].deviation) / 256.0 + 0.01;
     for (const Vec& vertex : robot.links[i].mesh.vertices) {
       const double off = whole == i ? 0 : bodies[whole].distance(vertex);
       if (off > allowed) {
@@ -64,8 +63,8 @@ void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_box
     nearest = std::min(nearest, answer.nearest - need);
     const std::string row = text("pair ", robot.pair_name(a, b), ", in no array");
     if (answer.found == Found::near) {
-      report.refuse(text(row, ": they collide at ", space.text(answer.at),
-                         ": no guard looks at them"));
+      report.refuse(
+          text(row, ": they collide at ", space.text(answer.at), ": no guard looks at them"));
     } else if (answer.found == Found::undecided) {
       report.doubt(text(row, ": after ", answer.boxes, " boxes not proven apart about ",
                         space.text(answer.at)));

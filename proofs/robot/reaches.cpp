@@ -3,6 +3,7 @@
 // the distance is bounded by its value, its gradient and a bound of all second derivatives in the
 // middle; the same bound decides "farther than the stored reach" and "as far as a quarter of it".
 #include <mutex>
+#include <queue>
 
 #include "checks.hpp"
 
@@ -12,6 +13,11 @@ namespace {
 /// A reach this many times the truth is nonsense. Within twelve joints bakers are off by some parts
 /// in a thousand; beyond, by what balls lose against shapes.
 constexpr double kLoosest = 4;
+/// Of a polygon that takes a circle's place.
+constexpr int kCorners = 96;
+/// Radians that the innermost joint must turn for circles to take the place of its arcs.
+constexpr double kNearlyWhole = 4.7;
+constexpr std::size_t kMostJoints = 64;
 /// For what doubles round, in cells.
 constexpr double kOutward = 1e-6;
 /// 2^-26 of 1/256 cell a unit of 2^-28 of a turn, in cells a radian.
@@ -32,37 +38,46 @@ class Search {
     }
   }
 
-  /// Whether any vertex can be farther than `limit` cells from the axis.
+  /// Whether the innermost joint turns nearly all the way.
+  bool ends_in_circles() const {
+    return !whole_.empty() && !links_.back().joint->slides() &&
+           whole_.back().upper - whole_.back().lower > kNearlyWhole;
+  }
+  void hold_innermost() { whole_.back() = {0, 0}; }
+
+  /// Whether any vertex can be farther than `limit` cells from the axis. What may reach farthest
+  /// is looked at first.
   Found exceeds(double limit, std::size_t most_boxes) {
-    std::vector<Part> waiting = {{whole_, 0}};
+    std::priority_queue<Part> waiting;
+    const auto add = [&](Box box, std::uint32_t node) {
+      place(box);
+      const Bound bound = bound_of(node);
+      if (bound.value + kOutward > limit) {
+        waiting.push({std::move(box), node, bound});
+      }
+    };
+    add(whole_, 0);
     for (std::size_t boxes = 0; !waiting.empty(); ++boxes) {
-      if (boxes == most_boxes) {
-        return Found::undecided;
-      }
-      const Part part = std::move(waiting.back());
-      waiting.pop_back();
-      place(part.box);
-      const Bound bound = bound_of(part.node);
-      if (bound.value + kOutward <= limit) {
-        continue;
-      }
       if (farthest_ > limit) {
         return Found::near;
       }
+      const Part part = waiting.top();
+      waiting.pop();
       const Body::Node& node = body_.nodes()[part.node];
-      if (node.count > 1 && node.radius >= bound.excess) {
-        waiting.push_back({part.box, node.right});
-        waiting.push_back({part.box, part.node + 1});
+      if (node.count > 1 && node.radius >= part.bound.excess) {
+        add(part.box, node.right);
+        add(part.box, part.node + 1);
         continue;
       }
-      if (bound.excess < kOutward) {
+      if (boxes >= most_boxes || part.bound.excess < kOutward) {
         return Found::undecided;
       }
-      const double middle = (part.box[bound.side].lower + part.box[bound.side].upper) / 2;
+      const std::size_t side = part.bound.side;
+      const double middle = (part.box[side].lower + part.box[side].upper) / 2;
       for (const bool is_upper : {false, true}) {
-        Part half = part;
-        (is_upper ? half.box[bound.side].lower : half.box[bound.side].upper) = middle;
-        waiting.push_back(std::move(half));
+        Box half = part.box;
+        (is_upper ? half[side].lower : half[side].upper) = middle;
+        add(std::move(half), part.node);
       }
     }
     return Found::apart;
@@ -72,10 +87,6 @@ class Search {
   double farthest() const { return farthest_; }
 
  private:
-  struct Part {
-    std::vector<Range> box;
-    std::uint32_t node;
-  };
   struct OnChain {
     const Joint* joint;
     Vec origin, axis;  ///< in the frame of the joint whose reach it is
@@ -86,8 +97,14 @@ class Search {
     double excess = 0;     ///< what the box's width adds
     std::size_t side = 0;  ///< that adds most of it
   };
+  struct Part {
+    Box box;
+    std::uint32_t node;
+    Bound bound;
+    bool operator<(const Part& other) const { return bound.value < other.bound.value; }
+  };
 
-  void place(const std::vector<Range>& box) {
+  void place(const Box& box) {
     frame_ = Frame();
     for (std::size_t i = 0; i < links_.size(); ++i) {
       frame_ = frame_ * links_[i].joint->moved((box[i].lower + box[i].upper) / 2);
@@ -117,8 +134,8 @@ class Search {
     const double at = std::hypot(point.x, point.y);
     const Vec out = at > 0 ? Vec{point.x / at, point.y / at, 0} : Vec{1, 0, 0};
     const std::size_t count = links_.size();
-    std::vector<double> lever(count);  // at most, in the box
-    std::vector<double> parts(count);
+    std::array<double, kMostJoints> lever;  // at most, in the box
+    std::array<double, kMostJoints> parts;
     double plain = 0;  // by the ways alone
     double outwards = 0;
     double sideways = 0;
@@ -149,17 +166,51 @@ class Search {
     Bound bound;
     bound.excess = std::min(plain, curved - at);
     bound.value = at + bound.excess + radius;
-    bound.side = static_cast<std::size_t>(std::max_element(parts.begin(), parts.end()) -
-                                          parts.begin());
+    const auto end = parts.begin() + static_cast<std::ptrdiff_t>(count);
+    bound.side = static_cast<std::size_t>(std::max_element(parts.begin(), end) - parts.begin());
     return bound;
   }
 
   const Body& body_;
-  std::vector<Range> whole_;
+  Box whole_;
   std::vector<OnChain> links_;
   Frame frame_;
   double farthest_ = 0;
 };
+
+/// Corners of polygons round the circles on which a joint turns the link's vertices: those circles
+/// alone that lie outermost, by height along the axis and radius.
+Body turned_about(const Body& body) {
+  std::vector<std::pair<double, double>> circles;
+  for (const Triangle& triangle : body.triangles()) {
+    for (const Vec& v : triangle) {
+      circles.emplace_back(v.z, std::hypot(v.x, v.y));
+    }
+  }
+  std::sort(circles.begin(), circles.end());
+  std::vector<std::pair<double, double>> outer;
+  for (const auto& [z, radius] : circles) {
+    const auto is_inside = [&, z = z, radius = radius] {
+      const auto& p = outer[outer.size() - 2];
+      const auto& q = outer.back();
+      return (q.second - p.second) * (z - p.first) <= (radius - p.second) * (q.first - p.first);
+    };
+    while (outer.size() > 1 && is_inside()) {
+      outer.pop_back();
+    }
+    outer.emplace_back(z, radius);
+  }
+  std::vector<Triangle> corners;
+  for (const auto& [z, radius] : outer) {
+    for (int i = 0; i < kCorners; ++i) {
+      const double angle = 2 * M_PI * i / kCorners;
+      const double out = radius / std::cos(M_PI / kCorners);
+      const Vec corner{out * std::cos(angle), out * std::sin(angle), z};
+      corners.push_back({corner, corner, corner});
+    }
+  }
+  return Body(std::move(corners));
+}
 
 struct Row {
   std::uint32_t link, joint;
@@ -178,6 +229,18 @@ std::vector<Row> rows_of(const Robot& robot) {
     }
   }
   return rows;
+}
+
+bool is_proven_by_circles(const Robot& robot, const Row& row, const Body& body, double stored,
+                          std::size_t most_boxes) {
+  Search search(robot, row.chain, body);
+  if (!search.ends_in_circles()) {
+    return false;
+  }
+  const Body circles = turned_about(body);
+  Search of_circles(robot, row.chain, circles);
+  of_circles.hold_innermost();
+  return of_circles.exceeds(stored, most_boxes) == Found::apart;
 }
 
 }  // namespace
@@ -200,7 +263,9 @@ void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_bo
     }
     const double stored = row.stored * kStored;
     Search search(robot, row.chain, bodies[row.link]);
-    const Found above = search.exceeds(stored, most_boxes);
+    const Found above = is_proven_by_circles(robot, row, bodies[row.link], stored, most_boxes)
+                            ? Found::apart
+                            : search.exceeds(stored, most_boxes);
     const Found below = search.exceeds(stored / kLoosest, most_boxes);
     const std::lock_guard<std::mutex> lock(mutex);
     if (above == Found::near) {

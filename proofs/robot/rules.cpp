@@ -108,13 +108,14 @@ class Rules {
     const auto is_small = [](std::int64_t value) {
       return value >= -kMostCoordinate && value <= kMostCoordinate;
     };
-    require(joint.is_free() ? joint.lower == 0 && joint.upper == 0
-                            : joint.lower <= joint.upper && is_small(joint.lower) &&
-                                  is_small(joint.upper),
-            "limits of " + row, text(joint.lower, " to ", joint.upper, " are out of order or range"));
-    require(joint.shift == 0 ? joint.multiplier == 1 && joint.offset == 0
-                             : joint.shift <= 40 && is_small(joint.multiplier) &&
-                                   is_small(joint.offset),
+    require(joint.is_free()
+                ? joint.lower == 0 && joint.upper == 0
+                : joint.lower <= joint.upper && is_small(joint.lower) && is_small(joint.upper),
+            "limits of " + row,
+            text(joint.lower, " to ", joint.upper, " are out of order or range"));
+    require(joint.shift == 0
+                ? joint.multiplier == 1 && joint.offset == 0
+                : joint.shift <= 40 && is_small(joint.multiplier) && is_small(joint.offset),
             row, "its multiplier, shift or offset is out of range");
     check_rotation(joint, row);
     if (joint.shift != 0) {
@@ -150,8 +151,8 @@ class Rules {
     const double other = scale * master.upper + joint.offset;
     const double low = std::min(one, other);
     const double high = std::max(one, other);
-    require(joint.lower <= low + 1 && joint.lower >= low - kMimicMargin && joint.upper >= high - 1 &&
-                joint.upper <= high + kMimicMargin,
+    require(joint.lower <= low + 1 && joint.lower >= low - kMimicMargin &&
+                joint.upper >= high - 1 && joint.upper <= high + kMimicMargin,
             "limits of " + row,
             text(joint.lower, " to ", joint.upper, ", but ", master.name, " moves it from ", low,
                  " to ", high));
@@ -182,8 +183,8 @@ class Rules {
     const Robot::Between between = robot_.between(pair.a, pair.b);
     const std::size_t count = between.a.size() + between.b.size();
     require(count > 0, row, "no joint moves the two");
-    const std::uint32_t only = between.a.empty() ? between.b.empty() ? kBase : between.b[0]
-                                                 : between.a[0];
+    const std::uint32_t only =
+        between.a.empty() ? between.b.empty() ? kBase : between.b[0] : between.a[0];
     require(pair.why == 0   ? count == 1 && pair.joint == only && pair.radius != 0
             : pair.why == 1 ? pair.joint == kBase && pair.radius == 0
                             : false,
@@ -239,8 +240,12 @@ class Tree {
     return at + 1 < mesh_.nodes.size() ? mesh_.nodes[at] | mesh_.nodes[at + 1] << 8 : 0;
   }
   Bounds bounds(std::uint32_t node) const {
-    const auto low = [&](std::uint32_t i) { return 16384 - static_cast<std::int32_t>(half(node, i)); };
-    const auto high = [&](std::uint32_t i) { return static_cast<std::int32_t>(half(node, i)) - 16384; };
+    const auto low = [&](std::uint32_t i) {
+      return 16384 - static_cast<std::int32_t>(half(node, i));
+    };
+    const auto high = [&](std::uint32_t i) {
+      return static_cast<std::int32_t>(half(node, i)) - 16384;
+    };
     return {{low(2), low(3), low(5)}, {high(0), high(1), high(4)}};
   }
 
@@ -312,15 +317,15 @@ class Tree {
 /// Lengths of translations, slides and the sphere from the base to a link's far side, in cells.
 double extent_of(const Robot& robot, std::uint32_t link) {
   const Link& of = robot.links[link];
-  const auto size = [](const std::int32_t (&v)[3]) {
+  const auto size = [](const std::int32_t(&v)[3]) {
     return length({1.0 * v[0], 1.0 * v[1], 1.0 * v[2]});
   };
   double extent = size(of.centre) + of.radius;
   for (const std::uint32_t number : robot.branch(link)) {
     const Joint& joint = robot.joints[number];
     extent += size(joint.translation);
-    extent += joint.slides() ? std::max(std::fabs(1.0 * joint.lower), std::fabs(1.0 * joint.upper))
-                             : 0;
+    extent +=
+        joint.slides() ? std::max(std::fabs(1.0 * joint.lower), std::fabs(1.0 * joint.upper)) : 0;
   }
   return extent / 2048;
 }
@@ -365,8 +370,8 @@ void check_spheres(const Robot& robot, Report& report) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
     const Link& link = robot.links[i];
-    const Vec centre = 1.0 / 2048 * Vec{1.0 * link.centre[0], 1.0 * link.centre[1],
-                                        1.0 * link.centre[2]};
+    const Vec centre =
+        1.0 / 2048 * Vec{1.0 * link.centre[0], 1.0 * link.centre[1], 1.0 * link.centre[2]};
     double farthest = 0;
     for (const Vec& vertex : link.mesh.vertices) {
       farthest = std::max(farthest, length(vertex - centre));
@@ -403,7 +408,8 @@ void check_slack(const Robot& robot, Report& report) {
   // Deviations are rounded up, each by less than 1/256 cell.
   const double wanted = (0.89 + 2 * most) * 256 - 2;
   if (robot.slack < wanted) {
-    report.refuse(text("slack: ", robot.slack, " in 1/256 cell, but rounding and kinematics of link ",
+    report.refuse(text("slack: ", robot.slack,
+                       " in 1/256 cell, but rounding and kinematics of link ",
                        robot.link_name(worst), " add up to ", wanted, ": guards stop too late"));
   }
   report.end("slack", text(robot.slack, " in 1/256 cell, ", robot.slack - wanted,

@@ -72,8 +72,8 @@ void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_box
   const std::vector<Table> tables = tables_of(robot);
   const std::size_t size = tables.empty() ? 0 : tables.back().first + tables.back().size;
   if (!robot.tables.empty() && robot.tables.size() != size) {
-    report.refuse(text("distance tables: ", robot.tables.size(), " bytes, but the pairs' have ",
-                       size));
+    report.refuse(
+        text("distance tables: ", robot.tables.size(), " bytes, but the pairs' have ", size));
   }
   std::mutex mutex;
   double nearest = HUGE_VAL;
@@ -87,7 +87,7 @@ void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_box
       if (stored == 0) {
         continue;
       }
-      std::vector<Range> box(table.axes.size());  // the space's order: a's own first, b's own last
+      Box box(table.axes.size());  // the space's order: a's own first, b's own last
       std::size_t rest = place;
       for (std::size_t axis = box.size(); axis-- != 0; rest /= table.axes[axis].count) {
         const bool is_mirrored = pair.joints_b == 2;
