@@ -9,10 +9,19 @@ namespace {
 constexpr double kOutward = 1e-6;
 /// Two parts that the box moves by less than this are not cut again.
 constexpr double kResolution = 0.1;
-/// Of a coordinate, in units: what it is rounded by, a mimic's by three.
+/// Units that rounding may move a coordinate by; a mimic's by three.
 constexpr double kRounding = 4;
 
-/// At most the distance: of what lies along a direction.
+/// A box of one place.
+Box box_at(const std::vector<double>& place) {
+  Box box;
+  for (const double value : place) {
+    box.push_back({value, value});
+  }
+  return box;
+}
+
+/// At most the distance: the gap between their shadows on a line.
 double gap_along(const Vec& direction, const Triangle& t, const Triangle& u) {
   const double end = std::max({dot(direction, t[0]), dot(direction, t[1]), dot(direction, t[2])});
   const double begin = std::min({dot(direction, u[0]), dot(direction, u[1]), dot(direction, u[2])});
@@ -178,7 +187,7 @@ const PairSpace::Placed& PairSpace::placed_b(std::uint32_t number) {
   return placed;
 }
 
-/// At most the distance of what is below two nodes anywhere in the box.
+/// At most the distance of two nodes' triangles anywhere in the box.
 double PairSpace::gap(std::uint32_t a, std::uint32_t b) {
   const Placed& in_a = placed_a(a);
   const Placed& in_b = placed_b(b);
@@ -284,21 +293,22 @@ Answer PairSpace::prove(const Box& whole, double need, double refuse, std::size_
       continue;
     }
     has_hint = true;
+    const Near near = near_;
     if (excused && excused(part.box)) {
       continue;
     }
-    if (near_.distance <= refuse) {
-      answer = {Found::near, middle, near_.distance, answer.boxes};
+    if (near.distance <= refuse && !(excused && excused(box_at(middle)))) {
+      answer = {Found::near, middle, near.distance, answer.boxes};
       return answer;
     }
-    if (near_.moved <= kResolution) {
+    if (near.moved <= kResolution) {
       answer.found = Found::undecided;
       answer.at = middle;
       continue;
     }
     const std::size_t side = widest(part.box.size());
     for (const bool is_upper : {false, true}) {
-      Part half{part.box, near_};
+      Part half{part.box, near};
       (is_upper ? half.box[side].lower : half.box[side].upper) = middle[side];
       waiting.push_back(std::move(half));
     }

@@ -34,7 +34,7 @@ class PairSpace {
 
   /// The variables of the joints between, a's own first.
   const std::vector<std::uint32_t>& variables() const { return variables_; }
-  /// Their limits, a unit more either way; one turn of what turns freely.
+  /// Their limits, a unit more either way; one turn of a joint without limits.
   Box limits() const;
   /// "elbow 0.51, wrist -1.2".
   std::string text(const std::vector<double>& at) const;

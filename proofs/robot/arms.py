@@ -2,30 +2,28 @@
 import struct
 import zlib
 
-LIMITS = {"revolute": (-2.0, 1.5), "prismatic": (-0.05, 0.1)}
+LIMITS = {"revolute": (-2.0, 1.5), "prismatic": (-0.05, 0.1), "mimic": (-3.0, 3.0)}
 
 
 def any_arm(random, joints):
-    """A chain of links of about 0.3 m, the last joint but one a mimic of the first now and then."""
+    """A chain of links of about 0.3 m with joints of these types; a mimic follows the first one. Neighbours are apart or
+    overlap."""
     def box():
         x, y, z = random.uniform(0.03, 0.08), random.uniform(0.03, 0.08), random.uniform(0.15, 0.3)
         return (f'<collision><origin xyz="0 0 {z / 2:.4f}"/><geometry><box size="{x:.4f} {y:.4f} {z:.4f}"/></geometry>'
                 '</collision>'), z
 
-    text, parent, height = '<robot name="arm">', "base", 0.0
     shape, height = box()
-    text += f'<link name="base">{shape}</link>'
-    for i in range(joints):
-        kind = random.choice(["revolute", "revolute", "continuous", "prismatic"])
-        axis = random.choice(["1 0 0", "0 1 0", "0 0 1", "0.6 0 0.8"])
-        mimic = i == joints - 1 and kind == "revolute" and 'name="j0" type="revolute"' in text
-        limit = '<limit lower="%g" upper="%g" effort="1" velocity="1"/>' % LIMITS[kind] if kind in LIMITS else ""
-        if mimic:
-            limit = limit.replace("-2", "-3").replace("1.5", "3") + '<mimic joint="j0" multiplier="0.7" offset="0.1"/>'
+    text, parent = f'<robot name="arm"><link name="base">{shape}</link>', "base"
+    for i, kind in enumerate(joints):
         shape, size = box()
-        text += (f'<link name="l{i}">{shape}</link><joint name="j{i}" type="{kind}"><parent link="{parent}"/>'
-                 f'<child link="l{i}"/><origin xyz="{random.uniform(0.02, 0.1):.4f} 0 {height + 0.01:.4f}" '
-                 f'rpy="{random.uniform(-1, 1):.3f} 0 0"/><axis xyz="{axis}"/>{limit}</joint>')
+        limit = '<limit lower="%g" upper="%g" effort="1" velocity="1"/>' % LIMITS[kind] if kind in LIMITS else ""
+        follows = '<mimic joint="j0" multiplier="0.7" offset="0.1"/>' if kind == "mimic" else ""
+        gap = random.choice([0.01, -0.03])
+        text += (f'<link name="l{i}">{shape}</link><joint name="j{i}" type="{kind.replace("mimic", joints[0])}">'
+                 f'<parent link="{parent}"/><child link="l{i}"/><origin xyz="{random.uniform(0, 0.1) * (gap > 0):.4f} 0 '
+                 f'{height + gap:.4f}" rpy="{random.uniform(-1, 1):.3f} 0 0"/><axis '
+                 f'xyz="{random.choice(["1 0 0", "0 1 0", "0 0 1", "0.6 0 0.8"])}"/>{limit}{follows}</joint>')
         parent, height = f"l{i}", size
     return text + "</robot>"
 
@@ -91,6 +89,10 @@ class Image:
 
     def whole_of(self, link):
         return self.link_names.index(self.link_names[link])
+
+    def name(self, link):
+        """As the checker prints it: of a part of a link with its number."""
+        return self.link_names[link] + ("" if self.whole_of(link) == link else f"#{link}")
 
     def between(self, a, b):
         a, b = self.branch(a), self.branch(b)

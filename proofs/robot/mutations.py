@@ -16,6 +16,8 @@ import tempfile
 
 from arms import Image, any_arm
 
+ARMS = ["revolute prismatic mimic", "revolute revolute", "continuous revolute prismatic", "prismatic revolute revolute",
+        "revolute continuous mimic", "continuous revolute"]
 KINDS = []
 
 
@@ -24,31 +26,32 @@ def kind(function):
     return function
 
 
+class NoSuchRow(Exception):
+    pass
+
+
+def any_of(random, choices):
+    if not choices:
+        raise NoSuchRow
+    return random.choice(choices)
+
+
 def any_row(random, rows, wanted=lambda row: True):
-    """The number of one that is wanted; None if there is none."""
-    numbers = [i for i in range(len(rows)) if wanted(rows[i])]
-    return random.choice(numbers) if numbers else None
+    """The number of one that is wanted."""
+    return any_of(random, [i for i in range(len(rows)) if wanted(rows[i])])
 
 
-def turning_reach(image, random):
-    """Its number, joint and link."""
-    choices = [(image.links[link]["first"] + n, joint, link) for link in range(len(image.links))
-               for n, joint in enumerate(image.branch(link)) if image.joints[joint]["type"] != 2]
-    return random.choice(choices) if choices else None
-
-
-def change_reach(image, random, factor):
-    chosen = turning_reach(image, random)
-    if chosen is None:
-        return None
-    number, joint, link = chosen
+def change_reach(image, random, factor, slides=False):
+    number, joint, link = any_of(random, [
+        (image.links[link]["first"] + n, joint, link) for link in range(len(image.links))
+        for n, joint in enumerate(image.branch(link)) if (image.joints[joint]["type"] == 2) == slides])
     image.reaches.set(number, value=int(image.reaches[number]["value"] * factor))
     image.repair_sums()
-    return rf"reach of joint {image.joint_names[joint]}, link {image.link_names[link]}"
+    return rf"reach of joint {image.joint_names[joint]}, link {image.name(link)}"
 
 
 def pair_name(image, pair):
-    return rf"{image.link_names[pair['a']]}\S* - {image.link_names[pair['b']]}"
+    return f"{image.name(pair['a'])} - {image.name(pair['b'])}"
 
 
 @kind
@@ -63,12 +66,7 @@ def raise_a_reach(image, random, said):
 
 @kind
 def change_a_slides_reach(image, random, said):
-    for link in range(len(image.links)):
-        for n, joint in enumerate(image.branch(link)):
-            if image.joints[joint]["type"] == 2:
-                image.reaches.set(image.links[link]["first"] + n, value=1 << 22)
-                image.repair_sums()
-                return rf"reach of joint {image.joint_names[joint]}, link {image.link_names[link]}"
+    return change_reach(image, random, 0.5, slides=True)
 
 
 @kind
@@ -82,14 +80,14 @@ def change_a_sum(image, random, said):
 def shrink_a_sphere(image, random, said):
     i = any_row(random, image.links)
     image.links.set(i, radius=int(image.links[i]["radius"] * 0.95))
-    return f"sphere of link {image.link_names[i]}"
+    return f"sphere of link {image.name(i)}"
 
 
 @kind
 def move_a_sphere(image, random, said):
     i = any_row(random, image.links)
     image.links.set(i, z=image.links[i]["z"] + image.links[i]["radius"] // 4)
-    return f"sphere of link {image.link_names[i]}"
+    return f"sphere of link {image.name(i)}"
 
 
 @kind
@@ -107,8 +105,6 @@ def remove_a_pair(image, random, said):
     i = any_row(random, image.pairs, lambda pair: (image.link_names[pair["a"]], image.link_names[pair["b"]]) in colliding
                 and (pair["a"], pair["b"]) not in zones and image.whole_of(pair["a"]) == pair["a"]
                 and image.whole_of(pair["b"]) == pair["b"])
-    if i is None:
-        return None
     name = pair_name(image, image.pairs[i])
     image.remove_pair(i)
     return f"pair {name}, in no array"
@@ -138,8 +134,6 @@ def lower_the_slack(image, random, said):
 @kind
 def raise_a_table_byte(image, random, said):
     i = any_row(random, image.tables, lambda row: 0 < row["byte"] < 200)
-    if i is None:
-        return None
     image.tables.set(i, byte=image.tables[i]["byte"] + 40)
     for pair in map(image.pairs.__getitem__, range(len(image.pairs))):
         if i < image.table_size(pair):
@@ -150,26 +144,19 @@ def raise_a_table_byte(image, random, said):
 @kind
 def shrink_a_zone(image, random, said):
     i = any_row(random, image.unguarded, lambda row: row["why"] == 0)
-    if i is None:
-        return None
     image.unguarded.set(i, radius=int(image.unguarded[i]["radius"] * 0.6))
     return "zone of " + pair_name(image, image.unguarded[i])
 
 
 @kind
 def widen_a_limit(image, random, said):
-    """Of a joint beyond a turning one: what that one reaches, tables and mimics no longer hold."""
-    i = any_row(random, image.joints, lambda row: row["type"] == 2 and row["parent"] != 255)
-    if i is None:
-        i = any_row(random, image.joints, lambda row: row["type"] == 0 and row["shift"] == 0 and any(
-            image.joints[k]["variable"] == row["variable"] and image.joints[k]["shift"] for k in range(len(image.joints))))
-        if i is None:
-            return None
-        image.joints.set(i, upper=image.joints[i]["upper"] + (1 << 25))
-        return r"limits of joint|distance tables.*" + image.joint_names[i]
-    row = image.joints[i]
-    image.joints.set(i, lower=row["lower"] * 4, upper=row["upper"] * 4)
-    return rf"reach of joint|distance tables.*{image.joint_names[i]}"
+    """Of a slide beyond a turning joint, or of a joint that a mimic follows: reaches or tables no longer hold."""
+    joints = [image.joints[i] for i in range(len(image.joints))]
+    i = any_row(random, image.joints, lambda row: row["shift"] == 0 and row["type"] != 1 and (
+        any(other["shift"] and other["variable"] == row["variable"] for other in joints) or
+        row["type"] == 2 and row["parent"] != 255 and joints[row["parent"]]["type"] != 2))
+    image.joints.set(i, lower=joints[i]["lower"] * 4, upper=joints[i]["upper"] * 4)
+    return rf"limits of joint|reach of joint|distance tables.*{image.joint_names[i]}|table of"
 
 
 @kind
@@ -178,8 +165,6 @@ def move_a_joint(image, random, said):
     def is_far(row):
         return row["parent"] != 255 and image.joints[row["parent"]]["type"] != 2 and math.hypot(row["x"], row["y"]) > 1 << 21
     i = any_row(random, image.joints, is_far)
-    if i is None:
-        return None
     row = image.joints[i]
     image.joints.set(i, x=row["x"] * 3, y=row["y"] * 3)
     return rf"reach of joint {image.joint_names[row['parent']]}, link|slack"
@@ -196,7 +181,7 @@ def bend_a_frame(image, random, said):
 def lower_a_deviation(image, random, said):
     i = any_row(random, image.links)
     image.links.set(i, deviation=image.links[i]["deviation"] // 2)
-    return f"deviation of link {image.link_names[i]}"
+    return f"deviation of link {image.name(i)}"
 
 
 @kind
@@ -206,8 +191,7 @@ def move_a_vertex(image, random, said):
     at = vertices + 6 * random.randrange(count) + 2 * random.randrange(3)
     value = struct.unpack_from("<h", image.data, at)[0]
     struct.pack_into("<h", image.data, at, max(-16383, min(16383, value + (9000 if value > 0 else -9000))))
-    return None if struct.unpack_from("<h", image.data, at)[0] == value else \
-        f"(sphere|mesh) of link {image.link_names[link]}"
+    return f"(sphere|mesh) of link {image.name(link)}"
 
 
 @kind
@@ -216,21 +200,19 @@ def shrink_a_box(image, random, said):
     (nodes, count), _, _ = image.mesh(link)
     at = nodes + 16 * random.randrange(count) + 2 * random.randrange(6)
     struct.pack_into("<H", image.data, at, max(1, struct.unpack_from("<H", image.data, at)[0] - 200))
-    return f"mesh of link {image.link_names[link]}"
+    return f"mesh of link {image.name(link)}"
 
 
 @kind
 def change_first_reach(image, random, said):
     i = any_row(random, image.links, lambda row: row["first"] > 0)
     image.links.set(i, first=image.links[i]["first"] - 1)
-    return f"first_reach of link {image.link_names[i]}"
+    return f"first_reach of link {image.name(i)}"
 
 
 @kind
 def change_a_mimic(image, random, said):
     i = any_row(random, image.joints, lambda row: row["shift"] > 0)
-    if i is None:
-        return None
     image.joints.set(i, multiplier=image.joints[i]["multiplier"] // 2)
     return f"limits of joint {image.joint_names[i]}"
 
@@ -238,8 +220,6 @@ def change_a_mimic(image, random, said):
 @kind
 def name_another_joint_of_a_zone(image, random, said):
     i = any_row(random, image.unguarded, lambda row: row["why"] == 0)
-    if i is None or len(image.joints) < 2:
-        return None
     image.unguarded.set(i, joint=(image.unguarded[i]["joint"] + 1) % len(image.joints))
     return "unguarded pair " + pair_name(image, image.unguarded[i])
 
@@ -283,9 +263,9 @@ def main():
     random = randoms.Random(arguments.seed)
     with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor() as pool:
         folder = pathlib.Path(name)
-        urdfs = [arguments.urdf] + [folder / f"arm{i}.urdf" for i in range(6)]
-        for urdf in urdfs[1:]:
-            urdf.write_text(any_arm(random, random.randrange(2, 4)))
+        urdfs = [arguments.urdf] + [folder / f"arm{i}.urdf" for i in range(len(ARMS))]
+        for urdf, joints in zip(urdfs[1:], ARMS):
+            urdf.write_text(any_arm(random, joints.split()))
         baked = list(pool.map(lambda urdf: bake(arguments.flashbvh, urdf, folder), urdfs))
         for urdf, checked in zip(urdfs, pool.map(lambda urdf: Checked(arguments.checker, folder / f"{urdf.stem}.robot"),
                                                  urdfs)):
@@ -295,8 +275,11 @@ def main():
         for change in itertools.islice(itertools.cycle(KINDS), 10 * arguments.count):
             said, data = random.choice(baked)
             image = Image(data)
-            expected = change(image, random, said) if len(made) < arguments.count else None
-            if expected is not None:
+            try:
+                expected = change(image, random, said)
+            except NoSuchRow:
+                continue
+            if bytes(image.data) != data and len(made) < arguments.count:
                 path = folder / f"{len(made)}.robot"
                 path.write_bytes(image.repaired())
                 made.append((change.__name__, path, expected))
@@ -304,7 +287,7 @@ def main():
     survivors = [(name, result) for (name, _, _), result in zip(made, results) if result is not None]
     for name, result in survivors:
         print(f"{name}: {result}")
-    print(f"{len(urdfs)} robots confirmed; {len(survivors)} of {len(made)} mutations of {len(KINDS)} kinds survive, "
+    print(f"{len(urdfs)} robots confirmed; {len(survivors)} of {len(made)} mutations of {len({name for name, _, _ in made})} kinds survive, "
           f"seed {arguments.seed}")
     sys.exit(1 if survivors else 0)
 

@@ -8,11 +8,12 @@ namespace {
 
 /// Joint boxes of a joint: the least power of two as width that makes them 32 or fewer.
 struct Axis {
+  std::string name;
   double lower, width, unit;
   double upper;
   std::size_t count;
 
-  explicit Axis(const Joint& joint) : unit(joint.unit()) {
+  explicit Axis(const Joint& joint) : name(joint.name), unit(joint.unit()) {
     const std::int64_t first = joint.is_free() ? -(1 << 27) : joint.lower;
     const std::int64_t last = joint.is_free() ? (1 << 27) - 1 : joint.upper;
     int shift = 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr int kLooks = 65;
 /// Of the radius: what is smaller of a link is not cut again.
 constexpr double kPiece = 1.0 / 32;
-/// Of what a guard would stop at, how near a part must be to excuse contact in a joint box.
+/// Of a guard's stop distance and slack: triangles so near excuse contact in a joint box.
 constexpr double kCertain = 0.75;
 /// For what rounding moves corners, in cells.
 constexpr double kRounded = 1;
