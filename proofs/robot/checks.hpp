@@ -33,6 +33,9 @@ class Report {
 template <class... Parts>
 std::string text(const Parts&... parts);
 
+/// Of a group's rows: how much the one that holds by least has left. Infinite: there are none.
+std::string nearest_text(double left, const char* unit);
+
 /// Calls `row` with 0 to count - 1, on all processors.
 void for_each_row(std::size_t count, const std::function<void(std::size_t)>& row);
 

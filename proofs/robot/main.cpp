@@ -11,9 +11,10 @@ namespace robot_check {
 namespace {
 
 constexpr const char* kUsage =
-    "Usage: flashbvh_check_robot NAME.robot [--boxes N]\n"
+    "Usage: flashbvh_check_robot NAME.robot [--boxes N] [--first]\n"
     "Recomputes what a baked robot promises, by other methods than the baker's.\n"
     "  --boxes N  most boxes of joint values a row; more decide more (default 400000)\n"
+    "  --first    ends with the first group that is refused\n"
     "Exit status: 0 all confirmed, 1 refused, 2 usage or unreadable image, 3 undecided rows\n";
 /// Boxes of a reach cost so much less than those of a pair.
 constexpr std::size_t kReachShare = 10;
@@ -29,7 +30,13 @@ void print(const char* verdict, const std::vector<std::string>& rows) {
   }
 }
 
-int check(const Robot& robot, std::size_t most_boxes) {
+struct Options {
+  std::string path;
+  std::size_t most_boxes = 400'000;
+  bool is_first = false;
+};
+
+int check(const Robot& robot, const Options& options) {
   Report report;
   if (!check_rules(robot, report)) {
     return report.status();
@@ -47,40 +54,63 @@ int check(const Robot& robot, std::size_t most_boxes) {
     }
     bodies.emplace_back(std::move(triangles));
   }
-  check_trees(robot, report);
-  check_spheres(robot, report);
-  check_slack(robot, report);
-  check_reaches(robot, bodies, kReachShare * most_boxes, report);
-  check_tables(robot, bodies, most_boxes, report);
-  check_matrix(robot, bodies, most_boxes, report);
-  check_zones(robot, bodies, most_boxes, report);
+  const std::function<void()> groups[] = {
+      [&] { check_trees(robot, report); },
+      [&] { check_spheres(robot, report); },
+      [&] { check_reaches(robot, bodies, kReachShare * options.most_boxes, report); },
+      [&] { check_slack(robot, report); },
+      [&] { check_tables(robot, bodies, options.most_boxes, report); },
+      [&] { check_matrix(robot, bodies, options.most_boxes, report); },
+      [&] { check_zones(robot, bodies, options.most_boxes, report); },
+  };
+  for (const auto& group : groups) {
+    group();
+    if (options.is_first && report.status() == 1) {
+      break;
+    }
+  }
   return report.status();
 }
 
-int run(int count, char** arguments) {
-  std::size_t most_boxes = 400'000;
-  if (count == 4 && arguments[2] == std::string("--boxes")) {
-    const std::string number = arguments[3];
-    if (number.empty() || number.size() > 9 ||
-        number.find_first_not_of("0123456789") != std::string::npos) {
-      std::cerr << "flashbvh_check_robot: --boxes " << number << ": give 1 to 999999999\n";
-      return 2;
+/// False: not as kUsage says.
+bool read_options(int count, char** arguments, Options& options) {
+  for (int i = 1; i < count; ++i) {
+    const std::string word = arguments[i];
+    if (word == "--first") {
+      options.is_first = true;
+    } else if (word == "--boxes" && i + 1 < count) {
+      const std::string number = arguments[++i];
+      if (number.empty() || number.size() > 9 ||
+          number.find_first_not_of("0123456789") != std::string::npos) {
+        std::cerr << "flashbvh_check_robot: --boxes " << number << ": give 0 to 999999999\n";
+        return false;
+      }
+      options.most_boxes = std::stoul(number);
+    } else if (word[0] != '-' && options.path.empty()) {
+      options.path = word;
+    } else {
+      return false;
     }
-    most_boxes = std::stoul(number);
-  } else if (count != 2) {
+  }
+  return !options.path.empty();
+}
+
+int run(int count, char** arguments) {
+  Options options;
+  if (!read_options(count, arguments, options)) {
     std::cerr << kUsage;
     return 2;
   }
-  std::ifstream file(arguments[1], std::ios::binary);
+  std::ifstream file(options.path, std::ios::binary);
   if (!file) {
-    std::cerr << "flashbvh_check_robot: " << arguments[1] << ": cannot be opened\n";
+    std::cerr << "flashbvh_check_robot: " << options.path << ": cannot be opened\n";
     return 2;
   }
   const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   try {
-    return check(read_robot(bytes), most_boxes);
+    return check(read_robot(bytes), options);
   } catch (const BadImage& bad) {
-    std::cerr << "flashbvh_check_robot: " << arguments[1] << ": " << bad.what() << '\n';
+    std::cerr << "flashbvh_check_robot: " << options.path << ": " << bad.what() << '\n';
     return 2;
   }
 }
@@ -103,6 +133,10 @@ bool Report::end(const std::string& group, const std::string& confirmed) {
   refused_.clear();
   undecided_.clear();
   return holds;
+}
+
+std::string nearest_text(double left, const char* unit) {
+  return std::isinf(left) ? "none is near" : text("the nearest has ", left, " ", unit, " left");
 }
 
 void for_each_row(std::size_t count, const std::function<void(std::size_t)>& row) {

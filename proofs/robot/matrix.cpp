@@ -70,8 +70,8 @@ void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_box
                         space.text(answer.at)));
     }
   });
-  report.end("matrix", text(rows.size(), " pairs in no array never collide, in ", boxes,
-                            " boxes; the nearest has at most ", nearest, " cells left"));
+  report.end("matrix", text(rows.size(), " pairs in no array never collide, in ", boxes, " boxes; ",
+                            nearest_text(nearest, "cells or less")));
 }
 
 }  // namespace robot_check

@@ -224,7 +224,7 @@ void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_bo
       report.refuse(text(name, ": ", stored, " cells, more than ", kLoosest,
                          " times what any vertex reaches: guards stop for nothing"));
     }
-    nearest = std::min(nearest, stored / row.most - 1);
+    nearest = std::min(nearest, std::max(0.0, stored / row.most - 1));
   };
   for_each_row(robot.links.size(), [&](std::size_t link) {
     for (const Row& row : rows_of(robot, static_cast<std::uint32_t>(link), bodies[link])) {
@@ -232,8 +232,8 @@ void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_bo
       ++count;
     }
   });
-  report.end("reaches", text(count, " rows, none below the truth; the nearest has ", 100 * nearest,
-                             " % left"));
+  report.end("reaches",
+             text(count.load(), " rows, none below the truth; ", nearest_text(100 * nearest, "% or more")));
 }
 
 }  // namespace robot_check

@@ -18,6 +18,7 @@ class Rules {
     if (!check_structure()) {
       return false;
     }
+    require(std::isnormal(robot_.cell) && robot_.cell > 0, "cell", "no positive length");
     for (const Joint& joint : robot_.joints) {
       check_joint(joint);
     }
@@ -395,7 +396,7 @@ void check_slack(const Robot& robot, Report& report) {
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
     const Link& link = robot.links[i];
     const double wanted = link.mesh.deviation / robot.cell * 256;
-    if (link.deviation < wanted * (1 - 1e-12)) {
+    if (!(link.deviation >= wanted * (1 - 1e-12)) || wanted < 0) {
       report.refuse(text("deviation of link ", robot.link_name(i), ": ", link.deviation,
                          " in 1/256 cell, but its mesh lies ", wanted,
                          " from its source: the slack is too small"));

@@ -4,9 +4,9 @@ namespace robot_check {
 namespace {
 
 /// Of an edge of the octahedron |x| + |y| + |z| = 1.
-constexpr int kSteps = 80;
+constexpr int kSteps = 72;
 /// Of a whole turn, that arcs are cut into.
-constexpr double kParts = 144;
+constexpr double kParts = 128;
 
 /// Of the direction with x and y in steps, the signs of x, y and z in the bits of `face`.
 std::size_t place_of(int face, int x, int y) {

@@ -108,8 +108,8 @@ void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_box
       }
     }
   });
-  report.end("tables", text(tables.size(), " tables, ", known, " bytes that are not 0 hold; the ",
-                            "nearest by at most ", nearest, " cells"));
+  report.end("tables", text(tables.size(), " tables, ", known, " bytes that are not 0 hold; ",
+                            nearest_text(nearest, "cells or less")));
 }
 
 }  // namespace robot_check

@@ -8,7 +8,7 @@ namespace robot_check {
 namespace {
 
 /// Values of the joint at which contact is looked for.
-constexpr int kLooks = 65;
+constexpr int kLooks = 33;
 /// Of the radius: what is smaller of a link is not cut again.
 constexpr double kPiece = 1.0 / 32;
 /// Of a guard's stop distance and slack: triangles so near excuse contact in a joint box.
@@ -116,7 +116,7 @@ class Zone {
       }
     }
     Vec middle;
-    for (int step = 1; step <= 300 && !contacts_.empty(); ++step) {
+    for (int step = 1; step <= 200 && !contacts_.empty(); ++step) {
       middle = middle + 1.0 / (step + 1) * (contacts_[farthest()] - middle_);
       middle_ = joint_.slides() ? Vec{middle.x, middle.y, 0} : Vec{0, 0, middle.z};
     }
