@@ -1,5 +1,6 @@
 #include "apart.hpp"
 
+#include <random>
 #include <sstream>
 
 namespace robot_check {
@@ -9,6 +10,8 @@ namespace {
 constexpr double kOutward = 1e-6;
 /// Two parts that the box moves by less than this are not cut again.
 constexpr double kResolution = 0.1;
+/// Of a search downhill, as a part of a variable's range.
+constexpr double kLeastStep = 1e-4;
 /// Units that rounding may move a coordinate by; a mimic's by three.
 constexpr double kRounding = 4;
 
@@ -253,6 +256,51 @@ std::size_t PairSpace::widest(std::size_t dimensions) const {
         std::max({path_[i].moves(of[0], 0), path_[i].moves(of[1], 0), path_[i].moves(of[2], 0)});
   }
   return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end()) - parts.begin());
+}
+
+/// Of the two links, to a thousandth of a cell.
+double PairSpace::distance_at(const std::vector<double>& at) {
+  place(box_at(at));
+  for (PathJoint& joint : path_) {
+    joint.travel = 0;
+  }
+  double distance = length(frame_.placed(b_.triangles()[0][0]) - a_.triangles()[0][0]);
+  while (distance > 0 && !are_apart(0, 0, std::max(0.0, distance - 0.001))) {
+    distance = near_.distance;
+  }
+  return distance;
+}
+
+/// A step of each variable in turn that brings the links nearer, halved where none does.
+std::vector<double> PairSpace::find_contact(int starts) {
+  const Box box = limits();
+  std::minstd_rand random(1);
+  for (int start = 0; start < starts; ++start) {
+    std::vector<double> at;
+    for (const auto& [lower, upper] : box) {
+      at.push_back(std::uniform_real_distribution<>(lower, upper)(random));
+    }
+    double nearest = distance_at(at);
+    for (double step = 0.125; step > kLeastStep && nearest > 0;) {
+      const double before = nearest;
+      for (std::size_t i = 0; i < 2 * at.size() && nearest > 0; ++i) {
+        const auto& [lower, upper] = box[i / 2];
+        std::vector<double> next = at;
+        const double way = (i % 2 == 0 ? step : -step) * (upper - lower);
+        next[i / 2] = std::clamp(at[i / 2] + way, lower, upper);
+        const double distance = distance_at(next);
+        if (distance < nearest) {
+          nearest = distance;
+          at = next;
+        }
+      }
+      step = nearest < before ? step : step / 2;
+    }
+    if (nearest == 0) {
+      return at;
+    }
+  }
+  return {};
 }
 
 bool PairSpace::is_within(const Box& box, double near, double most) {

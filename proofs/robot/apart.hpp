@@ -44,6 +44,8 @@ class PairSpace {
   /// yes of need no proof.
   Answer prove(const Box& box, double need, double refuse, std::size_t most_boxes,
                const std::function<bool(const Box&)>& excused = {});
+  /// A place where they have a point in common, searched downhill from `starts` places; else none.
+  std::vector<double> find_contact(int starts);
   /// Whether some triangles less than `near` apart are proven to stay less than `most` apart in
   /// the box. False says nothing.
   bool is_within(const Box& box, double near, double most);
@@ -81,6 +83,7 @@ class PairSpace {
   double gap(std::uint32_t a, std::uint32_t b);
   bool are_apart(std::uint32_t a, std::uint32_t b, double need);
   bool leaves_apart(std::uint32_t a, std::uint32_t b, double need);
+  double distance_at(const std::vector<double>& at);
   std::size_t widest(std::size_t dimensions) const;
 
   const Robot& robot_;

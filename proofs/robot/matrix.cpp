@@ -7,6 +7,10 @@
 namespace robot_check {
 namespace {
 
+/// Of the boxes of a pair, the part before contact is searched for.
+constexpr std::size_t kFirst = 40;
+constexpr int kStarts = 64;
+
 std::set<std::pair<std::uint32_t, std::uint32_t>> named_pairs(const Robot& robot) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> named;
   for (const Pair& pair : robot.pairs) {
@@ -35,6 +39,17 @@ void check_parts(const Robot& robot, const Bodies& bodies, Report& report) {
   }
 }
 
+/// Few boxes first, then a search for contact, then all boxes.
+Answer decide(PairSpace& space, double need, std::size_t most_boxes) {
+  Answer answer = space.prove(space.limits(), need, 0, most_boxes / kFirst);
+  if (answer.found != Found::undecided) {
+    return answer;
+  }
+  std::vector<double> at = space.find_contact(kStarts);
+  return at.empty() ? space.prove(space.limits(), need, 0, most_boxes)
+                    : Answer{Found::near, std::move(at), 0, answer.boxes};
+}
+
 }  // namespace
 
 void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
@@ -57,7 +72,7 @@ void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_box
     const auto [a, b] = rows[i];
     const double need = (robot.links[a].deviation + robot.links[b].deviation) / 256.0;
     PairSpace space(robot, a, bodies[a], b, bodies[b]);
-    const Answer answer = space.prove(space.limits(), need, 0, most_boxes);
+    const Answer answer = decide(space, need, most_boxes);
     const std::lock_guard<std::mutex> lock(mutex);
     boxes += answer.boxes;
     nearest = std::min(nearest, answer.nearest - need);

@@ -233,7 +233,7 @@ def hang_a_link_elsewhere(image, random, said):
 
 class Checked:
     def __init__(self, checker, path):
-        run = subprocess.run([checker, path, "--first"], capture_output=True, text=True)
+        run = subprocess.run([checker, path, "--first"], capture_output=True, text=True, errors="replace")
         self.status, self.text = run.returncode, run.stdout + run.stderr
 
 

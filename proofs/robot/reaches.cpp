@@ -232,8 +232,8 @@ void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_bo
       ++count;
     }
   });
-  report.end("reaches",
-             text(count.load(), " rows, none below the truth; ", nearest_text(100 * nearest, "% or more")));
+  report.end("reaches", text(count.load(), " rows, none below the truth; ",
+                             nearest_text(100 * nearest, "% or more")));
 }
 
 }  // namespace robot_check
