@@ -73,6 +73,7 @@ class Image:
         names = bytes(data[at:at + h["names"]]).split(b"\0")
         self.joint_names = [name.decode() for name in names[1:1 + h["joints"]]]
         self.link_names = [name.decode() for name in names[1 + h["joints"]:1 + h["joints"] + h["links"]]]
+        self.mount_names = [name.decode() for name in names[1 + h["joints"] + h["links"]:-1]]
         self.names_at = at
         at = (at + h["names"] + 3) // 4 * 4
         self.meshes = []

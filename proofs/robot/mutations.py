@@ -15,6 +15,7 @@ import sys
 import tempfile
 
 from arms import Image, any_arm
+from urdf import Urdf, refusals
 
 ARMS = ["revolute prismatic mimic", "revolute revolute", "continuous revolute prismatic", "prismatic revolute revolute",
         "revolute continuous mimic", "continuous revolute"]
@@ -252,6 +253,22 @@ def judged(checker, path, expected):
     return None if checked.status == 1 and named else f"exit {checked.status}, expected {expected}: {checked.text}"
 
 
+def check_urdf(path, data):
+    """urdf.py confirms it, but neither with a joint a cell farther nor with a limit wider."""
+    image, urdf = Image(data), Urdf(path)
+    before = refusals(image, urdf)
+    last = len(image.joints) - 1
+    row = image.joints[last]
+    image.joints.set(last, x=row["x"] + 2048)
+    moved = refusals(image, urdf)
+    image.joints.set(last, **row)
+    limited = any_row(randoms, image.joints, lambda row: row["type"] != 1 and row["shift"] == 0)
+    image.joints.set(limited, upper=image.joints[limited]["upper"] + 2000)
+    wider = refusals(image, urdf)
+    if before or not moved or not any(f"limits of joint {image.joint_names[limited]}" in row for row in wider):
+        sys.exit(f"urdf.py of {path}: {before}, of a joint moved {moved}, of a limit widened {wider}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("checker")
@@ -271,6 +288,7 @@ def main():
                                                  urdfs)):
             if checked.status != 0:
                 sys.exit(f"seed {arguments.seed}: {urdf} is not confirmed: exit {checked.status}\n{checked.text}")
+            check_urdf(urdf, (folder / f"{urdf.stem}.robot").read_bytes())
         made = []
         for change in itertools.islice(itertools.cycle(KINDS), 10 * arguments.count):
             said, data = random.choice(baked)
