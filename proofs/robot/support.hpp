@@ -16,7 +16,7 @@ class Support {
 
   /// At least the largest dot product of the direction, of any length, and a point of the body.
   double operator()(const Vec& direction) const;
-  /// Of what a joint within its limits sweeps, in its parent's frame.
+  /// All that a joint within its limits sweeps of it, in the frame of the joint's parent.
   Support swept(const Joint& joint) const;
   /// At least the distance of any point from the z axis.
   double from_axis() const;
