@@ -233,8 +233,8 @@ def hang_a_link_elsewhere(image, random, said):
 
 
 class Checked:
-    def __init__(self, checker, path):
-        run = subprocess.run([checker, path, "--first"], capture_output=True, text=True, errors="replace")
+    def __init__(self, checker, path, *options):
+        run = subprocess.run([checker, path, "--first", *options], capture_output=True, text=True, errors="replace")
         self.status, self.text = run.returncode, run.stdout + run.stderr
 
 
@@ -251,6 +251,22 @@ def judged(checker, path, expected):
     checked = Checked(checker, path)
     named = re.search(rf"refused: .*({expected})", checked.text)
     return None if checked.status == 1 and named else f"exit {checked.status}, expected {expected}: {checked.text}"
+
+
+def check_exits(checker, path, folder):
+    """Of damaged files 2, of rows that get no boxes 3."""
+    data = path.read_bytes()
+    damaged = folder / "damaged.robot"
+    for wrong, what in ((data[:-4], "size"), (data[:60] + b"\xaa" + data[61:], "checksum"), (data[:30], "size"),
+                        (b"", "ends"), (b"FBVH" + data[4:], "no robot")):
+        damaged.write_bytes(wrong)
+        checked = Checked(checker, damaged)
+        if checked.status != 2 or what not in checked.text or "byte " not in checked.text:
+            sys.exit(f"damaged, {what}: exit {checked.status}, {checked.text}")
+    statuses = [Checked(checker, path, "--boxes", "0").status, Checked(checker, path, "--boxes", "-1").status,
+                Checked(checker, folder / "none.robot").status]
+    if statuses != [3, 2, 2]:
+        sys.exit(f"without boxes, with -1 and without a file: exits {statuses}, not 3, 2 and 2")
 
 
 def check_urdf(path, data):
@@ -289,6 +305,7 @@ def main():
             if checked.status != 0:
                 sys.exit(f"seed {arguments.seed}: {urdf} is not confirmed: exit {checked.status}\n{checked.text}")
             check_urdf(urdf, (folder / f"{urdf.stem}.robot").read_bytes())
+        check_exits(arguments.checker, folder / f"{arguments.urdf.stem}.robot", folder)
         made = []
         for change in itertools.islice(itertools.cycle(KINDS), 10 * arguments.count):
             said, data = random.choice(baked)

@@ -237,7 +237,7 @@ class Tree {
     std::int32_t low[3], high[3];
   };
   std::uint32_t half(std::uint32_t node, std::uint32_t i) const {
-    const std::size_t at = std::size_t{16} * node + 2 * i;
+    const std::size_t at = std::size_t{16} * node + std::size_t{2} * i;
     return at + 1 < mesh_.nodes.size() ? mesh_.nodes[at] | mesh_.nodes[at + 1] << 8 : 0;
   }
   Bounds bounds(std::uint32_t node) const {
