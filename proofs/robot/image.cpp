@@ -45,7 +45,7 @@ class Reader {
     if (end >= end_ || end - at_ > 255) {
       refuse(at_, "a name without an end, or longer than 255 bytes");
     }
-    const std::string name = bytes_.substr(at_, end - at_);
+    std::string name = bytes_.substr(at_, end - at_);
     at_ = end + 1;
     return name;
   }
@@ -175,10 +175,13 @@ void read_array(Reader& in, std::vector<Element>& elements, std::size_t count, R
   }
 }
 
-/// Adds what the robot's hash takes of it.
-Mesh read_mesh(const std::string& bytes, std::size_t& at, std::uint32_t& robot_hash) {
-  const std::size_t begin = at;
-  Reader in(bytes, begin, bytes.size());
+struct MeshCounts {
+  std::size_t end;  ///< of the image, in bytes
+  std::uint32_t triangles, vertices, shells, name_size;
+};
+
+MeshCounts read_mesh_header(const std::string& bytes, Reader& in, Mesh& mesh) {
+  const std::size_t begin = in.at();
   if (in.u32() != 0x48564246) {
     refuse(begin, "no mesh begins here: its magic is not FBVH");
   }
@@ -188,28 +191,34 @@ Mesh read_mesh(const std::string& bytes, std::size_t& at, std::uint32_t& robot_h
   if (version != 2 || layout != 1 || index_bits != 16) {
     refuse(begin, "a mesh of another version, layout or index width than 2, post-indexed, 16 bits");
   }
-  const std::size_t end = begin + in.u32();
-  if (end > bytes.size() || end < begin + 80 || checksum(bytes, begin, end) != in.u32()) {
+  MeshCounts counts{};
+  counts.end = begin + in.u32();
+  if (counts.end > bytes.size() || counts.end < begin + 80 ||
+      checksum(bytes, begin, counts.end) != in.u32()) {
     refuse(begin, "the mesh is cut off or its checksum does not match");
   }
-  Mesh mesh{};
   mesh.node_count = in.u32();
   mesh.leaf_count = in.u32();
-  const std::uint32_t triangle_count = in.u32();
-  const std::uint32_t vertex_count = in.u32();
+  counts.triangles = in.u32();
+  counts.vertices = in.u32();
   in.u32();  // depth, then stack_need: of no use to this program
   in.u32();
-  mesh.leaf_size = in.u8();
-  const std::uint32_t name_size = in.u8();
+  in.u8();  // leaf_size
+  counts.name_size = in.u8();
   in.u16();
   in.i32s(mesh.origin);
   mesh.cell_bits = in.read<std::uint64_t>();
   mesh.deviation = in.f64();
-  const std::uint32_t shell_count = in.u32();
+  counts.shells = in.u32();
   in.u16();
   mesh.unit = in.u8();
   mesh.flags = in.u8();
+  return counts;
+}
 
+/// Those that the robot's hash takes are added to it.
+void read_mesh_arrays(const std::string& bytes, Reader& in, const MeshCounts& counts, Mesh& mesh,
+                      std::uint32_t& robot_hash) {
   const auto index = [&] { return std::uint32_t{in.u16()}; };
   std::vector<std::uint32_t> unused;
   read_array(in, mesh.nodes, std::size_t{mesh.node_count} * 16, [&] { return in.u8(); });
@@ -219,46 +228,55 @@ Mesh read_mesh(const std::string& bytes, std::size_t& at, std::uint32_t& robot_h
     read_array(in, unused, mesh.node_count, index);
   }
   const auto corners = [&] { return std::array<std::uint16_t, 3>{in.u16(), in.u16(), in.u16()}; };
-  read_array(in, mesh.corners, triangle_count, corners);
-  hash(bytes, in.at() - 6 * std::size_t{triangle_count}, in.at(), robot_hash);
-  read_array(in, unused, triangle_count, index);
-  if (mesh.leaf_count != triangle_count) {
+  read_array(in, mesh.corners, counts.triangles, corners);
+  hash(bytes, in.at() - 6 * mesh.corners.size(), in.at(), robot_hash);
+  read_array(in, unused, counts.triangles, index);
+  if (mesh.leaf_count != counts.triangles) {
     read_array(in, mesh.leaf_offsets, mesh.leaf_count + std::size_t{1}, index);
   } else {
     for (std::uint32_t i = 0; i <= mesh.leaf_count; ++i) {
       mesh.leaf_offsets.push_back(i);
     }
   }
-  read_array(in, mesh.lattice, vertex_count, [&] {
+  read_array(in, mesh.lattice, counts.vertices, [&] {
     return std::array<std::int32_t, 3>{in.read<std::int16_t>(), in.read<std::int16_t>(),
                                        in.read<std::int16_t>()};
   });
-  hash(bytes, in.at() - 6 * std::size_t{vertex_count}, in.at(), robot_hash);
-  hash(bytes, begin + 44, begin + 56, robot_hash);
-  read_array(in, unused, shell_count, index);
+  hash(bytes, in.at() - 6 * mesh.lattice.size(), in.at(), robot_hash);
+  read_array(in, unused, counts.shells, index);
   in.fill();
-  in.need(name_size);
-  mesh.name = bytes.substr(in.at(), name_size);
+  in.need(counts.name_size);
+}
 
+/// Adds what the robot's hash takes of it; `at`: where it begins, then where it ends.
+Mesh read_mesh(const std::string& bytes, std::size_t& at, std::uint32_t& robot_hash) {
+  const std::size_t begin = at;
+  Reader in(bytes, begin, bytes.size());
+  Mesh mesh{};
+  const MeshCounts counts = read_mesh_header(bytes, in, mesh);
+  read_mesh_arrays(bytes, in, counts, mesh, robot_hash);
+  hash(bytes, begin + 44, begin + 56, robot_hash);  // origin
   for (const auto& [x, y, z] : mesh.lattice) {
     mesh.vertices.push_back(
         {1.0 * x + mesh.origin[0], 1.0 * y + mesh.origin[1], 1.0 * z + mesh.origin[2]});
   }
   for (const auto& corner : mesh.corners) {
     for (const std::uint16_t number : corner) {
-      if (number >= vertex_count) {
+      if (number >= counts.vertices) {
         refuse(begin, "a triangle of the mesh has a corner that is no vertex");
       }
     }
   }
-  at = end;
+  at = counts.end;
   return mesh;
 }
 
-}  // namespace
+struct Counts {
+  std::uint32_t joints, links, crc, hash, table_bytes, pairs, reaches, names_size, mounts,
+      unguarded;
+};
 
-Robot read_robot(const std::string& bytes) {
-  Reader in(bytes, 0, bytes.size());
+Counts read_header(const std::string& bytes, Reader& in, Robot& robot) {
   if (in.u32() != 0x52564246) {
     refuse(0, "no robot: its magic is not FBVR; give the .robot file that flashbvh robot writes");
   }
@@ -266,41 +284,31 @@ Robot read_robot(const std::string& bytes) {
   if (version != 4) {
     refuse(4, "a robot of version " + std::to_string(version) + ", not 4: bake it again");
   }
-  Robot robot{};
-  const std::uint32_t joint_count = in.u8();
-  const std::uint32_t link_count = in.u8();
+  Counts counts{};
+  counts.joints = in.u8();
+  counts.links = in.u8();
   if (in.u32() != bytes.size()) {
     refuse(8, "the file's size is not byte_count");
   }
-  const std::uint32_t crc = in.u32();
-  const std::uint32_t wanted_hash = in.u32();
+  counts.crc = in.u32();
+  counts.hash = in.u32();
   robot.slack = in.u32();
   robot.cell_bits = in.read<std::uint64_t>();
   std::memcpy(&robot.cell, &robot.cell_bits, sizeof robot.cell);
   robot.pair_joint_count = in.u32();
-  const std::uint32_t table_bytes = in.u32();
-  const std::uint32_t pair_count = in.u16();
-  const std::uint32_t reach_count = in.u16();
-  const std::size_t names_size = in.u16();
+  counts.table_bytes = in.u32();
+  counts.pairs = in.u16();
+  counts.reaches = in.u16();
+  counts.names_size = in.u16();
   robot.variable_count = in.u8();
-  const std::uint32_t mount_count = in.u8();
-  const std::uint32_t unguarded_count = in.u16();
+  counts.mounts = in.u8();
+  counts.unguarded = in.u16();
   in.zero(in.u16());
+  return counts;
+}
 
-  std::uint32_t value = 2166136261u;
-  const std::size_t arrays = in.at();
-  read_array(in, robot.joints, joint_count, [&] { return read_joint(in); });
-  read_array(in, robot.links, link_count, [&] { return read_link(in); });
-  read_array(in, robot.pairs, pair_count, [&] { return read_pair(in); });
-  read_array(in, robot.reaches, reach_count, [&] { return in.u32(); });
-  hash(bytes, arrays, in.at(), value);
-  std::vector<std::uint8_t> mounts;
-  read_array(in, mounts, mount_count * std::size_t{52}, [&] { return in.u8(); });
-  read_array(in, robot.unguarded, unguarded_count, [&] { return read_unguarded(in); });
-  read_array(in, robot.tables, table_bytes, [&] { return in.u8(); });
-  hash(bytes, in.at() - table_bytes, in.at(), value);
-  hash(bytes, 20, 32, value);  // slack and cell
-  const std::size_t names = in.at();
+void read_names(Reader& in, const Counts& counts, Robot& robot) {
+  const std::size_t begin = in.at();
   robot.name = in.text();
   for (Joint& joint : robot.joints) {
     joint.name = in.text();
@@ -308,21 +316,50 @@ Robot read_robot(const std::string& bytes) {
   for (Link& link : robot.links) {
     link.name = in.text();
   }
-  for (std::uint32_t i = 0; i < mount_count; ++i) {
+  for (std::uint32_t i = 0; i < counts.mounts; ++i) {
     in.text();
   }
-  if (in.at() - names != names_size) {
-    refuse(names, "the names are not names_size bytes");
+  if (in.at() - begin != counts.names_size) {
+    refuse(begin, "the names are not names_size bytes");
   }
   in.fill();
+}
+
+/// The hash of what precedes the meshes.
+std::uint32_t read_arrays(const std::string& bytes, Reader& in, const Counts& counts,
+                          Robot& robot) {
+  std::uint32_t value = 2166136261u;
+  const std::size_t begin = in.at();
+  read_array(in, robot.joints, counts.joints, [&] { return read_joint(in); });
+  read_array(in, robot.links, counts.links, [&] { return read_link(in); });
+  read_array(in, robot.pairs, counts.pairs, [&] { return read_pair(in); });
+  read_array(in, robot.reaches, counts.reaches, [&] { return in.u32(); });
+  hash(bytes, begin, in.at(), value);
+  std::vector<std::uint8_t> mounts;
+  read_array(in, mounts, counts.mounts * std::size_t{52}, [&] { return in.u8(); });
+  read_array(in, robot.unguarded, counts.unguarded, [&] { return read_unguarded(in); });
+  read_array(in, robot.tables, counts.table_bytes, [&] { return in.u8(); });
+  hash(bytes, in.at() - counts.table_bytes, in.at(), value);
+  hash(bytes, 20, 32, value);  // slack and cell
+  return value;
+}
+
+}  // namespace
+
+Robot read_robot(const std::string& bytes) {
+  Reader in(bytes, 0, bytes.size());
+  Robot robot{};
+  const Counts counts = read_header(bytes, in, robot);
+  std::uint32_t value = read_arrays(bytes, in, counts, robot);
+  read_names(in, counts, robot);
   std::size_t at = in.at();
-  if (checksum(bytes, 0, at) != crc) {
+  if (checksum(bytes, 0, at) != counts.crc) {
     refuse(12, "the robot's checksum does not match");
   }
   for (Link& link : robot.links) {
     link.mesh = read_mesh(bytes, at, value);
   }
-  if (at != bytes.size() || value != wanted_hash) {
+  if (at != bytes.size() || value != counts.hash) {
     refuse(16, "bytes are left behind the last mesh, or the hash does not match");
   }
   return robot;

@@ -38,8 +38,7 @@ struct Joint {
 };
 
 struct Mesh {
-  std::string name;
-  std::uint32_t leaf_size, flags, unit, node_count, leaf_count;
+  std::uint32_t flags, unit, node_count, leaf_count;
   std::int32_t origin[3];
   std::uint64_t cell_bits;
   double deviation;                 ///< in the unit

@@ -10,7 +10,8 @@ constexpr double kParts = 128;
 
 /// Of the direction with x and y in steps, the signs of x, y and z in the bits of `face`.
 std::size_t place_of(int face, int x, int y) {
-  return static_cast<std::size_t>((face * (kSteps + 1) + x) * (kSteps + 1) + y);
+  const int row = face * (kSteps + 1) + x;
+  return static_cast<std::size_t>(row) * (kSteps + 1) + static_cast<std::size_t>(y);
 }
 
 /// A factor of x and y, and a turn about z, to the corners of a polygon round an arc.
