@@ -325,7 +325,7 @@ void read_names(Reader& in, const Counts& counts, Robot& robot) {
   in.fill();
 }
 
-/// The hash of what precedes the meshes.
+/// The hash of all arrays before the meshes.
 std::uint32_t read_arrays(const std::string& bytes, Reader& in, const Counts& counts,
                           Robot& robot) {
   std::uint32_t value = 2166136261u;

@@ -9,7 +9,7 @@ namespace {
 
 /// Of the boxes of a pair, the part before contact is searched for.
 constexpr std::size_t kFirst = 40;
-constexpr int kStarts = 64;
+constexpr int kStarts = 16;
 
 std::set<std::pair<std::uint32_t, std::uint32_t>> named_pairs(const Robot& robot) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> named;
