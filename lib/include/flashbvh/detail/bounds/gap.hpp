@@ -172,11 +172,31 @@ inline PackedTriple window_of(const SeenBox& seen) {
 /// reach is within a limit, which 2^15 is not. Of an axis's two bounds no more than one is missed.
 FLASHBVH_INLINE inline bool is_within(const PackedTriple& least, const PackedTriple& words,
                                       uint32_t limit) {
+#if defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
   constexpr uint32_t far = 0x80008000u;
   const uint32_t xy =
       subtract_halves(least.word[0], words.word[0]) | subtract_halves(least.word[1], words.word[1]);
   const uint32_t z = subtract_halves(least.word[2], words.word[2]);
   return ((xy | z) & far) == 0 && sum_of_squares(xy, z) <= limit;
+#else  // axis by axis: halves need not be joined, and the first may reject
+  constexpr int32_t far = 1 << 15;
+  uint32_t sum = 0;
+  const auto add = [&](uint32_t least_upper, uint32_t upper, uint32_t least_lower, uint32_t lower) {
+    const auto of_upper = static_cast<int32_t>(least_upper - upper);
+    const auto of_lower = static_cast<int32_t>(least_lower - lower);
+    const int32_t missing = of_upper > of_lower ? of_upper : of_lower;
+    if (missing <= 0) {
+      return true;
+    }
+    sum += static_cast<uint32_t>(missing) * static_cast<uint32_t>(missing);
+    return missing < far && sum <= limit;
+  };
+  const uint32_t(&l)[3] = least.word;
+  const uint32_t(&w)[3] = words.word;
+  return add(low_half(l[0]), low_half(w[0]), low_half(l[1]), low_half(w[1])) &&
+         add(high_half(l[0]), high_half(w[0]), high_half(l[1]), high_half(w[1])) &&
+         add(low_half(l[2]), low_half(w[2]), high_half(l[2]), high_half(w[2]));
+#endif
 }
 /// The same of a window and a box.
 FLASHBVH_INLINE inline bool is_within(const PackedTriple& window, const PackedBox& box,
