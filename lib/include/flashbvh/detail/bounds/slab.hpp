@@ -30,9 +30,15 @@ struct Extent {
   int32_t least;
   int32_t most;
 
+  /// Less than 2^31 from either end.
   void add(int32_t at) {
+#if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE) && !defined(__OPTIMIZE_SIZE__)
+    least -= __usat(least - at, 31);  // by what it is less, if it is
+    most += __usat(at - most, 31);
+#else
     least = at < least ? at : least;
     most = at > most ? at : most;
+#endif
   }
   void add(const Extent& other) {
     least = other.least < least ? other.least : least;
