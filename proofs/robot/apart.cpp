@@ -281,7 +281,7 @@ std::vector<double> PairSpace::find_contact(int starts) {
       at.push_back(std::uniform_real_distribution<>(lower, upper)(random));
     }
     double nearest = distance_at(at);
-    for (double step = 0.125; step > kLeastStep && nearest > 0;) {
+    for (double step = 0.125; step > kLeastStep && nearest > 0 && !is_late();) {
       const double before = nearest;
       for (std::size_t i = 0; i < 2 * at.size() && nearest > 0; ++i) {
         const auto& [lower, upper] = box[i / 2];
@@ -330,7 +330,7 @@ Answer PairSpace::prove(const Box& whole, double need, double refuse, std::size_
     for (const auto& [lower, upper] : part.box) {
       middle.push_back((lower + upper) / 2);
     }
-    if (++answer.boxes > most_boxes) {
+    if (++answer.boxes > most_boxes || is_late()) {
       answer.found = Found::undecided;
       answer.at = middle;
       break;

@@ -3,6 +3,7 @@
 // middle of the box is more than the joints can move these two parts in it.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -10,6 +11,8 @@
 #include "image.hpp"
 
 namespace robot_check {
+
+using Moment = std::chrono::steady_clock::time_point;
 
 /// By variable that moves the two links against each other: radians or cells.
 struct Range {
@@ -49,10 +52,13 @@ class PairSpace {
   /// Whether some triangles less than `near` apart are proven to stay less than `most` apart in
   /// the box. False says nothing.
   bool is_within(const Box& box, double near, double most);
+  /// Nothing is proven or found after that.
+  void end_at(Moment end) { end_ = end; }
   /// b's frame in a's, in the middle of the box.
   const Frame& frame_at(const Box& box);
 
  private:
+  bool is_late() const { return std::chrono::steady_clock::now() >= end_; }
   struct PathJoint {
     const Joint* joint;
     std::size_t dimension;
@@ -98,6 +104,7 @@ class PairSpace {
   std::vector<Placed> placed_a_, placed_b_;
   Near near_{};
   double nearest_ = HUGE_VAL;
+  Moment end_ = Moment::max();
 };
 
 }  // namespace robot_check

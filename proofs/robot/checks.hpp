@@ -47,11 +47,12 @@ void check_slack(const Robot& robot, Report& report);
 
 /// Of all links, in cells, in their joints' frames.
 using Bodies = std::vector<Body>;
-/// `most_boxes`: of joint values, for a row.
+/// `most_boxes`: of joint values, for a row. The matrix ends at `end`.
 void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
                    Report& report);
 void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
-void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
+void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Moment end,
+                  Report& report);
 void check_zones(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
 
 }  // namespace robot_check

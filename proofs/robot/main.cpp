@@ -11,9 +11,10 @@ namespace robot_check {
 namespace {
 
 constexpr const char* kUsage =
-    "Usage: flashbvh_check_robot NAME.robot [--boxes N] [--first]\n"
+    "Usage: flashbvh_check_robot NAME.robot [--boxes N] [--time SECONDS] [--first]\n"
     "Recomputes what a baked robot promises, by other methods than the baker's.\n"
     "  --boxes N  most boxes of joint values a row; more decide more (default 400000)\n"
+    "  --time S   seconds for all, after which pairs in no array are undecided (default 600)\n"
     "  --first    ends with the first group that is refused\n"
     "Exit status: 0 all confirmed, 1 refused, 2 usage or unreadable image, 3 undecided rows\n";
 /// Boxes of a reach cost so much less than those of a pair.
@@ -33,10 +34,12 @@ void print(const char* verdict, const std::vector<std::string>& rows) {
 struct Options {
   std::string path;
   std::size_t most_boxes = 400'000;
+  std::size_t seconds = 600;
   bool is_first = false;
 };
 
 int check(const Robot& robot, const Options& options) {
+  const Moment end = std::chrono::steady_clock::now() + std::chrono::seconds(options.seconds);
   Report report;
   if (!check_rules(robot, report)) {
     return report.status();
@@ -60,7 +63,7 @@ int check(const Robot& robot, const Options& options) {
       [&] { check_reaches(robot, bodies, kReachShare * options.most_boxes, report); },
       [&] { check_slack(robot, report); },
       [&] { check_tables(robot, bodies, options.most_boxes, report); },
-      [&] { check_matrix(robot, bodies, options.most_boxes, report); },
+      [&] { check_matrix(robot, bodies, options.most_boxes, end, report); },
       [&] { check_zones(robot, bodies, options.most_boxes, report); },
   };
   for (const auto& group : groups) {
@@ -78,14 +81,14 @@ bool read_options(int count, char** arguments, Options& options) {
     const std::string word = arguments[i];
     if (word == "--first") {
       options.is_first = true;
-    } else if (word == "--boxes" && i + 1 < count) {
+    } else if ((word == "--boxes" || word == "--time") && i + 1 < count) {
       const std::string number = arguments[++i];
       if (number.empty() || number.size() > 9 ||
           number.find_first_not_of("0123456789") != std::string::npos) {
-        std::cerr << "flashbvh_check_robot: --boxes " << number << ": give 0 to 999999999\n";
+        std::cerr << "flashbvh_check_robot: " << word << ' ' << number << ": give 0 to 999999999\n";
         return false;
       }
-      options.most_boxes = std::stoul(number);
+      (word == "--boxes" ? options.most_boxes : options.seconds) = std::stoul(number);
     } else if (word[0] != '-' && options.path.empty()) {
       options.path = word;
     } else {

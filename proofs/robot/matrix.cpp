@@ -52,7 +52,7 @@ Answer decide(PairSpace& space, double need, std::size_t most_boxes) {
 
 }  // namespace
 
-void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
+void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Moment end,
                   Report& report) {
   check_parts(robot, bodies, report);
   const auto named = named_pairs(robot);
@@ -71,12 +71,14 @@ void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_box
   for_each_row(rows.size(), [&](std::size_t i) {
     const auto [a, b] = rows[i];
     const double need = (robot.links[a].deviation + robot.links[b].deviation) / 256.0;
+    const std::string row = text("pair ", robot.pair_name(a, b), ", in no array");
     PairSpace space(robot, a, bodies[a], b, bodies[b]);
+    const Moment now = std::chrono::steady_clock::now();
+    space.end_at(now + (end - now) / (rows.size() - i));  // what others leave is shared
     const Answer answer = decide(space, need, most_boxes);
     const std::lock_guard<std::mutex> lock(mutex);
     boxes += answer.boxes;
     nearest = std::min(nearest, answer.nearest - need);
-    const std::string row = text("pair ", robot.pair_name(a, b), ", in no array");
     if (answer.found == Found::near) {
       report.refuse(
           text(row, ": they collide at ", space.text(answer.at), ": no guard looks at them"));
