@@ -1,6 +1,5 @@
 // flashbvh guard: a trajectory through the guard that firmware runs, on the desktop.
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -18,73 +17,6 @@ namespace {
 
 /// Most lines that tables and standard error list one by one.
 constexpr std::size_t kShownLines = 10;
-
-constexpr double kTurn = 6.283185307179586;
-/// A value of a slide that is so many times its limits is taken for millimetres.
-constexpr double kOtherUnit = 10;
-
-bool slides(const ModelJoint& joint) {
-  return joint.type == JointType::prismatic;
-}
-
-/// Whether the value is so far off that it may be in degrees, or in millimetres.
-bool has_other_unit(const ModelJoint& joint, double value) {
-  const double most = std::fmax(std::fabs(joint.lower), std::fabs(joint.upper));
-  return std::fabs(value) > (slides(joint) ? kOtherUnit * most : kTurn);
-}
-
-/// "; in degrees? give radians: 1.5708".
-std::string other_unit(const ModelJoint& joint, double value) {
-  return slides(joint) ? "; in millimetres? give metres: " + significant(value / 1000, 6)
-                       : "; in degrees? give radians: " + significant(value * kTurn / 360, 6);
-}
-
-/// "joint 'fold' can't be at 3.5", "joint 'other' can't follow 'grip' to 3.5".
-std::string refused_place(const GuardedTrajectory& guarded, const ModelJoint& joint, double value) {
-  const std::string& master = variable_name(guarded, joint.variable);
-  return concat("joint '", joint.name,
-                joint.name == master ? "' can't be at " : "' can't follow '" + master + "' to ",
-                significant(value, 6), ": ");
-}
-
-/// Beyond what a coordinate can be.
-std::string beyond_range(const GuardedTrajectory& guarded, const ModelJoint& moved, double value) {
-  if (!slides(moved)) {
-    return "firmware takes less than 8 turns, 50.27 radians; leave full turns out" +
-           other_unit(moved, value);
-  }
-  const double most = kMaxJointCoordinate * cell_of(guarded.robot) / kFrameCell;
-  return concat("firmware takes less than ", significant(most, 4), " m of this robot",
-                other_unit(moved, value));
-}
-
-/// `moved`: the joint that the value is of, which `joint` may follow.
-std::string beyond_limits(const ModelJoint& joint, const ModelJoint& moved, double value) {
-  return concat(
-      "its limits are ", significant(joint.lower, 6), " and ", significant(joint.upper, 6),
-      has_other_unit(moved, value) ? (slides(moved) ? " m" : " radians") + other_unit(moved, value)
-                                   : "; correct the value, or the URDF");
-}
-
-/// What is wrong with the values of a period, and how to fix it.
-std::string why_refused(const GuardedTrajectory& guarded, std::size_t period) {
-  const Status status = guarded.answers[period].status;
-  if (status == Status::joint_jumped) {
-    return "a joint without limits turns by half a turn, which may be either way; give values in "
-           "between";
-  }
-  if (status != Status::joint_out_of_limits && status != Status::not_a_coordinate) {
-    return concat("the guard can't go on: ", name_of(status));
-  }
-  const float* const values = guarded.trajectory.values(period);
-  const Model& model = guarded.model;
-  const ModelJoint& joint = model.joints[refused_joint(guarded.robot, values)];
-  const ModelJoint& moved = model.joints[model.variables[joint.variable]];
-  const auto value = static_cast<double>(values[joint.variable]);
-  return refused_place(guarded, joint, value) + (status == Status::not_a_coordinate
-                                                     ? beyond_range(guarded, moved, value)
-                                                     : beyond_limits(joint, moved, value));
-}
 
 std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
   const RobotPair& links = guarded.robot.pairs[pair];

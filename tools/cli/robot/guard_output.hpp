@@ -16,6 +16,9 @@ const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t v
 /// In metres: how far a point of a link may lie from the meshes that it was baked of.
 double links_deviation(const Robot& robot);
 
+/// What is wrong with the values of a period, and how to fix it.
+std::string why_refused(const GuardedTrajectory& guarded, std::size_t period);
+
 /// What is guarded, and how well.
 void print_head(const GuardedTrajectory& guarded);
 
