@@ -12,10 +12,13 @@
 #include "box_rotated_dsp.hpp"
 #elif defined(FLASHBVH_ROTATE_SSE2)
 #include "box_rotated_sse2.hpp"
-#elif defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1 && __ARM_ARCH_PROFILE == 'M' && \
-    !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_ROTATE_THUMB1 1
+#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
+#define FLASHBVH_ROTATE_THUMB 1
+#if __ARM_ARCH_ISA_THUMB >= 2
+#include "box_rotated_thumb2.hpp"
+#else
 #include "box_rotated_thumb1.hpp"
+#endif
 #elif !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_ROTATE_PLAIN 1
 #include "box_rotated_plain.hpp"
@@ -32,7 +35,7 @@
 namespace flashbvh::detail {
 namespace {
 
-#if !defined(FLASHBVH_ROTATE_DSP) && !defined(FLASHBVH_ROTATE_THUMB1)
+#if !defined(FLASHBVH_ROTATE_DSP) && !defined(FLASHBVH_ROTATE_THUMB)
 #if !defined(FLASHBVH_ROTATE_SSE2) && !defined(FLASHBVH_ROTATE_PLAIN)
 
 /// Whole cells of a bound, biased: 0 stands for all below the lattice, 32,767 for its end and all
