@@ -6,7 +6,7 @@
 /* clang-format off */
 #define FLASHBVH_FOR_EACH_CORE(core) \
   core(CortexM0, cortex_m0, "Cortex-M0", 8651, 32, 12, 251, 761) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 3685, 24, 12, 159, 372) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 3479, 24, 12, 159, 233) \
   core(CortexM4F, cortex_m4f, "Cortex-M4F", 3012, 23, 12, 130, 189) \
   core(CortexM7, cortex_m7, "Cortex-M7", 3037, 24, 12, 130, 192) \
   core(CortexM33, cortex_m33, "Cortex-M33", 3014, 24, 12, 130, 189) \
