@@ -254,7 +254,7 @@ def judged(checker, path, expected):
 
 
 def check_exits(checker, path, folder):
-    """Of damaged files 2, of rows that get no boxes 3."""
+    """Of damaged files 2, of rows that get no boxes or no time 3."""
     data = path.read_bytes()
     damaged = folder / "damaged.robot"
     for wrong, what in ((data[:-4], "size"), (data[:60] + b"\xaa" + data[61:], "checksum"), (data[:30], "size"),
@@ -267,6 +267,9 @@ def check_exits(checker, path, folder):
                 Checked(checker, folder / "none.robot").status]
     if statuses != [3, 2, 2]:
         sys.exit(f"without boxes, with -1 and without a file: exits {statuses}, not 3, 2 and 2")
+    late = Checked(checker, path, "--time", "0")
+    if late.status != 3 or "in no array: after 1 boxes" not in late.text:
+        sys.exit(f"without time: exit {late.status}, {late.text}")
 
 
 def check_urdf(path, data):
@@ -324,7 +327,7 @@ def main():
         print(f"{name}: {result}")
     print(f"{len(urdfs)} robots confirmed; {len(survivors)} of {len(made)} mutations of {len({name for name, _, _ in made})} kinds survive, "
           f"seed {arguments.seed}")
-    sys.exit(1 if survivors else 0)
+    sys.exit(1 if survivors or len(made) < arguments.count else 0)
 
 
 if __name__ == "__main__":
