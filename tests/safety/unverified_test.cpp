@@ -184,10 +184,18 @@ std::vector<Field> summed(const std::vector<Field>& fields, const char* title) {
   }
   std::cout << title
             << "\nfield                      bits  refused by resume()  collision permitted\n";
-  for (const Field& sum : sums) {
+  Field all = {"in all", 0};
+  const auto print = [](const Field& sum) {
     std::cout << std::left << std::setw(24) << sum.name << std::right << std::setw(7)
               << 8 * sum.size << std::setw(21) << sum.refused << std::setw(21) << sum.wrong << '\n';
+  };
+  for (const Field& sum : sums) {
+    print(sum);
+    all.size += sum.size;
+    all.refused += sum.refused;
+    all.wrong += sum.wrong;
   }
+  print(all);
   return sums;
 }
 
