@@ -1,4 +1,4 @@
-// Multiplying 15-bit numbers that lie two in a word, and adding up.
+// Sums of products of 15-bit numbers, of which a word holds two.
 //
 // Plain C++ is the definition; where the core has the DSP extension (Cortex-M4, M7, M33, M55) one
 // instruction does it (SMLAD, SMLADX). No form wraps where the true sum fits in 32 bits.
@@ -22,11 +22,11 @@ inline int32_t add_products(int32_t sum, uint32_t u, uint32_t v) {
 inline int32_t add_crossed_products(int32_t sum, uint32_t u, uint32_t v) {
   return __smladx(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v), sum);
 }
-/// As add_products(), of halves with a sign.
+/// add_products() for signed halves.
 inline int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
   return add_products(sum, u, v);
 }
-/// low * high - high * low, of halves with a sign.
+/// low * high - high * low, of signed halves.
 inline int32_t cross_halves(uint32_t u, uint32_t v) {
   return __smusdx(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v));
 }
@@ -36,15 +36,15 @@ inline uint32_t sum_of_squares(uint32_t u, uint32_t v) {
   const auto of_v = static_cast<int16x2_t>(v);
   return static_cast<uint32_t>(__smlad(of_v, of_v, __smuad(of_u, of_u)));
 }
-/// Half by half u - v, with a sign.
+/// u - v, half by half, signed.
 inline uint32_t signed_difference(uint32_t u, uint32_t v) {
   return static_cast<uint32_t>(__ssub16(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v)));
 }
-/// Half of that, rounded down.
+/// (u - v) / 2, half by half, signed; rounded down.
 inline uint32_t halved_difference(uint32_t u, uint32_t v) {
   return static_cast<uint32_t>(__shsub16(static_cast<int16x2_t>(u), static_cast<int16x2_t>(v)));
 }
-/// Halves with a sign, of 15 bits: or 0 where they are negative.
+/// Signed halves of 15 bits, with negative ones replaced by 0.
 inline uint32_t positive_halves(uint32_t u) {
   return static_cast<uint32_t>(__usat16(static_cast<int16x2_t>(u), 15));
 }
@@ -57,24 +57,24 @@ constexpr int32_t signed_low(uint32_t u) {
 constexpr int32_t signed_high(uint32_t u) {
   return static_cast<int16_t>(high_half(u));
 }
-/// As add_products(), of halves with a sign.
+/// add_products() for signed halves.
 constexpr int32_t add_signed_products(int32_t sum, uint32_t u, uint32_t v) {
   return sum + signed_low(u) * signed_low(v) + signed_high(u) * signed_high(v);
 }
-/// low * high - high * low, of halves with a sign.
+/// low * high - high * low, of signed halves.
 constexpr int32_t cross_halves(uint32_t u, uint32_t v) {
   return signed_low(u) * signed_high(v) - signed_high(u) * signed_low(v);
 }
-/// Half by half u - v, with a sign.
+/// u - v, half by half, signed.
 constexpr uint32_t signed_difference(uint32_t u, uint32_t v) {
   return join_halves((u - v) & 0xFFFFu, (u >> 16) - (v >> 16));
 }
-/// Half of that, rounded down.
+/// (u - v) / 2, half by half, signed; rounded down.
 constexpr uint32_t halved_difference(uint32_t u, uint32_t v) {
   const auto half = [](int32_t x, int32_t y) { return static_cast<uint16_t>((x - y) >> 1); };
   return join_halves(half(signed_low(u), signed_low(v)), half(signed_high(u), signed_high(v)));
 }
-/// Halves with a sign, of 15 bits: or 0 where they are negative.
+/// Signed halves of 15 bits, with negative ones replaced by 0.
 constexpr uint32_t positive_halves(uint32_t u) {
   return u & ~(((u >> 15) & 0x00010001u) * 0xFFFFu);
 }

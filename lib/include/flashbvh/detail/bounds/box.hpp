@@ -17,13 +17,13 @@
 
 namespace flashbvh::detail {
 
-/// Whether two boxes, the second under a translation, are disjoint; for a single test, which the
+/// True if two boxes, the second one translated, are disjoint; for a single test, where making the
 /// thresholds of TranslatedBoxTest would not pay. `along(axis)`: the translation in cells, within
-/// +-2^30; the first axis with a gap is the last that is computed.
+/// +-2^30; it is not called for axes after the first gap.
 template <class Along>
 FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b,
                                               const Along& along) {
-  constexpr int32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
+  constexpr int32_t zero = 2 * kBoundBias;  // the sum of two equal bounds
   const auto below = [](uint32_t sum, int32_t least) { return static_cast<int32_t>(sum) < least; };
   const uint32_t upper_xy = a.upper_xy + b.lower_xy;
   const int32_t x = along(0);
@@ -43,10 +43,10 @@ FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBo
   return below(low_half(both_z), zero + z) || below(high_half(both_z), zero - z);
 }
 
-/// Tests boxes of A against boxes of B under a translation. 12 bytes; made once a query.
+/// Tests boxes of A against boxes of B under a translation. 12 bytes; made once per query.
 class TranslatedBoxTest {
  public:
-  /// To be assigned to before it is called.
+  /// Must be assigned to before it is called.
   TranslatedBoxTest() = default;
   /// `x, y, z`: the translation of B in cells, within +-2^30.
   TranslatedBoxTest(int32_t x, int32_t y, int32_t z)
@@ -61,14 +61,15 @@ class TranslatedBoxTest {
     return bounds_reach_dsp(a, b, least_);
 #elif defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
     return halves_reach(sums(a, b), least_);
-#else  // word by word, so that what an early rejection does not need is not even loaded
+#else  // word by word, so that an early rejection spares the other words' loads
     return word_reaches_plain(a.upper_xy + b.lower_xy, least_.word[0]) &&
            word_reaches_plain(a.lower_xy + b.upper_xy, least_.word[1]) &&
            word_reaches_plain(a.z + swap_halves(b.z), least_.word[2]);
 #endif
   }
 
-  /// What a box of B has to reach to overlap `a`; and the other way round.
+  /// Lower limits for a box's packed words: a box of B that reaches all of them overlaps `a`.
+  /// window_of_b(): for boxes of A and `b`.
   PackedTriple window_of_a(const PackedBox& a) const {
     return window(least_, a);
   }
@@ -76,7 +77,7 @@ class TranslatedBoxTest {
     return window({{least_.word[1], least_.word[0], swap_halves(least_.word[2])}}, b);
   }
 
-  /// The same by the reference form of the arithmetic.
+  /// operator() by the reference form of the arithmetic.
   constexpr bool portable(const PackedBox& a, const PackedBox& b) const {
     return halves_reach_portable(sums(a, b), least_);
   }

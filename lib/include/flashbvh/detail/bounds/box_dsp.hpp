@@ -1,6 +1,6 @@
 // The overlap test for cores with the DSP extension (Cortex-M4, M7, M33, M55): the arithmetic of
-// packed.hpp, with what compilers do not find, two words in one load (LDRD). What x and y separate,
-// most of those apart, costs no look at z.
+// packed.hpp, and loads of two words at once (LDRD), which compilers do not find. Most disjoint
+// boxes are apart along x or y, and the test then does not read z.
 #ifndef FLASHBVH_DETAIL_BOUNDS_BOX_DSP_HPP
 #define FLASHBVH_DETAIL_BOUNDS_BOX_DSP_HPP
 

@@ -2,20 +2,20 @@
 //
 // On A's axis i the transformed vertices of a box of B lie between
 //     sum_j R_ij * (upper_j where R_ij > 0, else lower_j) + o_i    above, and the same form below.
-// Widened by half a cell, by which vertices are rounded, and by what the 14 bits of R lack of the
-// vertices' 22, and rounded to whole cells, these bounds are an axis-aligned box on A's lattice.
-// Rotated the other way, a box of A makes one on B's lattice, widened by what rounded vertices and
-// columns that are not quite orthogonal can add. The boxes are disjoint if either rotated box is
-// disjoint from the other box, which three packed sums of bounds decide. The bounds rounding to
-// whole cells loses nothing, since they are compared with whole cells. lib/docs/derivations.md,
+// These bounds are widened by half a cell, as vertices are rounded, and by the error of R's 14 bits
+// against the vertices' 22. Rounded to whole cells they are an axis-aligned box on A's lattice.
+// Rotated the other way, a box of A becomes a box on B's lattice, widened by the errors of rounded
+// vertices and of columns that are not quite orthogonal. The boxes are disjoint if either rotated
+// box is disjoint from the other box, which three packed sums of bounds decide. Rounding the bounds
+// to whole cells loses nothing, since they are compared with whole cells. lib/docs/derivations.md,
 // "Rotated boxes", derives the margins.
 //
-// A rotated box is kept until another one of its tree is: a walk goes on in one tree at a time. The
-// axes whose rotated box is current go first, and what that rejects costs no rotation at all.
+// A rotated box is kept until another box of its tree is rotated: a walk moves in one tree at a
+// time. The axes whose rotated box is current go first; a rejection there costs no rotation at all.
 //
 // Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
-// cross products of edges are left out: fewer pairs are visited with them, but more instructions
-// executed (lib/docs/decisions/0007-rotated-boxes.md).
+// cross products of edges are left out: they save visits, but cost more instructions than that
+// (lib/docs/decisions/0007-rotated-boxes.md).
 #ifndef FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
 #define FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
 
@@ -25,7 +25,7 @@
 #include "flashbvh/detail/lattice/box_packed.hpp"
 
 #if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
-// Bounds are kept with upper and lower exchanged, as they are added to a box's.
+// Bounds are kept with upper and lower exchanged, as they are added to a box's bounds.
 #define FLASHBVH_ROTATED_EXCHANGED 1
 #endif
 
@@ -34,7 +34,7 @@ namespace flashbvh::detail {
 #if defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_ROTATE_SSE2 1
 
-/// What rotates a box, an axis a lane.
+/// The rotation of a box, one axis per lane.
 struct alignas(16) BoxRotation {
   uint32_t positive_xy[4];
   uint32_t negative_xy[4];
@@ -56,7 +56,7 @@ struct alignas(16) BoxRotation {
 
 #else
 
-/// What rotates a box: a matrix, and where the sums of its three axes begin.
+/// The rotation of a box: a matrix, and the start values of the sums of its three axes.
 struct BoxRotation {
   const SplitMatrix* matrix;
   const BoxTestStart* starts;
@@ -77,19 +77,20 @@ struct RotatedBox {
 /// on a 32-bit core.
 class RotatedBoxTest {
  public:
-  /// `transform` and its pose outlive this, as they are: some of it may be copied here.
+  /// `transform` and its pose outlive this and do not change: parts may be copied here.
   explicit RotatedBoxTest(const RotatedTransform& transform)
       : a_{{0, 0, 0}, nullptr, {transform.columns, transform.on_b}},
         b_{{0, 0, 0}, nullptr, {transform.matrix->rows, transform.on_a}} {}
 
   /// False only if no transformed triangle of a subtree with box `b` intersects one of a subtree
-  /// with box `a`. Answers depend on the boxes alone, not on earlier calls; but boxes are
-  /// known by their addresses, and what lies there must not change while this lives. Of boxes in
-  /// nodes: with Helium the four bytes after a box are read, too.
+  /// with box `a`. Answers depend on the boxes alone, not on earlier calls. But a box is identified
+  /// by its address, and must not change while this lives. The boxes must lie in nodes: with Helium
+  /// the four bytes after a box are read, too.
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
-  /// What a box of B has to reach to overlap `a` on B's lattice; and the other way round, on A's.
-  /// The box was of the last pair that overlapped, or is kept; any other box does else.
+  /// Lower limits for the packed words of a box of B that overlaps `a` on B's lattice; or of a box
+  /// of A that overlaps `b` on A's. The argument must be of the last overlapping pair, or kept; for
+  /// any other argument every box reaches the limits.
   PackedTriple window_of_a(const PackedBox& a) const { return window(a_, a); }
   PackedTriple window_of_b(const PackedBox& b) const { return window(b_, b); }
   /// The boxes of the last pair that overlapped, each on the other's lattice.

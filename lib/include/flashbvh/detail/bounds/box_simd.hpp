@@ -1,5 +1,5 @@
-// The overlap test with the vector instructions that desktop compilers assume: SSE2 and NEON. All
-// six sums at once, and one branch, which is what counts on a core that predicts branches.
+// The overlap test with the vector instructions that desktop compilers assume: SSE2 and NEON. It
+// makes all six sums at once and one branch, as branches cost most on a core that predicts them.
 //
 // Bit-identical to the forms in packed.hpp: the fourth word is zero and so is its threshold.
 #ifndef FLASHBVH_DETAIL_BOUNDS_BOX_SIMD_HPP

@@ -1,19 +1,19 @@
-// How far two boxes are apart at least: the box test of predicates of distance.
+// Lower bounds on the distance of two boxes: the box test of predicates of distance.
 //
-// Along an axis the gap of two boxes is what is missing for them to overlap; gaps along orthogonal
-// axes are squared and added. Under a rotation that is done on A's axes and on B's, and either must
-// be near enough. Sums of bounds are those of box.hpp and box_rotated.hpp, with the same margins,
-// but nothing is cut off at the lattice's end: a gap is a number here, not a sign.
+// Along an axis the gap of two boxes is the length by which they miss each other; squared gaps
+// along orthogonal axes add up. Under a rotation, the sum on A's axes and the sum on B's must both
+// be within the limit. Sums of bounds and margins are those of box.hpp and box_rotated.hpp, but
+// bounds are not clamped at the lattice's end: here a gap's size counts, not only its sign.
 //
-// Where the limit is less than 2^15 cells, gaps are halves of words, two axes at once: what is
-// missing is what a subtraction leaves that saturates at 0, and 2^15 is beyond the limit. Farther
-// limits, and a translated B that is farther off than halves hold, go the long way.
+// If the limit is less than 2^15 cells, gaps are halves of words, two axes at once: a subtraction
+// that saturates at 0 gives the gap, and 2^15 is beyond the limit. Larger limits, and a translated
+// B that is too far off for halves, take the wide form, with gaps of 32 bits.
 //
-// On B's axes, the columns n_j of the rotation with 14 bits, a vector w has sum (n_j . w)^2 <=
-// |N|^2 |w|^2, and |N|^2 is at most (1 + defect / 2 + 3 * 2^-15)^2, which is below 1 + 2^-10 where
-// no entry of R^T R is off by more than 2^-13: the limit there is larger by so much. Bounds on A's
-// axes are of vertices, which are whole: they are rounded inwards. On B's axes they are not: there
-// they are rounded outwards.
+// B's axes are the columns n_j of the rotation with 14 bits. A vector w has sum (n_j . w)^2 <=
+// |N|^2 |w|^2, and |N|^2 is at most (1 + defect / 2 + 3 * 2^-15)^2. This is below 1 + 2^-10 if no
+// entry of R^T R is off by more than 2^-13, and the limit on B's axes is larger by this factor.
+// Bounds on A's axes are rounded inwards, as placed vertices are whole there. Bounds on B's axes
+// are rounded outwards, as vertices are not whole there.
 #ifndef FLASHBVH_DETAIL_BOUNDS_GAP_HPP
 #define FLASHBVH_DETAIL_BOUNDS_GAP_HPP
 
@@ -33,8 +33,8 @@
 
 namespace flashbvh::detail {
 
-/// Squared gaps, and what they must not exceed to matter, in 32 bits. Where the limit has more than
-/// 30 bits gaps are counted in fours of cells, rounded down, where it has more than 35 in more.
+/// Squared gaps and their limit, in 32 bits. If the limit has more than 30 bits, gaps count in
+/// units of four cells, rounded down; if it has more than 35 bits, in larger units.
 class GapLimit {
  public:
   /// `squared`: the largest square of a distance that still matters, in square cells.
@@ -46,7 +46,7 @@ class GapLimit {
     }
   }
 
-  /// Counts in fours of cells at least, so that the limit is not near.
+  /// Counts in units of at least four cells, so that is_near() is false.
   constexpr void make_coarse() {
     if (shift_ == 0) {
       shift_ = kFours;
@@ -55,24 +55,24 @@ class GapLimit {
   }
 
   constexpr uint32_t limit() const { return limit_; }
-  /// For vectors that may be longer by one part in 2^11 than what they stand for.
+  /// For vectors that may be too long by one part in 2^11.
   constexpr uint32_t longer_limit() const { return clamped(int64_t{limit_} + (limit_ >> 10) + 1); }
 
   /// For sums of squared gaps along directions that are nearly orthogonal (proximity_planes.hpp).
   constexpr uint32_t sum_limit() const { return clamped(int64_t{limit_} + (limit_ >> 9) + 1); }
 
-  /// Whether a gap of 2^15 cells is beyond all of these but the sums' one.
+  /// True if a gap of 2^15 cells exceeds limit() and longer_limit().
   constexpr bool is_near() const { return shift_ == 0 && longer_limit() < 1u << 30; }
 
-  /// `gap`: of any sign; none if it is negative.
+  /// `gap`: of any sign; a negative gap counts as 0.
   FLASHBVH_INLINE uint32_t squared(int32_t gap) const {
     const uint32_t size = gap < 0 ? 0 : static_cast<uint32_t>(gap) >> shift_;
     const uint32_t cut = size < kMost ? size : kMost;
     return cut * cut;
   }
 
-  /// Gaps beyond it count as this: three squares of it stay in 32 bits, and one alone is over a
-  /// limit of 30.
+  /// Gaps are clamped to this: three squares of it fit 32 bits, and one square exceeds a limit of
+  /// 30 bits.
   static constexpr uint32_t kMost = 37'837;
   constexpr uint32_t shift() const { return shift_; }
 
@@ -80,8 +80,8 @@ class GapLimit {
   static_assert(uint64_t{3} * kMost * kMost <= UINT32_MAX, "sums of three squares");
 
   static constexpr uint32_t kFours = 2;
-  /// The shift above the limit, of more than 30 bits: in a register each. Beyond 2^44 nothing is
-  /// rejected, however gaps are counted.
+  /// Returns the shift in the high word and the limit, of more than 30 bits, in the low word, one
+  /// register each. Beyond 2^44 no gap is rejected in any unit.
   [[gnu::noinline]] static constexpr uint64_t shifted(int64_t squared) {
     uint32_t shift = kFours;
     squared >>= 2 * kFours;
@@ -100,14 +100,14 @@ class GapLimit {
   uint32_t limit_;
 };
 
-/// What is missing along an axis: for the upper bound of one box and the lower of the other, or the
-/// other way round. Sums of biased bounds.
+/// The gap along an axis; not positive if there is none. Takes both sums of a biased upper bound of
+/// one box and a biased, negated lower bound of the other.
 FLASHBVH_INLINE inline int32_t gap_of(int32_t upper, int32_t lower) {
   constexpr int32_t zero = 2 * kBoundBias;
   return zero - (upper < lower ? upper : lower);
 }
 
-/// A box seen from the other lattice: biased bounds in cells, upper and negated lower, anywhere.
+/// A box seen from the other lattice: biased bounds in cells, upper and negated lower, unclamped.
 struct SeenBox {
 #if defined(FLASHBVH_GAP_SIMD)
   alignas(16) int32_t upper[4];  // lanes
@@ -118,7 +118,7 @@ struct SeenBox {
 #endif
 };
 
-/// `cells`: by which it is translated.
+/// Translates a box by `cells`.
 inline SeenBox seen_translated(const PackedBox& box, const Point& cells) {
   const auto bound = [](uint32_t half, int32_t by) { return static_cast<int32_t>(half) + by; };
   return {{bound(low_half(box.upper_xy), cells.x), bound(high_half(box.upper_xy), cells.y),
@@ -127,7 +127,7 @@ inline SeenBox seen_translated(const PackedBox& box, const Point& cells) {
            bound(high_half(box.z), -cells.z)}};
 }
 
-/// At most the square of the distance to a box of the lattice, as GapLimit has it: axis by axis,
+/// A lower bound on the squared distance to a box of the lattice, in GapLimit's unit: axis by axis,
 /// the reference of squared_gap().
 FLASHBVH_INLINE inline uint32_t squared_gap_by_axis(const SeenBox& seen, const PackedBox& box,
                                                     const GapLimit& limit) {
@@ -140,7 +140,7 @@ FLASHBVH_INLINE inline uint32_t squared_gap_by_axis(const SeenBox& seen, const P
          along(2, low_half(box.z), high_half(box.z));
 }
 
-/// The same.
+/// squared_gap_by_axis(), with SSE2 where there is SSE2.
 FLASHBVH_INLINE inline uint32_t squared_gap(const SeenBox& seen, const PackedBox& box,
                                             const GapLimit& limit) {
 #if defined(FLASHBVH_GAP_SIMD)
@@ -156,8 +156,8 @@ FLASHBVH_INLINE inline uint32_t squared_gap(const SeenBox& seen, const PackedBox
 #endif
 }
 
-/// What the words of a box have to reach to overlap a seen one. No more than a half holds: what is
-/// cut off is missing 2^15 or more all the same.
+/// Lower limits for a box's packed words: a box that reaches all of them overlaps the seen box.
+/// Limits are clamped to a half, as every box misses such a limit by 2^15 or more all the same.
 inline PackedTriple window_of(const SeenBox& seen) {
   const auto least = [](int32_t bound) {
     const int32_t missing = 2 * kBoundBias - bound;
@@ -208,8 +208,8 @@ FLASHBVH_INLINE inline bool is_within(const PackedTriple& window, const PackedBo
 #endif
 }
 
-/// The square of the distance of the boxes' middles, in fours of cells, as gaps beyond a limit of
-/// 30 bits are counted: below 2^31.
+/// The squared distance of the boxes' middles, in units of four cells as for limits of more than 30
+/// bits: below 2^31.
 inline uint32_t squared_middles(const SeenBox& seen, const PackedBox& box) {
   const auto along = [&](int axis, uint32_t upper, uint32_t lower) {
     const int32_t apart = (seen.upper[axis] - seen.lower[axis] - static_cast<int32_t>(upper) +
@@ -222,7 +222,7 @@ inline uint32_t squared_middles(const SeenBox& seen, const PackedBox& box) {
          along(2, low_half(box.z), high_half(box.z));
 }
 
-/// B translated, the long way.
+/// The wide form of the gap test for a translated B.
 class WideGap {
  public:
   /// `offset`: of B, within +-kMaxOffset; outlives this.
@@ -232,11 +232,11 @@ class WideGap {
   FLASHBVH_INLINE bool operator()(const PackedBox& a, const PackedBox& b) const {
     return squared(a, b) <= limit_.limit();
   }
-  /// Which boxes seem nearest, where gaps alone do not decide: as many boxes overlap.
+  /// Smaller for boxes that seem nearer; gaps alone do not decide, as many boxes overlap.
   uint32_t guess(const PackedBox& a, const PackedBox& b) const {
     return squared_middles(seen_translated(b, *offset_), a) + squared(a, b);
   }
-  /// At most the square of the distance, as GapLimit has it.
+  /// A lower bound on the squared distance, in GapLimit's unit.
   FLASHBVH_INLINE uint32_t squared(const PackedBox& a, const PackedBox& b) const {
 #if defined(FLASHBVH_GAP_SIMD)
     const BoxTestLanes of_a = bound_lanes(a);
@@ -264,12 +264,12 @@ class WideGap {
   GapLimit limit_;
 };
 
-/// The same answers for a walk, from what its registers hold.
+/// WideGap's answers for a walk, whose registers hold all of this.
 class TranslatedGap {
  public:
-  /// `offset`: of B; both fit.
+  /// `offset`: of B; fit(offset, limit) holds.
   TranslatedGap(const Point& offset, const GapLimit& limit) : limit_(limit) {
-    constexpr int32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
+    constexpr int32_t zero = 2 * kBoundBias;  // the sum of two equal bounds
     const auto halves = [](int32_t low, int32_t high) {
       return join_halves(static_cast<uint32_t>(zero + low), static_cast<uint32_t>(zero + high));
     };
@@ -302,7 +302,7 @@ class TranslatedGap {
   GapLimit limit_;
 };
 
-/// B rotated, the long way. Boxes are known by their addresses.
+/// The wide form for a rotated B. A box is identified by its address.
 class RotatedGap {
  public:
   RotatedGap(const RotatedTransform& transform, const GapLimit& limit)
@@ -310,9 +310,9 @@ class RotatedGap {
 
   /// False only if nothing in the boxes is within the limit.
   bool operator()(const PackedBox& a, const PackedBox& b);
-  /// At most the square of the distance, as GapLimit has it: on A's axes alone.
+  /// A lower bound on the squared distance, in GapLimit's unit: on A's axes alone.
   uint32_t squared(const PackedBox& a, const PackedBox& b);
-  /// Which boxes seem nearest, where gaps alone do not decide.
+  /// Smaller for boxes that seem nearer; gaps alone do not decide.
   uint32_t guess(const PackedBox& a, const PackedBox& b) {
     return squared_middles(seen_of_b(b), a) + squared(a, b);
   }
@@ -333,22 +333,22 @@ class RotatedGap {
   Kept b_;
 };
 
-/// A box that was rotated last, and what is within a limit of it.
+/// The box rotated last, and its window and limit.
 struct NearBox {
   PackedTriple window;
   const PackedBox* source = nullptr;
   const SplitMatrix* matrix;
   const BoxTestStart* starts;
-  int32_t zero;    ///< from which sums are subtracted for the window, rounding included
+  int32_t zero;    ///< the window is this, rounding included, less the sums
   uint32_t limit;  ///< of squared gaps
 };
 
-/// Any B, for a walk, in whose run it lives: one that is rotated, and whatever does not fit
-/// TranslatedGap.
+/// The gap test of a walk for a rotated B, or for a B that does not fit TranslatedGap. Lives as
+/// long as a run.
 class KeptGap {
  public:
   KeptGap(const Transform& transform, const GapLimit& limit);
-  /// Whether these need it.
+  /// True if this transform and limit need a KeptGap.
   static bool is_for(const Transform& transform, const GapLimit& limit) {
     return transform.is_rotated() || !TranslatedGap::fit(transform.translated().offset, limit);
   }
@@ -357,28 +357,28 @@ class KeptGap {
   bool operator()(const PackedBox& a, const PackedBox& b);
   const GapLimit& limit() const { return limit_; }
 
-  /// Of a B that is rotated: what a box of B has to reach to overlap `a` on B's lattice; and the
-  /// other way round. Of a far B anything, as no limit is near there.
+  /// For a rotated B: lower limits for the packed words of a box of B that overlaps `a` on B's
+  /// lattice; or of a box of A and `b`. Not valid for a far B, where no limit is near.
   const PackedTriple& window_of_a(const PackedBox& a);
   const PackedTriple& window_of_b(const PackedBox& b);
 
  private:
-  /// Neither box is current: the exception, and all that needs registers saved. The long way
-  /// keeps none.
+  /// Tests two boxes of which none is current: the exception, and the only case that needs saved
+  /// registers. The wide form never has a current box.
   FLASHBVH_NOINLINE bool compare_new(const PackedBox& a, const PackedBox& b);
 
   const Transform* transform_;
   GapLimit limit_;
-  bool rotates_;  ///< or goes the long way
+  bool rotates_;  ///< false: takes the wide form
   NearBox a_;
   NearBox b_;
 };
 
-/// In a unit of a direction so many cells, times 2^32, rounded down. `direction`: along which
-/// distances are true, in A's lattice; of 13 bits.
+/// Cells per unit of a direction, times 2^32, rounded down. `direction`: of 13 bits, in A's
+/// lattice, where lengths are true.
 uint32_t cells_in_unit(const PackedVector& direction) noexcept;
 
-/// Whether a leaf's own box and one of the other tree are within a limit, the long way (gap.hpp).
+/// True if a leaf's own box and a box of the other tree are within a limit, by the wide form.
 bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
                    const Transform& transform, const GapLimit& limit) noexcept;
 

@@ -1,5 +1,5 @@
-// Gaps of boxes with SSE2, an axis a lane: the arithmetic of gap.hpp, bit for bit. The fourth lane
-// holds what is no bound, and is cut out before lanes are added.
+// Gaps of boxes with SSE2, one axis per lane: the arithmetic of gap.hpp, bit for bit. The fourth
+// lane holds no bound, and is masked out before lanes are added.
 #ifndef FLASHBVH_DETAIL_BOUNDS_GAP_SIMD_HPP
 #define FLASHBVH_DETAIL_BOUNDS_GAP_SIMD_HPP
 
@@ -24,13 +24,13 @@ inline BoxTestLanes bound_lanes(const PackedBox& box) {
           _mm_unpackhi_epi64(xy, _mm_shuffle_epi32(z, _MM_SHUFFLE(3, 1, 1, 0)))};
 }
 
-/// Of sums of bounds, upper ones with lower ones and the other way round: the squares of their
-/// distances below `zero`, summed. Gaps are shifted down, and cut at `most`, below 2^16.
+/// The sum of squared gaps. A gap is `zero` less the smaller sum of its axis, in `upper` or in
+/// `lower`; it is shifted right by `shift` and clamped to `most`, below 2^16.
 inline uint32_t squared_gap_lanes(__m128i upper, __m128i lower, int32_t zero, uint32_t shift,
                                   uint32_t most) {
   const __m128i all_zero = _mm_set1_epi32(zero);
   const __m128i count = _mm_cvtsi32_si128(static_cast<int>(shift));
-  // 2^15 less, so that what saturates a signed half is what is cut: gaps below 0 and beyond `most`.
+  // Less 2^15, so that signed halves saturate only for gaps below 0 or beyond `most`.
   const auto half_of = [&](__m128i sums) {
     return _mm_sub_epi32(_mm_sra_epi32(_mm_sub_epi32(all_zero, sums), count),
                          _mm_set1_epi32(1 << 15));
@@ -47,14 +47,14 @@ inline uint32_t squared_gap_lanes(__m128i upper, __m128i lower, int32_t zero, ui
   return static_cast<uint32_t>(_mm_cvtsi128_si32(sum));
 }
 
-/// Three words.
+/// Loads three words.
 inline __m128i word_lanes(const uint32_t& first) {
   const uint32_t* const words = &first;
   return _mm_unpacklo_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(words)),
                             _mm_cvtsi32_si128(static_cast<int>(words[2])));
 }
 
-/// Sums of the bounds of two boxes, as box.hpp has them.
+/// Sums of the bounds of two boxes, as in box.hpp.
 inline __m128i sum_lanes(const PackedBox& a, const PackedBox& b) {
   const __m128i lanes = word_lanes(b.upper_xy);
   const __m128i swapped =
@@ -62,8 +62,8 @@ inline __m128i sum_lanes(const PackedBox& a, const PackedBox& b) {
   return _mm_add_epi16(word_lanes(a.upper_xy), swapped);
 }
 
-/// Whether what halves miss to reach `least` is within a limit, which 2^15 is not; of an axis's two
-/// bounds no more than one is missed.
+/// True if the gaps, by which halves miss `least`, are within a limit, which is below 2^15. At most
+/// one of an axis's two bounds is missed.
 inline bool is_within_lanes(__m128i least, __m128i halves, uint32_t limit) {
   const __m128i missing = _mm_subs_epu16(least, halves);
   if ((_mm_movemask_epi8(missing) & 0xAAAA) != 0) {

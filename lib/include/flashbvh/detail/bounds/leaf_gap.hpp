@@ -1,6 +1,6 @@
-// Gaps along one direction from A to B, that of triangles found before: what is farther apart along
-// it than a limit need not be looked at. Triangles lie in flash as they are; a box takes three
-// products, where others rotate it.
+// Gaps along one direction from A to B, given by triangles found before. Boxes and triangles that
+// are farther apart along it than a limit are rejected. Triangles are read from flash unplaced; a
+// box takes three products instead of a rotation.
 #ifndef FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
 #define FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
 
@@ -14,14 +14,14 @@
 
 namespace flashbvh::detail {
 
-/// A direction from A to B as both lattices see it, and how far two triangles have to be apart
-/// along it. What rotating it can be off by is that of a slab of A, seen from B (slab.hpp).
+/// A direction from A to B in both lattices, and the gap along it that rejects two triangles. The
+/// margin for rotating the direction is that of a slab of A, seen from B (slab.hpp).
 class LeafGap {
  public:
-  /// Along no direction: nothing is apart.
+  /// No direction: separates nothing.
   LeafGap() : on_a_{0, 0}, on_b_{0, 0}, origin_(0), squared_(1) {}
 
-  /// `direction`: on A's lattice, of kDirectionBits. `limit`: the largest squared distance that
+  /// `direction`: on A's lattice, with kDirectionBits. `limit`: the largest squared distance that
   /// still matters, below 2^35.
   LeafGap(const PackedVector& direction, const Transform& transform, int64_t limit)
       : on_a_(direction), squared_(static_cast<uint64_t>(limit + 1) * squared(on_a_)) {
@@ -36,7 +36,7 @@ class LeafGap {
     origin_ = slab.least_lower() - slab.row().sum() * kBoundBias;
   }
 
-  /// Where a triangle of A ends, and one of B begins, along the direction.
+  /// The end of a triangle of A, and the start of a triangle of B, along the direction.
   template <class Mesh>
   int32_t end_of_a(const Mesh& a, uint32_t position) const {
     return corners_of(a, position).extent(on_a_).most;
@@ -45,7 +45,7 @@ class LeafGap {
   int32_t start_of_b(const Mesh& b, uint32_t position) const {
     return corners_of(b, position).extent(on_b_).least + origin_;
   }
-  /// Whether what ends and what begins there is farther apart than the limit.
+  /// True if an end of A and a start of B are farther apart than the limit.
   bool separates(int32_t end_of_a, int32_t start_of_b) const {
     if (start_of_b <= end_of_a) {
       return false;
@@ -66,27 +66,27 @@ class LeafGap {
 
   PackedVector on_a_;
   PackedVector on_b_;
-  int32_t origin_;    ///< of B's lattice along the direction, less what it can be off by
-  uint64_t squared_;  ///< of the least gap beyond the limit, in units of the direction
+  int32_t origin_;    ///< of B's lattice along the direction, less the margin
+  uint64_t squared_;  ///< least squared gap beyond the limit, in units of the direction
 };
 
-/// The same of boxes, and of a leaf's triangles and boxes of the other tree. An end is how far
-/// something reaches towards the other mesh, from -kBoundBias along each axis on: 0 to 2^30.
+/// LeafGap for boxes, and for a leaf's triangles and boxes of the other tree. An end is the
+/// farthest extent towards the other mesh, counted from -kBoundBias along each axis: 0 to 2^30.
 class SupportGap {
  public:
   SupportGap() : of_a_{0, 0, 0}, of_b_{0, 0, 0}, most_(kNothing) {}
   explicit SupportGap(const LeafGap& gap);
-  /// Of a far B, along the direction of its origin: nothing is apart, but guess() guesses.
+  /// For a far B, along the direction of its origin: separates nothing; only guess() is of use.
   explicit SupportGap(const Transform& transform) noexcept;
-  /// Of a far B; `limit`: below 2^43, else nothing is apart.
+  /// For a far B. `limit`: below 2^43, else this separates nothing.
   SupportGap(const PackedVector& direction, const Transform& transform, int64_t limit) noexcept;
 
   FLASHBVH_INLINE bool separates(const PackedBox& a, const PackedBox& b) const {
     return end_along(of_a_, a) + end_along(of_b_, b) <= most_;
   }
-  /// Which boxes seem nearest, along the direction alone.
+  /// Smaller for boxes that seem nearer, along the direction alone.
   uint32_t guess(const PackedBox& a, const PackedBox& b) const noexcept;
-  /// Where a triangle ends, and the triangles of a leaf.
+  /// The end of a triangle, and that of a leaf's triangles.
   template <class Mesh>
   int32_t end_of_triangle(const Mesh& mesh, Side side, uint32_t position) const {
     const SplitRow& row = side == Side::a ? of_a_ : of_b_;
@@ -105,19 +105,19 @@ class SupportGap {
     }
     return end + row.sum() * kBoundBias;
   }
-  /// What has to be exceeded by an end of the other side than one that ends there.
+  /// The end that the other side must exceed to matter, if this side ends at `end`.
   int32_t most_beside(int32_t end) const { return most_ < end ? kNothing : most_ - end; }
-  /// Whether what ends so is farther apart than the limit; and whether it may be but for what
-  /// rounding the direction takes, at most, of large triangles: some cells.
+  /// True if these ends are farther apart than the limit. nearly_separates() also accepts the most
+  /// that rounding the direction takes from large triangles: some cells.
   bool separates(int32_t end_a, int32_t end_b) const { return end_a + end_b <= most_; }
   bool nearly_separates(int32_t end_a, int32_t end_b) const {
     return most_ != kNothing && end_a + end_b <= most_ + kTie;
   }
   static constexpr int32_t kTie = 16 << kDirectionBits;
 
-  /// Whether a leaf has a corner of the nearest triangle, by its vertices, and no other corner that
-  /// may reach as far along the direction before it was rounded (lib/docs/derivations.md, "Ties of
-  /// leaves"). Two such leaves have no triangles that are nearer.
+  /// True if a leaf has a corner of the nearest triangle, and no other corner that may reach as far
+  /// along the unrounded direction (lib/docs/derivations.md, "Ties of leaves"). `nearest`: vertices
+  /// of the nearest triangle. Two such leaves have no nearer triangles.
   template <class Mesh, class Node, class Index>
   bool ties_alone(const Mesh& mesh, Side side, const Node& node, const Index (&nearest)[3]) const {
     const PackedVector along = direction_of(side == Side::a ? of_a_ : of_b_);
@@ -137,7 +137,7 @@ class SupportGap {
   }
   const SplitRow& row_beside(Side side) const { return side == Side::a ? of_b_ : of_a_; }
 
-  /// Where a box ends along a row.
+  /// The end of a box along a row.
   FLASHBVH_INLINE static int32_t end_along(const SplitRow& row, const PackedBox& box) {
     return add_products(
         add_products(add_products(0, row.positive_xy, box.upper_xy), row.negative_xy, box.lower_xy),
@@ -146,7 +146,7 @@ class SupportGap {
   static constexpr int32_t kNothing = -1;  ///< no end is as small
 
  private:
-  /// What rounding B's vertices moves two of them along the direction, at most.
+  /// The most that rounding two vertices of B changes their difference along the direction.
   static constexpr int32_t kTurned = 1 << 15;
 
   static PackedVector direction_of(const SplitRow& row) {
@@ -154,7 +154,7 @@ class SupportGap {
   }
 
   SplitRow of_a_;
-  SplitRow of_b_;  ///< of the direction back, from B to A
+  SplitRow of_b_;  ///< of the reversed direction, from B to A
   int32_t most_;   ///< ends of boxes that are farther apart than the limit add up to no more
 };
 

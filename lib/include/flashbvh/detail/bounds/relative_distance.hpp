@@ -1,4 +1,4 @@
-// How far boxes are from one box, in terms of their sizes: how deep they lie in it.
+// Distances of boxes from one box relative to their sizes: a measure of how deep they lie in it.
 #ifndef FLASHBVH_DETAIL_BOUNDS_RELATIVE_DISTANCE_HPP
 #define FLASHBVH_DETAIL_BOUNDS_RELATIVE_DISTANCE_HPP
 
@@ -10,13 +10,13 @@
 
 namespace flashbvh::detail {
 
-/// From middle to middle, along each axis relative to the lengths of both.
+/// The distance of two boxes' middles, along each axis relative to the lengths of both boxes.
 class RelativeDistance {
  public:
   explicit RelativeDistance(const PackedBox& from)
       : middle_(middle(from)), x_(extent_x(from)), y_(extent_y(from)), z_(extent_z(from)) {}
 
-  /// Squared, in 2^-16. Boxes that overlap have a quarter at most along each axis.
+  /// The squared distance, in 2^-16. Overlapping boxes have at most a quarter along each axis.
   FLASHBVH_INLINE uint32_t squared_to(const PackedBox& box) const {
     const PackedVector to = middle(box) - middle_;
     return square(to.x(), x_ + extent_x(box)) + square(to.y(), y_ + extent_y(box)) +
@@ -24,7 +24,7 @@ class RelativeDistance {
   }
 
  private:
-  /// Few bits: some cores divide bit by bit.
+  /// Divides few bits, as some cores divide bit by bit.
   FLASHBVH_INLINE static uint32_t square(int32_t distance, uint32_t lengths) {
     const auto size = static_cast<uint32_t>(distance < 0 ? -distance : distance);
     const uint32_t relative = (size << 8) / (lengths + 1);

@@ -1,11 +1,11 @@
-// Slabs: what lies between two parallel planes, seen from the tree whose boxes are tested.
+// Slabs: the space between two parallel planes, seen from the tree whose boxes are tested.
 //
-// A slab is a row as rotations have them (split_matrix.hpp): an integer direction, and where along
-// it the leaf's triangles begin and end. Any direction separates rightly, so the direction of a
-// plane or an edge may be rounded; what the slab holds is exact along the rounded one, or widened
-// by what rotating it can add. It only ever rejects.
+// A slab is a row of a matrix (split_matrix.hpp), which is an integer direction, and the extent of
+// the leaf's triangles along it. Any direction separates correctly, so the direction of a plane or
+// an edge may be rounded. The extent is exact along the rounded direction, or widened by the error
+// of rotating it. A slab can only reject.
 //
-// Source: the separating axes of Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, taken one by
+// Source: the separating axes of Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, tested one by
 // one; lib/docs/derivations.md, "Slabs of leaf planes", derives the margins.
 #ifndef FLASHBVH_DETAIL_BOUNDS_SLAB_HPP
 #define FLASHBVH_DETAIL_BOUNDS_SLAB_HPP
@@ -21,19 +21,19 @@
 
 namespace flashbvh::detail {
 
-/// The largest component of a direction has so many bits and a sign. One more, and sums with an
+/// Bits of a direction's largest component, without its sign. With one more bit, sums with an
 /// offset and biases would leave 32 bits.
 constexpr unsigned kDirectionBits = 13;
 
-/// Where triangles lie along a direction.
+/// The range of triangles along a direction.
 struct Extent {
   int32_t least;
   int32_t most;
 
-  /// Less than 2^31 from either end.
+  /// `at`: less than 2^31 from either end.
   void add(int32_t at) {
 #if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE) && !defined(__OPTIMIZE_SIZE__)
-    least -= __usat(least - at, 31);  // by what it is less, if it is
+    least -= __usat(least - at, 31);  // negative differences saturate to 0
     most += __usat(at - most, 31);
 #else
     least = at < least ? at : least;
@@ -53,13 +53,13 @@ FLASHBVH_INLINE_FOR_SPEED inline bool cross_direction(const PackedVector& u, con
   int32_t x = u.y() * v.z - u.z * v.y();
   int32_t y = u.z * v.x() - u.x() * v.z;
   int32_t z = cross_halves(u.xy, v.xy);
-  // All bits of a negative number are turned, so it may count as one less: 13 bits all the same.
+  // Negative components are complemented, which makes them smaller by one: still 13 bits.
   const uint32_t all = static_cast<uint32_t>((x ^ (x >> 31)) | (y ^ (y >> 31)) | (z ^ (z >> 31)));
   if ((x | y | z) == 0) {
     direction = {0, 0};
     return false;
   }
-  // To the top, and from there to where the largest has its bits.
+  // Shifts the largest component to the top, and from there down to its 13 bits.
   const int up = __builtin_clz(all | 1u) - 1;
   const auto scaled = [up](int32_t component) {
     return static_cast<int32_t>(static_cast<uint32_t>(component) << up) >>
@@ -80,8 +80,8 @@ struct PackedTriangle {
   FLASHBVH_INLINE_FOR_SPEED bool plane_direction(PackedVector& normal) const {
     return cross_direction(q - p, r - p, normal);
   }
-  /// In the plane with this normal, the normal of the longest edge, the first of equals; false if
-  /// it has no length.
+  /// In the plane with this normal, the normal of the longest edge, the first of equal edges; false
+  /// if the edge has no length.
   FLASHBVH_INLINE_FOR_SPEED bool edge_direction(const PackedVector& normal,
                                                 PackedVector& direction) const {
     PackedVector longest = q - p;
@@ -106,17 +106,17 @@ struct PackedTriangle {
   }
 };
 
-/// Made in two steps: as it lies in its own lattice, and then as it is seen from the other one.
+/// Made in two steps: first in the leaf's own lattice, then transformed to the other lattice.
 /// 20 bytes.
 class Slab {
  public:
-  /// Triangles between these bounds along `direction`, in their own lattice.
+  /// Sets the extent of triangles along `direction`, in their own lattice.
   FLASHBVH_INLINE void begin(const PackedVector& direction, const Extent& extent) {
     row_ = {direction.xy, 0, static_cast<uint32_t>(direction.z)};
     least_upper_ = extent.least;
     least_lower_ = extent.most;
   }
-  /// For later; nothing else is set.
+  /// Stores a direction for later; sets nothing else.
   FLASHBVH_INLINE void keep_direction(const PackedVector& direction) {
     row_.positive_xy = direction.xy;
     row_.z = static_cast<uint32_t>(direction.z);
@@ -124,17 +124,17 @@ class Slab {
   PackedVector direction() const { return {row_.positive_xy, static_cast<int32_t>(row_.z)}; }
   Extent extent() const { return {least_upper_, least_lower_}; }
 
-  /// For boxes of the other tree than side `of`, under a translation of B.
+  /// Transforms a slab of side `of` to the other tree's lattice, under a translation of B.
   FLASHBVH_INLINE_FOR_SPEED void translate(const Point& offset, Side of) {
     const PackedVector d = direction();
     const int32_t along = d.x() * offset.x + d.y() * offset.y + d.z * offset.z;
     set_row(d, of == Side::a ? -along : along, 0);
   }
-  /// The same under a rotation, of a transform that is prepared. Of a far B as it is before it is
-  /// moved, but widened so that everything touches it.
+  /// Transforms a slab under the rotation of a prepared transform. For a far B the slab stays as
+  /// before the move, but is widened so that every box touches it.
   FLASHBVH_NOINLINE void rotate(const Transform& transform, Side of);
 
-  /// The whole space.
+  /// Makes the slab the whole space.
   void set_all() {
     row_ = {0, 0, 0};
     least_upper_ = least_lower_ = INT32_MIN;
@@ -154,13 +154,13 @@ class Slab {
                              row_.z, box.z);
     return lower < least_lower_ ? static_cast<uint32_t>(least_lower_ - lower) : 0;
   }
-  /// As boxes see it, once translated or rotated.
+  /// The direction in the boxes' lattice, after translate() or rotate().
   PackedVector seen_direction() const {
     return {signed_difference(row_.positive_xy, row_.negative_xy), row_.z_entry()};
   }
 
   const SplitRow& row() const { return row_; }
-  /// What a box's upper bound along the row has to reach, biased, and its negated lower one.
+  /// Lower limits, biased, for a box's upper bound along the row and for its negated lower bound.
   int32_t least_upper() const { return least_upper_; }
   int32_t least_lower() const { return least_lower_; }
 
@@ -174,8 +174,8 @@ class Slab {
                                 row_.z, box.z) >= least_lower_;
   }
 
-  /// False only if it has all these vertices of the other tree on one side: `corner` to before
-  /// `end`, one at least.
+  /// False only if all these vertices of the other tree lie on one side: `corner` to before `end`,
+  /// at least one.
   template <class Index>
   FLASHBVH_INLINE_FOR_SPEED bool may_touch(const Vertex* vertices, const Index* corner,
                                            const Index* end) const {

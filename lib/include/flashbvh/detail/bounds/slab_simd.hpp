@@ -1,5 +1,5 @@
-// Two slabs at once, with the vector instructions that desktop compilers assume: all four sums in
-// one vector, and one branch. Bit-identical to Slab::may_touch(): no sum leaves 32 bits.
+// Tests two slabs at once, with the vector instructions that desktop compilers assume: all four
+// sums in one vector, and one branch. Bit-identical to Slab::may_touch(): no sum leaves 32 bits.
 #ifndef FLASHBVH_DETAIL_BOUNDS_SLAB_SIMD_HPP
 #define FLASHBVH_DETAIL_BOUNDS_SLAB_SIMD_HPP
 

@@ -1,5 +1,5 @@
-// How a query sees B from A's lattice: translated, or rotated too. Which of the two follows from
-// the pose; a translation never pays for the arithmetic of a rotation.
+// B's placement in A's lattice: translated, or also rotated. The pose decides which; a translation
+// never pays for the arithmetic of a rotation.
 #ifndef FLASHBVH_DETAIL_BOUNDS_TRANSFORM_HPP
 #define FLASHBVH_DETAIL_BOUNDS_TRANSFORM_HPP
 
@@ -13,7 +13,7 @@
 
 namespace flashbvh::detail {
 
-/// Which of a query's two trees.
+/// One of a query's two trees.
 enum class Side : uint8_t { none, a, b };
 
 /// B translated by whole cells.
@@ -22,12 +22,12 @@ struct TranslatedTransform {
   TranslatedBoxTest bound;  ///< set by Transform::prepare()
 };
 
-/// Which of a transform's ways is taken; beyond kMaxOffset, predicates of distance alone.
+/// A transform's form of placing B; from kMaxOffset on, for predicates of distance alone.
 enum class Placing : uint8_t {
   translated,
   rotated,
   far = 2,  ///< rotated and then moved by whole cells, even where nothing is rotated
-  beyond,   ///< the same, and put at kMaxFarOffset, as it lies farther off
+  beyond,   ///< far, but put at kMaxFarOffset, as it lies farther off
 };
 
 /// 92 bytes on a 32-bit core.
@@ -40,10 +40,10 @@ class Transform {
     place(pose, a, b, may_stop, [] {});
   }
 
-  /// Sets all that follows from a pose without an error, unless `may_stop` and the root boxes show
-  /// already that nothing can intersect. Ends with `rest()`, which sets what else there is to set.
-  /// Each way has its own copy of the same end: where the query ends at once, in the function that
-  /// made it, compilers leave out what is never read; merged, they keep it all.
+  /// Sets all members from a pose without an error, or, if `may_stop`, stops when the root boxes
+  /// show that nothing can intersect. Calls `rest()` last, which sets the query's other members.
+  /// Each branch has its own copy of this end: if a query ends in the function that made it,
+  /// compilers then drop stores that are never read. In a merged end they keep all stores.
   template <class Mesh, class Rest>
   FLASHBVH_INLINE_FOR_SPEED void place(const Pose& pose, const Mesh& a, const Mesh& b,
                                        bool may_stop, const Rest& rest) {
@@ -73,18 +73,18 @@ class Transform {
     translated_.offset = {0, 0, 0};
   }
 
-  /// For predicates of distance, after place(): sees a B that is not near all the same.
+  /// For predicates of distance, after place(): places a B that is not near.
   void place_far(const Pose& pose, const int32_t (&origin_a)[3],
                  const int32_t (&origin_b)[3]) noexcept;
-  /// A translated B that is farther off than kMaxOffset along an axis is put at that distance, as a
-  /// rotated one is.
+  /// Puts a translated B that is farther off than kMaxOffset along an axis at that distance, as
+  /// place() does with a rotated B.
   void bring_near() {
     if (!is_rotated()) {
       Point& t = translated_.offset;
       t = {near_offset(t.x), near_offset(t.y), near_offset(t.z)};
     }
   }
-  /// Whether B lies within kMaxOffset along each axis: else place() puts it nearer.
+  /// True if B lies within kMaxOffset along each axis; otherwise place() puts it nearer.
   bool is_near() const {
     const auto within = [](int32_t offset, int32_t most) {
       return -most < offset && offset < most;
@@ -101,30 +101,30 @@ class Transform {
 
   Placing placing() const { return placing_; }
   bool is_rotated() const { return placing_ != Placing::translated; }
-  /// As place_far() left it, and whether that put it nearer than it lies.
+  /// True after place_far(); is_beyond(): true if place_far() put B nearer than it lies.
   bool is_far() const { return placing_ >= Placing::far; }
   bool is_beyond() const { return placing_ == Placing::beyond; }
-  /// By what a far B is moved once it is rotated.
+  /// The move of a far B after its rotation.
   const Point& far_offset() const { return rotated_.far_offset; }
   bool is_far_apart() const { return is_rotated() && roots_disjoint(); }
   const TranslatedTransform& translated() const { return translated_; }
   const RotatedTransform& rotated() const { return rotated_; }
 
-  /// Two objects that are nowhere near each other, the commonest query, are separated before
-  /// anything is prepared for a walk.
+  /// True if the root boxes are disjoint: this decides the commonest query, of objects far apart,
+  /// before a walk is prepared.
   bool roots_disjoint() const { return slab_margin_ == kDisjoint; }
 
-  /// Whether no transformed edge of B is longer than 2^15 - 1 cells along an axis; once prepared.
+  /// True if no transformed edge of B is longer than 2^15 - 1 cells along an axis; after prepare().
   bool is_narrow() const { return narrow_; }
-  /// Of slabs under a rotation, in units of their directions; once prepared. Of a far B larger by
-  /// kFarMargin.
+  /// The margin of slabs under a rotation, in units of their directions; after prepare(). For a far
+  /// B it is larger by kFarMargin.
   int32_t slab_margin() const {
     return slab_margin_ * kMarginUnit + static_cast<int32_t>(placing_) / 2 * kFarMargin;
   }
-  /// More than a bias and a lattice reach along any direction, each below 2^28.6.
+  /// More than a bias and a lattice's reach together along any direction, each below 2^28.6.
   static constexpr int32_t kFarMargin = 1 << 30;
 
-  /// Before the first walk.
+  /// Called before the first walk.
   template <class Mesh>
   void prepare(const Mesh& b) {
     if (!is_rotated()) {
@@ -139,7 +139,8 @@ class Transform {
 
  private:
   static constexpr uint16_t kDisjoint = UINT16_MAX;  ///< no margin is as large
-  /// Stretched by a defect of 2^-12 at most, and rounded at both ends, below 2^15.
+  /// An edge of this length, stretched by a defect of at most 2^-12 and rounded at both ends, stays
+  /// below 2^15.
   static constexpr uint16_t kMostNarrowEdge = 32700;
   static constexpr int32_t kMarginUnit = 16;
 
@@ -149,7 +150,7 @@ class Transform {
     slab_margin_ = slab_margin;
   }
 
-  /// What rotating a direction of 13 bits can be off by, along it. `reach_b`: reach() of B's root.
+  /// The error bound along a rotated direction of 13 bits. `reach_b`: reach() of B's root.
   uint16_t margin_of_slabs(int32_t reach_b) const {
     constexpr uint32_t most = 3u << 13;  // the sum of a direction's magnitudes
     constexpr uint32_t placed = 33'500;  // 0.51 for the vertices, 0.501 for the offset, times 2^15
@@ -178,13 +179,13 @@ class Transform {
   };
   Placing placing_;
   bool narrow_;
-  uint16_t slab_margin_;  ///< in kMarginUnit; kDisjoint where the roots are
+  uint16_t slab_margin_;  ///< in kMarginUnit; kDisjoint if the roots are disjoint
 };
 
-/// Where A's own triangles are.
+/// The offset of A's own triangles.
 inline constexpr Point kNoOffset = {0, 0, 0};
 
-/// A triangle of a mesh, by its position, translated by whole cells.
+/// Gets a mesh's triangle at `position`, translated by whole cells.
 template <class Mesh>
 FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
                                           Triangle& triangle) {
@@ -197,7 +198,7 @@ FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, c
   triangle = {{at(0), at(1), at(2)}};
 }
 
-/// The same, with its normal; each is narrow.
+/// Gets a narrow triangle, translated by whole cells, and its normal, which is narrow.
 template <class Mesh>
 FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
                                           Triangle& triangle, PlaneNormal& normal) {
@@ -219,7 +220,7 @@ FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, c
 #endif
 }
 
-/// The same, rotated and translated.
+/// Gets a mesh's triangle at `position`, rotated and translated.
 template <class Mesh>
 FLASHBVH_NOINLINE void rotate_triangle(const Mesh& mesh, uint32_t position,
                                        const RotatedTransform& transform, Triangle& triangle) {
@@ -228,7 +229,7 @@ FLASHBVH_NOINLINE void rotate_triangle(const Mesh& mesh, uint32_t position,
                       triangle);
 }
 
-/// A triangle of B, by its position, in A's frame, from A's origin on.
+/// Gets B's triangle at `position` in A's frame, relative to A's origin.
 template <class Mesh>
 void transform_triangle(const Mesh& b, uint32_t position, const Transform& transform,
                         Triangle& triangle) {
@@ -239,10 +240,10 @@ void transform_triangle(const Mesh& b, uint32_t position, const Transform& trans
   }
 }
 
-/// By whole cells.
+/// Moves a triangle by whole cells.
 void move(const Point& by, Triangle& triangle) noexcept;
 
-/// The same of a B that may be far.
+/// transform_triangle() for a B that may be far.
 template <class Mesh>
 void transform_any_triangle(const Mesh& b, uint32_t position, const Transform& transform,
                             Triangle& triangle) {
@@ -252,7 +253,7 @@ void transform_any_triangle(const Mesh& b, uint32_t position, const Transform& t
   }
 }
 
-/// A triangle of each, by their positions, in A's frame as it was drawn.
+/// Gets a triangle of each mesh in A's frame as it was drawn.
 template <class Mesh>
 void place_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b,
                 const Transform& transform, Triangle& triangle_a, Triangle& triangle_b) {

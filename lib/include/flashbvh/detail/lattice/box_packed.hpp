@@ -12,16 +12,16 @@
 
 namespace flashbvh::detail {
 
-/// What the words upper_xy, lower_xy and z of a box have to reach, half by half, so that its sums
-/// with `other`, as box.hpp has them, reach `least`. Not more than a half holds: where `least` is
-/// 65,535 no box reaches it.
+/// Lower limits, half by half, for the words upper_xy, lower_xy and z of a box, so that its sums
+/// with `other`, as in box.hpp, reach `least`. Limits fit halves: no box reaches one whose `least`
+/// is 65,535.
 inline PackedTriple window(const PackedTriple& least, const PackedBox& other) {
   return {{subtract_halves(least.word[1], other.lower_xy),
            subtract_halves(least.word[0], other.upper_xy),
            swap_halves(subtract_halves(least.word[2], other.z))}};
 }
 
-/// Compares two boxes on one lattice: 0 if they overlap. They do if no sum of an upper and a
+/// Compares two boxes on one lattice: 0 if they overlap. They overlap if no sum of an upper and a
 /// negated lower bound is negative, that is, below its bias, which is the top bit.
 constexpr uint32_t compare(const PackedBox& a, const PackedBox& b) {
   constexpr uint32_t biases = 0x80008000u;
@@ -51,7 +51,7 @@ constexpr uint32_t extent_y(const PackedBox& box) {
 constexpr uint32_t extent_z(const PackedBox& box) {
   return low_half(box.z) + high_half(box.z) - 2 * kBoundBias;
 }
-/// The sum of the three.
+/// The sum of the three lengths.
 constexpr uint32_t extent(const PackedBox& box) {
   return extent_x(box) + extent_y(box) + extent_z(box);
 }

@@ -8,10 +8,10 @@ namespace flashbvh::detail {
 
 constexpr uint32_t kNoWords = 2166136261u;
 
-/// The checksum of one word more. A rotation, an exclusive or and a product with an odd number can
-/// each be undone, so different checksums stay different, and different words make them so: a
-/// change of one word is found for certain. The rotation moves the top bits, which products leave
-/// in place.
+/// Adds a word to a checksum. A rotation, an exclusive or and a product with an odd number are each
+/// invertible. So different checksums stay different, and different words make them different: a
+/// change of one word is always found. The rotation moves the top bits, which products leave in
+/// place.
 constexpr uint32_t with_word(uint32_t checksum, uint32_t word) {
   return ((checksum << 7 | checksum >> 25) ^ word) * 0x9E3779B1u;
 }

@@ -1,4 +1,4 @@
-// Floats taken apart by their bits: for float.hpp, which calculates in integers alone.
+// Splits floats into parts by their bits, for float.hpp, which calculates in integers alone.
 #ifndef FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
 #define FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
 
@@ -8,8 +8,8 @@
 
 namespace flashbvh {
 
-/// How far the squared length of a quaternion may be from 1: 2^-10, in the fixed point of a
-/// rotation. Four decimals pass, and a sensor's 14 bits.
+/// The tolerance of a quaternion's squared length around 1: 2^-10, in the fixed point of a
+/// rotation. Quaternions of four decimals pass, and those of a sensor with 14 bits.
 constexpr int32_t kQuaternionTolerance = kRotationOne >> 10;
 
 /// w is the cosine of half the angle, (x, y, z) the axis times its sine. q and -q rotate alike.
@@ -47,7 +47,7 @@ inline float float_of(uint32_t bits) {
   return value;
 }
 
-/// Beyond every number that a pose takes.
+/// Beyond every number that a pose accepts.
 constexpr int64_t kTooLarge = int64_t{1} << 46;
 
 /// digits * 2^exponent, rounded to the nearest, halves up; kTooLarge if it is that or more.
@@ -65,8 +65,8 @@ inline int64_t scaled(uint64_t digits, int32_t exponent) {
   return fits ? static_cast<int64_t>(digits << exponent) : kTooLarge;
 }
 
-/// In the fixed point of a rotation; INT32_MAX, which no rotation has, for 2 and more and for what
-/// is no number.
+/// `value` in the fixed point of a rotation; INT32_MAX, which no rotation has, for magnitudes of 2
+/// and more and for values that are not finite.
 inline int32_t rotation_entry(float value) {
   const FloatParts parts = parts_of(value);
   const int64_t size = parts.is_finite ? scaled(parts.digits, parts.exponent + 30) : kTooLarge;
@@ -76,7 +76,7 @@ inline int32_t rotation_entry(float value) {
   return static_cast<int32_t>(parts.is_negative ? -size : size);
 }
 
-/// In 1/65,536 of a cell; kTooLarge if out of range.
+/// `length` in 1/65,536 cell; kTooLarge if out of range.
 inline int64_t cell_fractions(float length, float cells_per_unit) {
   const FloatParts t = parts_of(length);
   const FloatParts scale = parts_of(cells_per_unit);
@@ -88,14 +88,14 @@ inline int64_t cell_fractions(float length, float cells_per_unit) {
   return t.is_negative && size != kTooLarge ? -size : size;
 }
 
-/// Whether it is negative, however small; not of -0. By its bits: a core may have no FPU.
+/// True if `value` is negative, but not for -0. Reads its bits, as a core may have no FPU.
 inline bool is_below_zero(float value) {
   uint32_t bits = 0;
   __builtin_memcpy(&bits, &value, sizeof bits);
   return bits > 0x80000000u;
 }
 
-/// pose_of() by integers alone, of a rotation's numbers or floats.
+/// pose_of() by integers alone, from a rotation in fixed point or in floats.
 inline Pose pose_of_parts(const int32_t (&rotation)[3][3], const float (&translation)[3],
                           float cells_per_unit) {
   int32_t cells[3];
@@ -133,7 +133,7 @@ inline Pose pose_of_parts(const float (&matrix)[3][4], float cells_per_unit) {
 }
 
 #if defined(FLASHBVH_POSE_SSE2)
-// The same with vectors: lib/src/lattice/pose_float.cpp.
+// pose_of_parts() with vectors: lib/src/lattice/pose_float.cpp.
 Pose pose_of_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
                   float cells_per_unit);
 Pose pose_of_sse2(const float (&rotation)[3][3], const float (&translation)[3],
@@ -141,7 +141,7 @@ Pose pose_of_sse2(const float (&rotation)[3][3], const float (&translation)[3],
 Pose pose_of_sse2(const float (&matrix)[3][4], float cells_per_unit);
 #endif
 
-/// By the way of this core; `from` as above.
+/// pose_of_parts() in the form for this core.
 template <class... From>
 inline Pose make_pose(const From&... from) {
 #if defined(FLASHBVH_POSE_SSE2)
@@ -151,13 +151,13 @@ inline Pose make_pose(const From&... from) {
 #endif
 }
 
-/// The product of two numbers of the fixed point, in it; rounded down.
+/// The product of two numbers in the fixed point of a rotation, rounded down.
 inline int64_t rotation_product(int64_t u, int64_t v) {
   return (u * v) >> 30;
 }
 
-/// The matrix of the quaternion times what makes its length 1; each entry within 2^-27 of that of
-/// the floats given. One division. INT32_MAX in its first entry if it is no unit quaternion.
+/// Sets the matrix of the normalised quaternion; each entry is within 2^-27 of the exact result for
+/// these floats. Takes one division. The first entry is INT32_MAX if `q` is no unit quaternion.
 inline void set_rotation(const UnitQuaternion& q, int32_t (&rotation)[3][3]) {
   const int64_t part[4] = {rotation_entry(q.w), rotation_entry(q.x), rotation_entry(q.y),
                            rotation_entry(q.z)};
@@ -173,7 +173,7 @@ inline void set_rotation(const UnitQuaternion& q, int32_t (&rotation)[3][3]) {
   if (!is_unit || off > kQuaternionTolerance || off < -kQuaternionTolerance) {
     return;
   }
-  // 2 / |q|^2: an entry is that times a sum of two products, less 1 on the diagonal.
+  // 2 / |q|^2: an entry is this times a sum of two products, less 1 on the diagonal.
   const int64_t twice = (int64_t{1} << 61) / (square >> 30);
   const auto entry = [&](int i, int j, int64_t with_w) {
     const int64_t value = rotation_product(twice, (part[i] * part[j] + with_w) >> 30);

@@ -15,8 +15,8 @@ const Element* image_part(const void* bytes, uint64_t offset) {
   return reinterpret_cast<const Element*>(static_cast<const unsigned char*>(bytes) + offset);
 }
 
-/// What the paper's alternating rule needs in addition to a tree, of node_count elements each; null
-/// if the image has none. No query of the library reads them.
+/// Arrays that the paper's alternating rule needs in addition to a tree, of node_count elements
+/// each; null if the image has none. No query of the library reads them.
 template <class Index>
 struct ImageLevels {
   const Index* levels;  ///< the node's depth
@@ -26,10 +26,10 @@ template <class Index>
 ImageLevels<Index> image_levels(const void* bytes);
 
 /// CRC-32 (IEEE 802.3, reflected, as in zlib) of `size` bytes, going on from `crc` (0 at first).
-/// By a table of 64 bytes: 10 instructions a byte on a Cortex-M4.
+/// By a table of 64 bytes: 10 instructions per byte on a Cortex-M4.
 uint32_t crc32(const void* bytes, size_t size, uint32_t crc = 0);
 
-/// What follows from a mesh's contents; the header repeats it.
+/// Properties that follow from a mesh's contents; the header repeats them.
 struct TreeShape {
   uint32_t depth;
   uint32_t stack_need;
@@ -39,8 +39,8 @@ struct TreeShape {
   bool is_closed;
 };
 
-/// The check of a mesh's contents on its own. `done`, with what was found in `shape`, or
-/// `image_invalid`. Its counts and arrays are there, of a post-indexed tree with or without the
+/// Checks a mesh's contents alone. Returns `done`, with the properties in `shape`, or
+/// `image_invalid`. The counts and arrays must exist, for a post-indexed tree with or without the
 /// levels; nothing else needs to be right.
 template <class Index, Layout layout>
 Status check_tree(const BasicMesh<Index, layout>& mesh, const ImageLevels<Index>& levels,

@@ -28,13 +28,13 @@ inline int32_t dot(const PackedVector& u, const PackedVector& v) {
   return add_signed_products(u.z * v.z, u.xy, v.xy);
 }
 
-/// Of a box, in cells, rounded down.
+/// The middle of a box, in cells, rounded down.
 inline PackedVector middle(const PackedBox& box) {
   return {halved_difference(box.upper_xy, box.lower_xy),
           static_cast<int32_t>(low_half(box.z) - high_half(box.z)) >> 1};
 }
 
-/// The length squared, of components within +-32,766.
+/// The squared length, for components within +-32,766.
 inline uint32_t squared(const PackedVector& v) {
   const auto square = [](int32_t x) { return static_cast<uint32_t>(x * x); };
   return square(v.x()) + square(v.y()) + square(v.z);

@@ -1,7 +1,7 @@
-// A 3x3 matrix made for rotating boxes.
+// A 3x3 matrix for rotating boxes.
 //
 // The bounds of a rotated box are sums of products: each entry of the matrix takes the upper bound
-// of the box where it is positive and the lower one where it is negative. So the positive and the
+// of the box where it is positive and the lower bound where it is negative. So the positive and the
 // negative part of every entry are kept apart, as halves of words that multiply a packed box's
 // words two products at a time (SMLAD on Cortex-M4, M7, M33; PMADDWD on SSE2).
 #ifndef FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
@@ -17,7 +17,7 @@ namespace flashbvh::detail {
 constexpr unsigned kSplitBits = 14;
 constexpr int32_t kSplitOne = 1 << kSplitBits;
 
-/// One row: what a box's bounds along one axis of the other frame are made of. 12 bytes.
+/// One row: the factors of a box's bounds along one axis of the other frame. 12 bytes.
 struct SplitRow {
   uint32_t positive_xy;  ///< first column low, second high: the entry, or 0 where it is negative
   uint32_t negative_xy;  ///< the negated entry, or 0 where it is positive
@@ -55,7 +55,7 @@ struct SplitRow {
 struct SplitMatrix {
   SplitRow row[3];
 
-  /// Halves change places; no entry is unpacked.
+  /// Exchanges halves; unpacks no entry.
   constexpr SplitMatrix transposed() const {
     const auto low = [](uint32_t u, uint32_t v) { return low_half(u) | v << 16; };
     const auto high = [](uint32_t u, uint32_t v) { return u >> 16 | (v & 0xFFFF0000u); };
@@ -78,15 +78,15 @@ constexpr unsigned kRestBits = kRotationBits - kSplitBits;
 /// A rotation with kRotationBits fraction bits in two parts, so that all factors of a vertex's
 /// products have 16 bits. 48 bytes.
 struct RotationMatrix {
-  SplitMatrix rows;   ///< as boxes need it
-  int8_t rest[3][3];  ///< what `rows` lack, in 2^-kRotationBits: -128 to 127
-  /// A bound on the spectral norm of R^T R - 1, in 2^-kDefectBits. That is the norm of R R^T - 1,
-  /// too: a rotation has its inverse's.
+  SplitMatrix rows;   ///< the leading bits, which rotate boxes
+  int8_t rest[3][3];  ///< the bits that `rows` lack, in 2^-kRotationBits: -128 to 127
+  /// A bound on the spectral norm of R^T R - 1, in 2^-kDefectBits. R R^T - 1 has an equal norm, so
+  /// the bound also holds for the inverse.
   uint16_t defect;
 
   constexpr int32_t rest_of(int i, int j) const { return rest[i][j]; }
 
-  /// A row with all its bits.
+  /// Gets a row with all its bits.
   constexpr void get_row(int i, int32_t& x, int32_t& y, int32_t& z) const {
     constexpr int32_t one = 1 << kRestBits;
     x = rows.row[i].x() * one + rest[i][0];

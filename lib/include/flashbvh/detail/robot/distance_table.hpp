@@ -1,4 +1,4 @@
-// What a pair's distance table says.
+// Reads a pair's distance table.
 #ifndef FLASHBVH_DETAIL_ROBOT_DISTANCE_TABLE_HPP
 #define FLASHBVH_DETAIL_ROBOT_DISTANCE_TABLE_HPP
 
@@ -8,7 +8,7 @@
 
 namespace flashbvh::detail {
 
-/// What the pair's distance table says of where the joints stand; 0 if there is none.
+/// The distance in the pair's table at these joint coordinates; 0 if there is no table.
 uint32_t table_distance_at(const Robot& robot, uint16_t pair, const JointCoordinate* coordinates);
 
 }  // namespace flashbvh::detail

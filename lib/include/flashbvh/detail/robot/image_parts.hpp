@@ -9,17 +9,17 @@
 
 namespace flashbvh::detail {
 
-/// Where the first mesh lies, in bytes from the start of the image.
+/// The first mesh's place, in bytes from the start of the image.
 uint32_t robot_meshes_offset(const RobotImageHeader& header);
 
-/// Whether a robot's arrays keep the rules, all but its meshes, which are not looked at. Its counts
-/// are within their bounds and the arrays are there; nothing else needs to be right.
+/// True if a robot's arrays are valid; its meshes are not checked. The counts must be within their
+/// bounds and the arrays must exist; nothing else needs to be right.
 bool check_robot(const Robot& robot, uint32_t& pair_joint_count);
 
-/// Whether the spheres of its links hold their meshes.
+/// True if the spheres of the robot's links contain their meshes.
 bool check_spheres(const Robot& robot);
 
-/// open_robot() but for the hash.
+/// open_robot() without the test of the hash.
 Status open_robot_unhashed(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                            Robot& robot);
 

@@ -1,5 +1,4 @@
-// Pairs of leaves that a walk found and whose triangles are still to be tested: as many as a run
-// batches before it leaves the walk.
+// A batch of leaf pairs: a walk collects them; then their triangles are tested outside the walk.
 #ifndef FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
 #define FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
 
@@ -11,12 +10,12 @@
 
 namespace flashbvh::detail {
 
-/// A pair of leaves is paid for when it is found, with all its pairs of triangles, so that none is
-/// walked to again for want of work. One that can't be paid for ends the walk and is not taken
-/// along: it is tested in turn.
+/// A pair of leaves pays for all its pairs of triangles when it is found, so that lack of work
+/// never makes a walk find it again. A pair that exceeds the work ends the walk; it is not counted
+/// in the batch, but tested after it.
 ///
-/// With each pair goes where the walk's counts stood, so that counts are right at every pair.
-/// 8 * size + 16 bytes with 16-bit indices.
+/// Each pair stores the walk's counts at that time, so that a query's counts are right at each
+/// pair. 8 * size + 16 bytes with 16-bit indices.
 template <class Mesh, uint32_t size, uint32_t pair_work>
 class LeafPairs {
   using Index = typename Mesh::Index;
@@ -29,12 +28,12 @@ class LeafPairs {
     Index b;
     uint32_t counts;
   };
-  /// Visits, and of these overlaps.
+  /// Visits, and those that found an overlap.
   struct Walked {
     uint32_t visits;
     uint32_t overlaps;
   };
-  /// The most work of a walk for one batch: counts keep 16 bits.
+  /// The most work of a walk for one batch: counts have 16 bits.
   static constexpr uint32_t kMostWork = UINT16_MAX;
   /// The most pairs of a query's first batch.
   static constexpr uint32_t kFirst = 3;
@@ -44,10 +43,11 @@ class LeafPairs {
     entry_[0].counts = 0;
   }
 
-  /// `room`: for how many pairs of triangles, at least one. `first`: of the query, whose first
-  /// answer may be all that is wanted.
+  /// `room`: the capacity for pairs of triangles, at least 1. `first`: for a query's first batch,
+  /// as its first answer may be the only one that the caller needs.
   void clear(const Progress& before, uint32_t room, bool first) {
-    // Leaves of several triangles: four pairs each, as most have. More only cost a walk again.
+    // With several triangles per leaf, most leaf pairs have four pairs of triangles. A larger batch
+    // would be walked again.
     const uint32_t pairs = a_ == nullptr ? room : room / 4 + 1;
     count_ = next_ = 0;
     unpaid_ = false;
@@ -55,7 +55,7 @@ class LeafPairs {
     room_ = static_cast<uint8_t>(pairs < most ? pairs : most);
     counted_ = halves(before);
   }
-  /// Whether to go on: this one could be paid for, and there is room for another one.
+  /// Adds a pair. True if the work covers it and the batch has capacity for another pair.
   FLASHBVH_NOINLINE bool operator()(uint32_t a, uint32_t b, Progress& progress) {
     uint32_t work = pair_work;
     if (a_ != nullptr) {
@@ -73,28 +73,28 @@ class LeafPairs {
     progress.besides += work;
     return ++count_ != room_;
   }
-  /// Where the walk ended.
+  /// Stores the counts at the walk's end.
   void end(const Progress& progress) {
     if (count_ < size) {
       entry_[count_].counts = halves(progress);
     }
   }
 
-  /// How many pairs of triangles two leaves have.
+  /// The number of pairs of triangles of two leaves.
   uint32_t triangle_pairs(uint32_t leaf_a, uint32_t leaf_b) const {
     return a_ == nullptr ? 1 : a_->triangles_in(leaf_a) * b_->triangles_in(leaf_b);
   }
 
   bool is_walked() const { return room_ != 0; }
   bool has_next() const { return next_ < count_; }
-  /// Whether the next one, the last, was not paid for.
+  /// True if the next pair is the last and was not paid for.
   bool has_unpaid() const { return unpaid_ && next_ == count_; }
   const Entry& next() { return entry_[next_++]; }
   /// The current pair.
   bool has_current() const { return next_ != 0; }
   const Entry& current() const { return entry_[next_ - 1]; }
 
-  /// What the walk did since the call before, up to the current pair; or up to its end.
+  /// The walk's visits and overlaps since the last call, up to the current pair or the walk's end.
   Walked walked_to_current() { return since(current().counts); }
   Walked walked_to_end() { return since(entry_[count_ < size ? count_ : size - 1].counts); }
 
@@ -111,12 +111,12 @@ class LeafPairs {
 
   const Mesh* a_;  ///< null: one triangle in each leaf
   const Mesh* b_;
-  uint8_t room_ = 0;  ///< of the walk, if there was one
+  uint8_t room_ = 0;  ///< capacity for the walk's pairs; 0 before a walk
   uint8_t count_ = 0;
   uint8_t next_ = 0;
   bool unpaid_ = false;
   uint32_t counted_ = 0;
-  Entry entry_[size];  ///< after the last one: where the walk ended, if it was not there
+  Entry entry_[size];  ///< a free entry after the last pair has the walk's final counts
 };
 
 }  // namespace flashbvh::detail

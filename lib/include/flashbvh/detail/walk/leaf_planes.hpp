@@ -1,14 +1,14 @@
-// A leaf as a shape: what its triangles reject of the other tree's boxes.
+// Leaf planes: a leaf's triangles reject boxes of the other tree.
 //
-// Once one node of a pair is a leaf, all that is left below the pair is that leaf against a
-// subtree. The leaf's own box, seen from the other tree, is a window; then come the plane of its
-// first triangle, and in that plane the normal of the triangle's longest edge. So no box of the
-// subtree is rotated. A leaf of the subtree is then held against the plane by its corners, before
-// any triangle is placed. The baker puts the triangle first whose slabs reject most; any other
-// order gives the same answers.
+// Once one node of a pair is a leaf, the rest below the pair is that leaf against a subtree. Three
+// tests reject boxes of the subtree: the window, which is the leaf's own box seen from the other
+// tree; the slab along the normal of the leaf's first triangle; and the slab along the normal, in
+// that plane, of the triangle's longest edge. So no box of the subtree is rotated. The corners of a
+// leaf of the subtree are tested against the plane before any triangle is placed. The baker stores
+// first the triangle whose slabs reject most; any other order gives equal answers.
 //
-// What is tested of a pair follows from the pair alone, however a query was cut: only whether a
-// slab is made or current does not.
+// The tests of a pair depend on the pair alone, wherever a query is cut. Only the state of the
+// slabs (made, current) depends on the cuts.
 #ifndef FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
 #define FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
 
@@ -27,7 +27,7 @@ namespace flashbvh::detail {
 template <class Mesh>
 class LeafPlanes {
  protected:
-  // What the leaf holds against boxes: at the beginning, within reach of short instructions.
+  // The tests of boxes come first, within reach of short instructions.
   PackedTriple window;
   Slab plane;
   Slab edge;
@@ -35,28 +35,28 @@ class LeafPlanes {
  public:
   using Tree = Mesh;
   static constexpr bool kShapes = true;
-  static constexpr bool kReadsBoxTest = false;  ///< of a translation
+  static constexpr bool kReadsBoxTest = false;  ///< under a translation
   static constexpr bool kComparesLeaves = true;
-  static constexpr bool kKnowsRoot = sizeof(typename Mesh::Index) == 2;  ///< there is room
+  static constexpr bool kKnowsRoot = sizeof(typename Mesh::Index) == 2;  ///< root_ has 16 bits
 
   LeafPlanes(const Mesh& mesh_a, const Mesh& mesh_b, const Transform& transform)
       : a(mesh_a), b(mesh_b), transform_(transform) {}
 
-  /// The bound of a walk under a rotation, while it lasts; it keeps its rotated boxes.
+  /// Sets a walk's box test under a rotation, which caches rotated boxes and outlives the walk.
   void set_box_test(RotatedBoxTest& bound) { rotated_ = &bound; }
 
-  /// What it is in work to take a leaf, by its node, and to begin below it.
+  /// The work of making a leaf current and beginning below it. `node`: the leaf's node.
   FLASHBVH_INLINE uint32_t work_of(Side side, uint32_t node) const {
     const Mesh& mesh = side == Side::a ? a : b;
     return kShapeWork - 1 + mesh.triangles_in(mesh.nodes[node].leaf());
   }
-  /// Whether it is current.
+  /// True if this leaf is current.
   FLASHBVH_INLINE bool is_taken(Side side, uint32_t node) const {
     return is_taken(side, (side == Side::a ? a : b).nodes + node);
   }
 
-  /// Takes a leaf, by its node, as the shape for boxes of the other tree. `reached`: the box of
-  /// that tree with which the leaf was reached, or null; false if a slab rejects it.
+  /// Makes a leaf current and makes its slabs. `reached`: the other tree's box of the pair at which
+  /// the walk reached the leaf, or null. False if a slab rejects `reached`.
   FLASHBVH_INLINE_FOR_SPEED bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take(side, (side == Side::a ? a : b).nodes + node);
     if (made_ == 0) {
@@ -71,8 +71,8 @@ class LeafPlanes {
     return reached == nullptr || edge.may_touch(*reached);
   }
 
-  /// Before begin() of a leaf below which a run goes on, so that no pair of boxes led to it: what
-  /// that pair would have left is made.
+  /// Called before begin() if a run resumes below the leaf, so that no pair of boxes led to it.
+  /// Makes the cached boxes that this pair would have left.
   FLASHBVH_NOINLINE void take_again(Side side, uint32_t node) {
     const PackedBox& box = (side == Side::a ? a : b).nodes[node].box;
     if (rotated_ != nullptr) {
@@ -92,15 +92,15 @@ class LeafPlanes {
     }
   }
 
-  /// False only if no triangle of the leaf intersects one of a subtree with this box.
+  /// False only if no triangle of the leaf intersects a triangle of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
     return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window) &&
            may_touch_both(plane, edge, box);
   }
 
-  /// Whether the plane's slab has all corners of the other tree's leaf, by its node, on one side;
-  /// that costs work then, as its triangles are not paid for. The edge's slab would seldom add to
-  /// it.
+  /// True if all corners of the other tree's leaf at `node` lie on one side of the plane's slab. A
+  /// rejection spends work, as no other step charges for the leaf's triangles. The edge's slab
+  /// would seldom reject more.
   FLASHBVH_NOINLINE bool rejects_leaf(uint32_t node, Progress& progress) const {
     const Mesh& m = other_mesh();
     const uint32_t leaf = m.nodes[node].leaf();
@@ -115,7 +115,7 @@ class LeafPlanes {
     return true;
   }
 
-  /// Of the current leaf, below which node a walk stopped; 0 if it stopped elsewhere.
+  /// Stores the node below which a walk of the current leaf stopped; 0 if it stopped elsewhere.
   void keep_root(uint32_t root) { root_ = static_cast<uint16_t>(root); }
   uint32_t kept_root() const { return root_; }
   Side leaf_side() const { return side_; }
@@ -129,7 +129,7 @@ class LeafPlanes {
   const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
 
   bool is_taken(Side side, const Node<typename Mesh::Index>* node) const {
-    return node == node_ && side == side_;  // one mesh may be both
+    return node == node_ && side == side_;  // A and B may be one mesh
   }
   FLASHBVH_NOINLINE void take(Side side, const Node<typename Mesh::Index>* node) {
     if (is_taken(side, node)) {
@@ -158,8 +158,8 @@ class LeafPlanes {
     }
   }
 
-  /// As slabs lie in their own lattice, the plane's first; false, and the whole space, if there is
-  /// no direction. The plane's normal waits where the edge's slab will be.
+  /// These make the slabs in the leaf's own lattice, the plane's first. False if there is no
+  /// direction: the slab is then the whole space. `edge` holds the plane's normal in between.
   FLASHBVH_INLINE_FOR_SPEED bool lie_in_plane() {
     made_ = 1;
     const Mesh& m = mesh();
@@ -179,7 +179,7 @@ class LeafPlanes {
     const bool good = t.edge_direction(edge.direction(), direction);
     return hold(edge, good, direction, t, first);
   }
-  /// All of the leaf's triangles; `t`: the first.
+  /// Makes a slab that holds all of the leaf's triangles. `t`: the first triangle.
   FLASHBVH_INLINE_FOR_SPEED bool hold(Slab& slab, bool good, const PackedVector& direction,
                                       const PackedTriangle& t, uint32_t first) {
     if (!good) {
@@ -197,7 +197,7 @@ class LeafPlanes {
     slab.begin(direction, extent);
     return true;
   }
-  /// As the other tree sees it.
+  /// Transforms a slab to the other tree's lattice.
   FLASHBVH_INLINE_FOR_SPEED void see(Slab& slab) const {
     if (transform_.is_rotated()) {
       slab.rotate(transform_, side_);
@@ -216,7 +216,7 @@ class LeafPlanes {
   RotatedBoxTest* rotated_ = nullptr;
   const Node<typename Mesh::Index>* node_ = nullptr;  ///< the leaf
   Side side_ = Side::none;
-  uint8_t made_ = 0;  ///< slabs
+  uint8_t made_ = 0;  ///< number of slabs
   uint16_t root_ = 0;
 };
 

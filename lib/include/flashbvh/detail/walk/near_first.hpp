@@ -1,13 +1,13 @@
-// The order of a search for any one pair: that of Ranked, but where B is rotated a walk goes to the
-// nearest child first, and passes by those that one test of boxes rejects.
+// The traversal of a search for any one pair. It is Ranked, but where B is rotated a walk goes to
+// the nearest child first, and skips children that one box test rejects.
 //
-// Which children are left is not a function of the pair. So each level keeps it in four bits: three
-// for the siblings that follow on the ring, which leads from the last child to the first, and one
-// that says that the children come in the order of Ranked. So do those of a node that has more than
-// four, or is more than eight descents below the roots.
+// The remaining children are no function of the pair. So each level stores four bits: three for the
+// siblings that follow on the ring, which leads from the last child to the first, and one that
+// selects Ranked's order. Ranked's order also serves nodes with more than four children, and levels
+// more than eight descents below the roots.
 //
-// Under a translation it is Ranked: visits are so cheap there that looking ahead costs more than it
-// saves. lib/docs/decisions/0028-first-pair.md has figures.
+// Under a translation the traversal is Ranked: visits are so cheap there that looking ahead costs
+// more than it saves. lib/docs/decisions/0028-first-pair.md has figures.
 #ifndef FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
 #define FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
 
@@ -33,23 +33,23 @@ class NearFirst : public Ranked<TreeType> {
   static constexpr bool kStackless = false;
 
   struct Cursor : PairCursor<Index> {
-    uint32_t left = 0;    ///< the last four bits are the lowest level's
+    uint32_t left = 0;    ///< remaining siblings; the low four bits are the lowest level's
     uint32_t levels = 0;  ///< descents from the roots
-    Index below = 0;      ///< where a walk below the leaf is in the other tree
+    Index below = 0;      ///< the other tree's node in a walk below the leaf
     Side leaf = Side::none;
   };
 
-  /// At the roots, for a walk in the order of Ranked, where nothing is likely to intersect.
+  /// A cursor at the roots for a walk in Ranked's order, for meshes that seldom intersect.
   static Cursor as_ranked() {
     Cursor cursor;
     cursor.levels = kLevels;
     return cursor;
   }
 
-  /// What is left of each level stays in the cursor.
+  /// The remaining siblings of each level stay in the cursor.
   NearFirst(const Tree& a, const Tree& b, Cursor& cursor) : Base(a, b, cursor), kept_(cursor) {}
 
-  /// `bound`: has just found that the pair's boxes overlap.
+  /// `bound`: the box test, which has just found that the pair's boxes overlap.
   template <class Bound>
   FLASHBVH_INLINE void descend_inner(const Bound& bound) {
     const int32_t rank_a = a_.node->rank();
@@ -95,12 +95,12 @@ class NearFirst : public Ranked<TreeType> {
 
  private:
   static constexpr uint32_t kMostChildren = 4;
-  static constexpr uint32_t kAsRanked = 1u << (kMostChildren - 1);  ///< above its siblings' bits
-  static constexpr uint32_t kBits = kMostChildren;                  ///< of a level
+  static constexpr uint32_t kAsRanked = 1u << (kMostChildren - 1);  ///< above the siblings' bits
+  static constexpr uint32_t kBits = kMostChildren;                  ///< per level
   static constexpr uint32_t kLevels = 32 / kBits;
   static constexpr uint32_t kOneLevel = (1u << kBits) - 1;
 
-  /// To the next one that is left; which are left then.
+  /// Moves to the next remaining sibling. Returns the siblings that remain after it.
   FLASHBVH_INLINE static uint32_t pass_siblings(Place& at, uint32_t left) {
     bool is_left = false;
     do {
@@ -117,7 +117,7 @@ class NearFirst : public Ranked<TreeType> {
       kept_.left = kept_.left << kBits | begin_nearest(at, other);
     }
   }
-  /// From a first child to the nearest of those that overlap `other`; which are left then.
+  /// Moves from a first child to the nearest that overlaps `other`. Returns the remaining siblings.
   FLASHBVH_INLINE static uint32_t begin_nearest(Place& at, const PackedBox& other) {
     const RelativeDistance distance(other);
     const auto* const first = at.node;

@@ -1,11 +1,11 @@
-// A leaf as a shape in questions about distance: how far its triangles are from the other tree's
-// boxes at least (leaf_planes.hpp has the same of intersection).
+// Leaf planes for predicates of distance: lower bounds on the distance of a leaf's triangles to
+// boxes of the other tree. leaf_planes.hpp has those for intersection.
 //
-// The leaf's own box, seen from the other tree, bounds the distance along that tree's axes; its
-// plane and, in it, the normal of its longest edge bound it along two more directions, which are
-// nearly orthogonal: squared gaps along both add up, but for one part in 2^9. That holds what is
-// between two rounded directions: each is off by less than sqrt(3) of 2^12, and by as much again
-// once rotated.
+// The leaf's own box, seen from the other tree, bounds the distance along that tree's axes. The
+// normal of its plane, and in that plane the normal of its longest edge, bound it along two more
+// directions. These are nearly orthogonal, so squared gaps along both add up, but for one part in
+// 2^9. This margin covers rounding: each direction is off by less than sqrt(3) of 2^12, and by as
+// much again once rotated.
 #ifndef FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
 #define FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
 
@@ -39,7 +39,7 @@ class ProximityPlanes : LeafPlanes<Mesh> {
   using Base::leaf_side;
   using Base::work_of;
 
-  /// The bound of a walk, while it lasts: its limit and its rotated boxes are read.
+  /// Sets a walk's box test, which outlives the walk; reads its limit and its rotated boxes.
   void set_box_test(const TranslatedGap& bound) { set_limit(bound.limit()); }
   void set_box_test(KeptGap& bound) {
     kept_gap_ = &bound;
@@ -61,10 +61,10 @@ class ProximityPlanes : LeafPlanes<Mesh> {
     }
     return reached == nullptr || beyond + edge_gap(*reached) <= sum_limit_;
   }
-  /// Boxes are rotated where they are needed.
+  /// Boxes are rotated on demand.
   void take_again(Side side, uint32_t node) { take(side, node); }
 
-  /// False only if no triangle of the leaf is near enough to one of a subtree with this box.
+  /// False only if no triangle of the leaf is within the limit of one of a subtree with this box.
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) const {
     if (is_far_) {
       return is_within_far(this->node_->box, this->side_, box, this->transform_, limit_) &&
@@ -80,12 +80,12 @@ class ProximityPlanes : LeafPlanes<Mesh> {
  protected:
   using Base::node_;
 
-  /// The bound of another walk, with the limit of the one before.
+  /// Sets the box test of another walk; the limit stays.
   void keep_box_test(const TranslatedGap& /*bound*/) {}
   void keep_box_test(KeptGap& bound) { kept_gap_ = &bound; }
 
-  /// Instead of begin() and may_touch(): slabs are made when the first box comes to them. Below a
-  /// leaf the stack is deeper, so each is made in two calls.
+  /// take() and may_touch_late() replace begin() and may_touch(): each slab is made when the first
+  /// box reaches it. Below a leaf the stack is deeper, so each slab is made in two calls.
   FLASHBVH_NOINLINE void take(Side side, uint32_t node) {
     if (is_taken(side, node)) {
       return;
@@ -119,8 +119,8 @@ class ProximityPlanes : LeafPlanes<Mesh> {
     }
     return beyond + edge_gap(box) <= sum_limit_;
   }
-  /// False only if no triangle of the leaf is near enough to one in this box, seen along the leaf's
-  /// own axes. Under a translation these are the other tree's.
+  /// False only if no triangle of the leaf is within the limit of one in this box, along the leaf's
+  /// own axes. Under a translation these are the other tree's axes, and nothing is tested.
   FLASHBVH_INLINE bool may_touch_along_own_axes(const PackedBox& box) const {
     if (is_far_ || !this->transform_.is_rotated()) {
       return true;
@@ -156,8 +156,8 @@ class ProximityPlanes : LeafPlanes<Mesh> {
   FLASHBVH_NOINLINE void make_edge_late() {
     cells_along_edge_ = lies_along_edge() ? see(this->edge) : 0;
   }
-  /// How many cells a unit of the direction is of a slab in its own lattice, from where the other
-  /// tree sees it on.
+  /// Transforms a slab from its own lattice to the other tree's. Returns cells_in_unit() of its
+  /// direction.
   FLASHBVH_INLINE_FOR_SPEED uint32_t see(Slab& slab) {
     const PackedVector own = slab.direction();
     Base::see(slab);
@@ -176,11 +176,11 @@ class ProximityPlanes : LeafPlanes<Mesh> {
 
   KeptGap* kept_gap_ = nullptr;
   GapLimit limit_{0};
-  uint32_t box_limit_ = 0;  ///< of the leaf's own box
-  uint32_t sum_limit_ = 0;  ///< of its slabs
+  uint32_t box_limit_ = 0;  ///< for the leaf's own box
+  uint32_t sum_limit_ = 0;  ///< for its slabs
   uint32_t cells_in_plane_ = 0;
   uint32_t cells_along_edge_ = 0;
-  bool is_far_ = false;  ///< last, so that a derived class may begin in the same word
+  bool is_far_ = false;  ///< last, so that a derived class's members may share its word
 };
 
 }  // namespace flashbvh::detail

@@ -1,4 +1,4 @@
-// Ranked: stackless, in the order of a dynamic rule.
+// The stackless traversal `ranked`, in the order of a dynamic rule.
 //
 // Every internal node has a rank that never grows from a parent to its child (a quantised size of
 // its box); leaves have none. The rule: descend into the node of the larger rank, into A on a tie.
@@ -9,7 +9,7 @@
 // of the pair. A root's missing parent counts as kRootParentRank, above every real rank, so a root
 // is left last, and the walk is over when both nodes are roots. proofs/walk proves all of it.
 //
-// Post-indexed trees only. Each ascent undoes a descent: constant time a visit, amortised.
+// Post-indexed trees only. Each ascent undoes a descent: amortised constant time per visit.
 #ifndef FLASHBVH_DETAIL_WALK_RANKED_HPP
 #define FLASHBVH_DETAIL_WALK_RANKED_HPP
 
@@ -35,8 +35,7 @@ class Ranked {
   static constexpr bool kBelowLeaves = false;
 
   static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
-  /// Whether the invariant holds, which it does of no other pairs than those that a walk on which
-  /// everything overlaps comes by.
+  /// True if the invariant holds: exactly for the pairs that a walk visits if all boxes overlap.
   static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
     return a.nodes[cursor.a].rank() < find_parent_rank(b, cursor.b) &&
            b.nodes[cursor.b].rank() <= find_parent_rank(a, cursor.a);
@@ -65,7 +64,7 @@ class Ranked {
     }
     return false;
   }
-  /// Without the tests of leaves in descend().
+  /// descend() at a pair of internal nodes, without its tests for leaves.
   template <class Bound>
   FLASHBVH_INLINE void descend_inner(const Bound& /*bound*/) {
     const int32_t rank_a = a_.node->rank();
@@ -96,7 +95,7 @@ class Ranked {
     }
   }
 
-  /// The tree descended into last says which node was a leaf before the other one.
+  /// The side whose node was a leaf first, or none; the last descent was into the other side.
   detail::Side leaf() const {
     const bool into_b = b_.parent_rank <= a_.parent_rank;
     const bool below_leaf = into_b ? a_.node->is_leaf() : b_.node->is_leaf();
@@ -112,7 +111,7 @@ class Ranked {
   }
 
  protected:
-  /// Where the walk is in one of the trees.
+  /// The walk's node in one of the trees.
   struct Place {
     const NodeType* root;
     const NodeType* node;
@@ -128,7 +127,7 @@ class Ranked {
       node = root + node[1].link;
     }
 
-    /// To the next sibling; false, and nowhere, if there is none. A root has none.
+    /// Moves to the next sibling; false, without a move, if there is none. A root has none.
     bool next_sibling() {
       const NodeType* const next = root + node->link;
       if (next < node) {
@@ -138,21 +137,21 @@ class Ranked {
       return false;
     }
 
-    /// To the last one.
+    /// Moves to the last sibling.
     void skip_siblings() {
       while (root + node->link < node) {
         node = root + node->link;
       }
     }
 
-    /// From a last child to its parent.
+    /// Moves from a last child to its parent.
     void ascend() {
       --node;
       parent_rank = node->parent_rank();
     }
   };
 
-  /// Of any node, in as many steps as it has later siblings.
+  /// Finds the rank of any node's parent, in as many steps as the node has later siblings.
   static int32_t find_parent_rank(const Tree& tree, uint32_t index) {
     if (index == 0) {
       return kRootParentRank;

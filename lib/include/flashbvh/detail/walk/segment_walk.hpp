@@ -17,27 +17,27 @@ struct RayHit;
 
 namespace detail {
 
-/// A segment, and the part of it that still matters, against boxes.
+/// Tests boxes against the part of a segment that still matters.
 class SegmentInBoxes {
  public:
-  /// On the boxes' lattice, within 2^20 cells.
+  /// `segment`: on the boxes' lattice, within 2^20 cells.
   explicit SegmentInBoxes(const Segment& segment);
 
-  /// Whether the segment's line and the part's box have a point of the box: true wherever the part
-  /// has, by the six axes on which a segment and a box can be apart.
+  /// True if the box meets both the segment's line and the part's bounding box, hence wherever it
+  /// meets the part. Tests the six axes on which a segment and a box can be apart.
   bool may_meet(const PackedBox& box) const;
 
-  /// What lies behind this share doesn't matter any more.
+  /// Cuts the part off at this share of the segment.
   void shorten(const SegmentShare& along);
 
  private:
   int32_t from_[3];
   int32_t way_[3];
-  int32_t upper_[3];  ///< of the part
+  int32_t upper_[3];  ///< bounds of the part
   int32_t lower_[3];
 };
 
-/// From one triangle near a segment to the next.
+/// Walks from one triangle near a segment to the next.
 template <class MeshType>
 class SegmentWalk {
  public:
@@ -46,15 +46,15 @@ class SegmentWalk {
   /// `segment`: in the mesh's frame.
   SegmentWalk(const MeshType& mesh, const Segment& segment) noexcept;
 
-  /// To the next triangle that is hit; false at the end, and after an error, which status()
-  /// returns.
+  /// Moves to the next triangle that the segment hits; false at the end and after an error, which
+  /// status() returns.
   bool next(RayHit<Index>& hit) noexcept;
-  /// To the next one whose leaf's box the segment meets.
+  /// Moves to the next triangle whose leaf's box the segment meets.
   bool next_triangle(uint32_t& position) noexcept;
-  /// From the mesh's origin on.
+  /// Gets a triangle relative to the mesh's origin.
   void get_triangle(uint32_t position, Triangle& t) const noexcept;
 
-  /// Whether a triangle is hit.
+  /// True if the segment hits the triangle.
   bool get_hit(uint32_t position, RayHit<Index>& hit) const noexcept;
   void shorten(const SegmentShare& along) noexcept { boxes_.shorten(along); }
 
@@ -63,16 +63,16 @@ class SegmentWalk {
   uint32_t visits() const { return visits_; }
 
  private:
-  /// To the first triangle of the next leaf.
+  /// Moves to the first triangle of the next leaf.
   bool next_leaf() noexcept;
 
-  Status status_ = Status::done;  // set by the segment: before it
+  Status status_ = Status::done;  // before segment_, whose initialiser sets it
   const MeshType* mesh_;
-  Segment segment_;  ///< from the mesh's origin on
+  Segment segment_;  ///< relative to the mesh's origin
   SegmentInBoxes boxes_;
   Subtree<Index, MeshType::kLayout> at_;
   uint32_t visits_ = 0;
-  uint32_t triangle_ = 0;  ///< of the leaf that the walk is at
+  uint32_t triangle_ = 0;  ///< in the current leaf
   uint32_t end_ = 0;
   bool is_over_ = false;
 };

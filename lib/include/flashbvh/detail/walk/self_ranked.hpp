@@ -1,12 +1,12 @@
-// Ranked, of a tree against itself: each unordered pair of leaves once, and each leaf with itself.
+// Ranked for a tree against itself: each unordered pair of leaves once, and each leaf with itself.
 //
-// Pairs (a, b) are walked where a's subtree holds a leaf that lies no later in the array than one
-// of b's. In a post-indexed tree a node lies before its subtree, disjoint subtrees lie one after
-// the other, and siblings are taken from the last in the array on. By the invariant of ranks b is
-// never a proper descendant of a: rank(a) < rank(parent of b), and ranks never grow downwards. So
-// b's later siblings matter as long as b lies after a. A sibling at which that ends is a, or holds
-// it; those that follow lie before a. A's siblings never pass b: had a's parent been disjoint from
-// b, it would have lain before it.
+// The walk visits a pair (a, b) if a's subtree has a leaf no later in the array than a leaf of b's.
+// In a post-indexed tree a node lies before its subtree, disjoint subtrees lie one after the other,
+// and siblings are visited by falling index. By the invariant of ranks, b is never a proper
+// descendant of a: rank(a) < rank(parent of b), and ranks never grow downwards. So b's later
+// siblings matter while b lies after a. The last sibling that matters is a or contains a; the
+// siblings after it lie before a. a's siblings never pass b: if a's parent were disjoint from b, it
+// would lie before b.
 #ifndef FLASHBVH_DETAIL_WALK_SELF_RANKED_HPP
 #define FLASHBVH_DETAIL_WALK_SELF_RANKED_HPP
 
@@ -26,7 +26,7 @@ class SelfRanked : public Ranked<TreeType> {
   using typename Base::Cursor;
   using typename Base::Tree;
 
-  /// As of Ranked: of a pair that no unordered pair of leaves leads to, false.
+  /// As Ranked::can_visit(), but false for pairs that a walk against itself skips.
   static bool can_visit(const Tree& tree, const Tree&, const Cursor& cursor) {
     return Base::can_visit(tree, tree, cursor) &&
            (cursor.a <= cursor.b || holds(tree, cursor.b, cursor.a));
@@ -53,7 +53,7 @@ class SelfRanked : public Ranked<TreeType> {
   }
 
  private:
-  /// Whether `node` is in the subtree below `root`, which lies before it.
+  /// True if `node` lies in the subtree below `root`. `root` is the smaller index.
   static bool holds(const Tree& tree, uint32_t root, uint32_t node) {
     while (node > root) {
       while (tree.nodes[node].link < node) {

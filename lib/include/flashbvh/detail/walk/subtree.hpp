@@ -1,4 +1,4 @@
-// A walk over one tree: the nodes below one node, parents first, in the order of the traversals.
+// The walk over the nodes below one node of a tree, parents first, in the order of the traversals.
 #ifndef FLASHBVH_DETAIL_WALK_SUBTREE_HPP
 #define FLASHBVH_DETAIL_WALK_SUBTREE_HPP
 
@@ -11,21 +11,21 @@ namespace flashbvh::detail {
 template <class IndexType, Layout layout>
 class Subtree;
 
-/// What lies behind a subtree is known by its index: the escape index of its root.
+/// A subtree ends before the escape index of its root.
 template <class IndexType>
 class Subtree<IndexType, Layout::pre_indexed> {
   using NodeType = Node<IndexType>;
 
  public:
-  /// At `node`, which lies in the subtree below `root` or is it.
+  /// Starts at `node`, which is `root` or lies below it.
   Subtree(const Tree<IndexType, Layout::pre_indexed>& tree, uint32_t root, uint32_t node)
       : nodes_(tree.nodes), end_(nodes_ + nodes_[root].link), node_(nodes_ + node) {}
 
   const NodeType& node() const { return *node_; }
   uint32_t index() const { return static_cast<uint32_t>(node_ - nodes_); }
-  /// To the first child of an internal node.
+  /// Moves to the first child of an internal node.
   void descend() { ++node_; }
-  /// To the node after this one and all below it; false if there is none.
+  /// Moves to the next node outside this node's subtree; false if there is none.
   bool next() {
     node_ = nodes_ + node_->link;
     return node_ != end_;

@@ -1,32 +1,32 @@
-// The walk over pairs of nodes, one of A and one of B: one loop for every order. What lies below a
-// leaf that is taken as a shape has another one (walk_below.hpp).
+// The walk over pairs of nodes, one of A and one of B: one loop for all traversals. The walk below
+// a leaf with leaf planes has another loop (walk_below.hpp).
 //
-// An order says which pair comes next. It is a class that lives as long as a run, in registers:
-//     Tree                    what it walks: nodes, with levels if it needs them; a mesh is a tree
-//     Cursor                  where a walk is between runs; default: at its start
-//     OfTranslations          the order where B is not rotated: itself, or another one
-//     kStartsAtRoots          whether roots that are disjoint end it with the first visit
-//     kStackless              whether a cursor is no more than a pair of nodes
-//     kBelowLeaves            whether leaf() is never none
-//     Order(a, b, cursor)     at the cursor's pair
+// A traversal decides which pair comes next. It is a class that lives as long as a run, in
+// registers:
+//     Tree                    the trees: nodes, with levels if it needs them; a mesh is a tree
+//     Cursor                  the state between runs; default: at the start
+//     OfTranslations          the traversal where B is not rotated: itself, or another one
+//     kStartsAtRoots          true if disjoint roots end the walk with the first visit
+//     kStackless              true if a cursor is only a pair of nodes
+//     kBelowLeaves            true if leaf() is never none
+//     Order(a, b, cursor)     starts at the cursor's pair
 //     node_a(), node_b()      the pair of nodes
 //     index_a(), index_b()    their indices
-//     descend()               to the first pair below this one; false at a pair of leaves
-//     descend_inner(bound)    the same of a pair of which none is a leaf, unless kBelowLeaves, and
-//                             whose boxes the bound saw last
-//     next()                  to the pair after this one and all below it; false if there is none
-//     leaf()                  of a walk that goes on: which of the two is a leaf whose walk of the
-//                             other's subtree it is in
-//     leaf_root(), leaf_node()   below which node that walk is to go on, and at which one
-//     store(cursor, ended)    where it is; `ended`: next() said that there is nothing more
-//     store_below(cursor, leaf, node)   where it is in that walk
-// and, if it is stackless, of cursors that come from outside, their indices in range,
-//     nodes(a, b, cursor)     the nodes that it stands for
-//     cursor_at(a, b, i, j)   the cursor that stands for them
-//     can_visit(a, b, cursor) whether a walk over these meshes can be there
+//     descend()               moves to the first pair below this one; false at a pair of leaves
+//     descend_inner(bound)    descend() at two internal nodes, whose boxes the box test tested
+//                             last; unless kBelowLeaves
+//     next()                  moves to the pair after this one's subtrees; false if there is none
+//     leaf()                  if a run resumes below a leaf: its side
+//     leaf_root(), leaf_node()   the other tree's root and current node of the walk below it
+//     store(cursor, ended)    stores the state; `ended`: next() returned false
+//     store_below(cursor, leaf, node)   stores the state of a walk below a leaf
+// and, if it is stackless, for cursors from outside whose indices are in range,
+//     nodes(a, b, cursor)     the cursor's nodes
+//     cursor_at(a, b, i, j)   the cursor of two nodes
+//     can_visit(a, b, cursor) true if a walk over these meshes can reach the cursor
 //
-// A bound says whether two subtrees may still matter, by their boxes: bound(box_a, box_b). It is
-// copied into the run; one that has a state is a handle to it.
+// A box test decides by two boxes whether their subtrees may matter: bound(box_a, box_b). The run
+// holds a copy; a stateful box test is passed by a handle.
 #ifndef FLASHBVH_DETAIL_WALK_WALK_HPP
 #define FLASHBVH_DETAIL_WALK_WALK_HPP
 
@@ -39,7 +39,7 @@
 
 namespace flashbvh::detail {
 
-/// The trees of a walk in which leaves are no shapes.
+/// The trees of a walk without leaf planes.
 template <class TreeType>
 struct NoShapes {
   using Tree = TreeType;
@@ -55,7 +55,7 @@ struct NoShapes {
   static void set_box_test(BoxTest&) {}
 };
 
-/// A bound that has a state, as a walk takes it: by a handle.
+/// The handle that passes a stateful box test to a walk.
 template <class StatefulBoxTest>
 struct ByReference {
   StatefulBoxTest* bound;
@@ -75,7 +75,7 @@ inline void keep_in_memory(Object& object) {
 #endif
 }
 
-/// A bound of its own has its registers in a walk's loop; a handle is seldom read, and leaves them.
+/// A stateless box test stays in registers in a walk's loop; a handle, seldom read, goes to memory.
 template <class BoxTest>
 inline void put_in_place(BoxTest& /*bound*/) {}
 template <class StatefulBoxTest>
@@ -83,7 +83,7 @@ inline void put_in_place(ByReference<StatefulBoxTest>& bound) {
   keep_in_memory(bound);
 }
 
-/// Of a walk at a pair below which it stopped, in the subtree of the node that is no leaf.
+/// Stores the internal node of the pair below which a walk stopped.
 template <class Shapes, class Traversal>
 FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Traversal& at) {
   if constexpr (Shapes::kKnowsRoot) {
@@ -91,13 +91,13 @@ FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Traversal
   }
 }
 
-/// Whether neither node is a leaf: leaves' ranks are negative.
+/// True if neither node is a leaf: leaves' ranks are negative.
 template <class Node>
 FLASHBVH_INLINE inline bool are_inner(const Node& a, const Node& b) {
   return (a.rank() | b.rank()) >= 0;
 }
 
-/// From the cursor's pair, which is below no leaf that is a shape.
+/// Walks from the cursor's pair, which is not below a leaf with leaf planes.
 template <class Traversal, class BoxTest, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& run, bool after) {
   auto* kept = &run;
@@ -151,7 +151,7 @@ FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& ru
       }
     }
     if (!at.next()) {
-      keep_in_memory(kept);  // and nothing that follows before the branch
+      keep_in_memory(kept);  // no later code moves before the branch
       break;
     }
   }
@@ -161,8 +161,8 @@ FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& ru
   return end;
 }
 
-/// From the cursor, `from` a state that is not done, with some work granted, to where `leaf_pair`
-/// says stop, the end, or the last of the work: where it stands then.
+/// Walks from the cursor until `leaf_pair` stops the walk, all pairs are visited or the work is
+/// used up. Needs work, and a state `from` other than `done`. Returns the new state.
 template <class Traversal, class BoxTest, class Shapes, class Run>
 FLASHBVH_INLINE inline State walk(const BoxTest& bound, Shapes& shapes, Run& run, State from) {
   if constexpr (Shapes::kShapes && Traversal::kBelowLeaves) {

@@ -1,14 +1,14 @@
-// What is left of a walk below a pair of which one node is a leaf.
+// The walk below a pair of which one node is a leaf.
 //
-// Once one node is a leaf, all that is left below the pair is that leaf against a subtree, whatever
-// the order. If leaves are taken as shapes (leaf_planes.hpp), that has a loop of its own, in which
-// shapes.begin(side, node, box) takes the leaf, after shapes.take_again(side, node) if a run goes
-// on below it; it is shapes.work_of(side, node). And shapes.may_touch(box) tests the other tree's
-// boxes; where a walk is in it follows from the pair. An order with a stack leaves it alone
-// meanwhile. Without shapes the order goes there as the paper has it. Shapes that have kKnowsRoot
-// keep below which node a walk stopped, for the next one of the same run. Those that have
-// kComparesLeaves look at the triangles of the other leaf, too, by shapes.rejects_leaf(node,
-// progress), which may spend work.
+// Once one node is a leaf, the rest below the pair is that leaf against a subtree, in any
+// traversal. With leaf planes (`shapes`, leaf_planes.hpp) this walk has its own loop. There
+// shapes.begin(side, node, box) makes the leaf current, and shapes.may_touch(box) tests the other
+// tree's boxes. A leaf costs shapes.work_of(side, node). A run that resumes below a leaf first
+// calls shapes.take_again(side, node). The state of this walk follows from the pair; a traversal
+// with a stack leaves its stack unchanged meanwhile. Without leaf planes the traversal goes there
+// as the paper has it. Leaf planes with kKnowsRoot store the node below which a walk stopped, for
+// the next walk of the run. Leaf planes with kComparesLeaves also test the other leaf's triangles,
+// by shapes.rejects_leaf(node, progress), which may spend work.
 #ifndef FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
 #define FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
 
@@ -21,9 +21,9 @@
 
 namespace flashbvh::detail {
 
-/// Visits nodes of a subtree, from `at` on, that may touch the shape that was begun, until the end,
-/// the last of the work granted, or where `found(node)` says stop; there `at` is then. `after`: its
-/// node was visited before.
+/// Visits nodes of a subtree, from `at` on, that may touch the current leaf. Stops at the end, when
+/// the work is used up, or where `found(node)` returns false, and leaves `at` there. `after`: the
+/// node at `at` was visited before.
 template <class Subtree, class Shapes, class Found>
 FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress& progress,
                                            const Found& found, bool after) {
@@ -60,8 +60,8 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress
   return end;
 }
 
-/// A leaf, whose shape was begun, against the other tree's subtree below `root`; `after`: from
-/// after its node on.
+/// Walks the other tree's subtree below `root`, from run.node on, against a leaf after begin().
+/// `after`: run.node was visited before.
 template <class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool after) {
   using Tree = typename Shapes::Tree;
@@ -81,8 +81,8 @@ FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool
   return end;
 }
 
-/// At a pair that may matter, one node or both leaves. `fresh`: walk_below_reached() is next,
-/// called by the caller, so that no frame of this lies above it.
+/// Handles a pair that may matter, of which one node is a leaf or both are. `fresh`: the caller
+/// calls walk_below_reached() next, so that this frame is gone by then.
 template <class Node, class Shapes, class Run>
 FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shapes& shapes,
                                    Run& run) {
@@ -105,7 +105,7 @@ FLASHBVH_NOINLINE State reach_leaf(const Node* node_a, const Node* node_b, Shape
   return State::fresh;
 }
 
-/// The walk that reach_leaf() left.
+/// Does the walk that reach_leaf() leaves to its caller.
 template <class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_below_reached(Shapes& shapes, Run& run) {
   const uint32_t root = run.node;
@@ -113,8 +113,8 @@ FLASHBVH_NOINLINE State walk_below_reached(Shapes& shapes, Run& run) {
   return walk_below(shapes, run, root, false);
 }
 
-/// To the end of the leaf's walk in which this run's walk before stopped, below the root that was
-/// kept: as in one go, with no look for what is left. Then the pair with that root is behind.
+/// Resumes the walk below a leaf in which this run's previous walk stopped, below the stored root,
+/// without a search for the state. After its end, the pair with that root counts as visited.
 template <class Shapes, class Run>
 FLASHBVH_INLINE inline State walk_to_root(Shapes& shapes, Run& run, bool after) {
   const uint32_t root = shapes.kept_root();
@@ -135,9 +135,9 @@ FLASHBVH_INLINE inline State walk_to_root(Shapes& shapes, Run& run, bool after) 
   return end;
 }
 
-/// Of an order that keeps more than a pair, and so what comes next: to the end of the leaf's walk,
-/// if there is one. The order is made once more after it, which is cheaper than to keep it on the
-/// stack.
+/// Resumes the walk below a leaf, if there is one, for a traversal that stores more than a pair and
+/// so its successor. The traversal is made once more after it, which is cheaper than to keep it on
+/// the stack.
 template <class Traversal, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_on_below_one(Shapes& shapes, Run& run, bool after) {
   uint32_t root = 0;
@@ -169,9 +169,8 @@ FLASHBVH_NOINLINE State walk_on_below_one(Shapes& shapes, Run& run, bool after) 
   return end;
 }
 
-/// To the end of the leaf's walk of a subtree that a walk was in, and of those that follow. Then
-/// run.side is none. The first leaf is taken as a shape for nothing: a run with work always gets
-/// on.
+/// Resumes the walk below a leaf, and does the walks below leaves that follow; run.side is then
+/// none. The first leaf's planes are free of charge, so that any non-zero budget makes progress.
 template <class Traversal, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
   if constexpr (Shapes::kKnowsRoot && Traversal::kStackless && !Traversal::kBelowLeaves) {

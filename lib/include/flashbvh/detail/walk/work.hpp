@@ -1,8 +1,7 @@
-// The unit that runs are granted: work. How much of it a step takes is the same on every core, so
-// that a query cut by work is cut in the same places; what one of it takes at most is not
-// (time_bound.hpp).
+// Work, the unit of a run's budget. A step has one price on all cores, so that a budget cuts a
+// query in the same places. The most instructions per unit depend on the core (time_bound.hpp).
 //
-// A visit is 1. The others were chosen from what they take at most in instructions, relative to a
+// A visit costs 1. The other prices were chosen from the most instructions of a step, relative to a
 // visit under a rotation, on the cores that the tests run on (lib/docs/bounded_time.md).
 #ifndef FLASHBVH_DETAIL_WALK_WORK_HPP
 #define FLASHBVH_DETAIL_WALK_WORK_HPP
@@ -11,42 +10,42 @@
 
 namespace flashbvh::detail {
 
-/// As much as it takes: none of it is spent.
+/// An unlimited budget, which is never spent.
 constexpr uint32_t kUnlimited = UINT32_MAX;
 
-/// Takes `spent` from what is left; the step that takes more is the last.
+/// Subtracts `spent` from the work left; a step that costs more is the last.
 inline void take_work(uint32_t& left, uint32_t spent) {
   if (left != kUnlimited) {
     left = spent < left ? left - spent : 0;
   }
 }
 
-/// A leaf of one triangle taken as a shape, and begun below; each other triangle in it is 1 more.
+/// Making the planes of a leaf of one triangle and starting below it; 1 more per further triangle.
 constexpr uint32_t kShapeWork = 8;
 
-/// Each triangle of a leaf of the other tree that the shape rejects by its corners.
+/// Each triangle of a leaf of the other tree that the leaf's plane rejects by its corners.
 constexpr uint32_t kRejectedTriangleWork = 1;
 
-/// The same leaf below the next of the siblings among which a walk went on.
+/// The next subtree against an unchanged leaf, in a walk that resumed below the leaf.
 constexpr uint32_t kGoOnWork = 2;
 
-/// Two triangles transformed and tested, with their part of a pair of leaves. A power of two: runs
-/// divide by it.
+/// Two triangles transformed and tested, with their share of a pair of leaves. A power of two, as
+/// runs divide by it.
 constexpr uint32_t kTrianglePairWork = 32;
 
-/// Two triangles tested for a distance: a walk at a distance tests hundreds that
-/// boxes do not separate, and nearly all end at once.
+/// Two triangles tested for a distance: boxes do not separate hundreds of pairs, but early tests
+/// reject nearly all of these.
 constexpr uint32_t kNearPairWork = 8;
-/// On top, those that don't; paid when a batch of them is done.
+/// Extra for each other pair; charged after a batch.
 constexpr uint32_t kDearPairWork = 32;
 
-/// The same along a direction that is kept, as they lie in flash. On top of it, to place those that
-/// it doesn't separate; and the exact test of those that no direction does.
+/// Two triangles tested in flash along a stored direction. Extra: placing a pair that this
+/// direction does not separate; the exact test of a pair that no direction separates.
 constexpr uint32_t kAlongPairWork = 1;
 constexpr uint32_t kPlacedPairWork = 4;
 constexpr uint32_t kExactPairWork = 24;
 
-/// How many pairs of triangles are tested for so much work, the last one for what is left of it.
+/// The number of pairs of triangles that `work` allows; the last may exceed the work left for it.
 template <uint32_t pair_work = kTrianglePairWork>
 constexpr uint32_t triangle_pairs_for(uint32_t work) {
   return work / pair_work + (work % pair_work != 0 ? 1 : 0);
