@@ -1,7 +1,7 @@
-// Numbers of 128 bits and fractions of them: what exact distances are compared by.
+// Numbers of 128 bits and fractions of them, for exact comparisons of distances.
 //
-// Portable C++: 32-bit cores have no integer of 128 bits. Numbers are in two's complement; nothing
-// is checked, the ranges are the callers' to keep.
+// Portable C++: 32-bit cores have no integer of 128 bits. Numbers are in two's complement. Nothing
+// is checked: callers keep the ranges.
 #ifndef FLASHBVH_DETAIL_PREDICATES_FRACTION_HPP
 #define FLASHBVH_DETAIL_PREDICATES_FRACTION_HPP
 
@@ -49,17 +49,17 @@ constexpr int sign_of(int64_t u) {
   return u < 0 ? -1 : u == 0 ? 0 : 1;
 }
 
-/// The whole product.
+/// The exact product.
 Int128 full_product(int64_t u, int64_t v) noexcept;
 /// `u` within +-2^95.
 Int128 times(const Int128& u, int32_t v) noexcept;
-/// Up to 127 bits; what leaves the top is lost.
+/// `bits`: up to 127; bits shifted out at the top are lost.
 Int128 shifted_up(const Int128& u, unsigned bits) noexcept;
-/// The quotient, rounded down: `u` not negative, `v` positive. A step for each of its bits.
+/// The quotient, rounded down: `u` not negative, `v` positive. Takes a step for each of its bits.
 Int128 quotient(const Int128& u, const Int128& v) noexcept;
 /// The largest number whose square is not above `u`, which is not negative.
 uint64_t square_root(const Int128& u) noexcept;
-/// The same of 64 bits, bit by bit.
+/// The square root of 64 bits, rounded down; works bit by bit.
 uint32_t square_root(uint64_t u) noexcept;
 
 /// Not negative; `below` is positive.
@@ -74,16 +74,16 @@ inline constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
 /// -1, 0 or 1 as x is below, equal to or above y. Exact; nearly always the leading bits decide.
 int compare(const Fraction& x, const Fraction& y) noexcept;
 
-/// A fraction with which others of below 2^108 and 2^72 are compared in 128 bits: below 2^46 and
-/// 2^17; or below 2^57 with those of meshes, below 2^108 and 2^64.
+/// A fraction that is compared in 128 bits: parts below 2^46 and 2^17 with fractions of parts below
+/// 2^108 and 2^72; or `above` below 2^57 with those of meshes, of parts below 2^108 and 2^64.
 struct ShortFraction {
   uint64_t above;
   uint32_t below;
 };
-/// Whether x is above y: exact.
+/// True if x is above y; exact.
 bool is_above(const Fraction& x, const ShortFraction& y) noexcept;
 
-/// A whole number that is not below `x`, and above it by at most 1 and one part in 2^29; `x` below
+/// A whole number that is not below `x`, and above it by at most 1 and one part in 2^29. `x`: below
 /// 2^43.
 int64_t rounded_up(const Fraction& x) noexcept;
 

@@ -1,4 +1,4 @@
-// Triangle against triangle in exact integer arithmetic: the question in which every query ends.
+// Triangle against triangle in exact integer arithmetic: the last test of every query.
 #ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
 #define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
 
@@ -15,13 +15,13 @@ namespace flashbvh::detail {
 /// so 64-bit integers hold the determinant and every partial sum of it.
 constexpr int32_t kMaxDifference = (1 << 20) - 1;
 
-/// Answers whether the closed triangles `a` and `b` have a point in common.
+/// True if the closed triangles `a` and `b` have a point in common.
 ///
-/// Touching and coplanar overlap count; a triangle degenerated to a segment or a point is tested
-/// as that. There is no epsilon, and the order of corners and of arguments changes nothing.
-/// Corners may lie anywhere in 32 bits. Where the boxes of the triangles touch, all differences
-/// must keep within kMaxDifference, which triangles that each span less than 2^19 cells do by
-/// themselves. This is not checked: beyond it the answer is meaningless.
+/// Touching and coplanar overlap count; a degenerate triangle is tested as a segment or a point.
+/// There is no epsilon, and the order of corners and of arguments changes nothing.
+/// Corners may lie anywhere in 32 bits. If the boxes of the triangles touch, all differences must
+/// be within kMaxDifference; they are if each triangle spans less than 2^19 cells. This is not
+/// checked: beyond it the answer is meaningless.
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are disjoint, else 265
 /// on average and at most 390; up to 950 for coplanar triangles and 2,100 for two segments
@@ -32,25 +32,25 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// Predicates", Journal of Graphics Tools 8(1), 2003, for the general case.
 bool triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
-/// Whether a box overlaps that of a triangle on the same lattice, within +-2^20 cells.
+/// True if a box overlaps a triangle's box on the same lattice, within +-2^20 cells.
 bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept;
 
-/// Of a triangle's plane, twice its area long.
+/// The normal of a triangle's plane; its length is twice the triangle's area.
 struct PlaneNormal {
   int32_t x;
   int32_t y;
   int32_t z;
 };
 
-/// Of a narrow triangle: edges within +-(2^15 - 1) along each axis.
+/// Gets the normal of a narrow triangle: edges within +-(2^15 - 1) along each axis.
 void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept;
 
-/// The same of triangles with all differences within kMaxDifference, whose boxes need not touch:
-/// a query tested what they are in, so they are tested only where one triangle is flat or lies in
-/// the other's plane. `normal_b`: of `b`; both triangles are narrow.
+/// triangles_intersect() for narrow triangles with all differences within kMaxDifference. As a
+/// query has tested the boxes that they are in, this tests the triangles' boxes only if one
+/// triangle is flat or lies in the other's plane. `normal_b`: of `b`.
 bool near_triangles_intersect(const Triangle& a, const Triangle& b,
                               const PlaneNormal& normal_b) noexcept;
-/// Where they may not be narrow: the boxes first.
+/// triangles_intersect() for triangles that may not be narrow; tests the boxes first.
 bool wide_triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
 }  // namespace flashbvh::detail

@@ -1,10 +1,10 @@
-// How far two triangles are apart: exactly, as a fraction of squared cells.
+// The distance of two triangles: exact, as a fraction of squared cells.
 //
 // Triangles that do not intersect are nearest between two of their features: a corner above a face,
-// two edges, a corner and an edge, or two corners. Each of the 42 pairs counts where the nearest
-// points of the planes, lines or points lie inside both features; what counts is never below the
-// distance, and the least of it is the distance. So "within" is a disjunction of comparisons, and
-// no order of them matters.
+// two edges, a corner and an edge, or two corners. Each of the 42 pairs counts if the nearest
+// points of the planes, lines or points lie inside both features. The value of such a pair is never
+// below the distance, and the least value is the distance. So "within" is a disjunction of
+// comparisons, in any order.
 #ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
 #define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
 
@@ -20,16 +20,16 @@ namespace flashbvh::detail {
 /// Largest difference along one axis between any two of the six corners, in cells: then the
 /// numerators below are less than 2^108 and the denominators less than 2^72.
 constexpr int32_t kMaxApart = (1 << 17) - 1;
-/// The same of two meshes' triangles, whose edges are shorter: numerators and denominators are no
-/// larger. What needs kMaxApart says so.
+/// kMaxApart for two meshes' triangles, whose edges are shorter: numerators and denominators are no
+/// larger. Functions that need kMaxApart say so.
 constexpr int32_t kMaxFarApart = (1 << 20) + (1 << 16);
 
-/// Between which features two triangles are nearest.
+/// The features between which two triangles are nearest.
 enum class FeatureKind : uint8_t {
   intersection,  ///< none: they have a point in common
   corners,       ///< corner `of_a` and corner `of_b`
   corner_edge,   ///< corner `of_a` and the edge of B from corner `of_b` on
-  edge_corner,   ///< the other way round
+  edge_corner,   ///< the edge of A from corner `of_a` on and corner `of_b`
   edges,         ///< the edges from corner `of_a` and from corner `of_b` on
   corner_face,   ///< corner `of_a` and B's face
   face_corner,   ///< A's face and corner `of_b`
@@ -40,46 +40,45 @@ struct Features {
   uint8_t of_b;
 };
 
-/// Whether the squared distance of `a` and `b` is below `squared`, which then is set to it, and
-/// `features` to what is nearest; of equals the first that is looked at. Differences within
-/// kMaxApart, or kMaxFarApart, which is not checked.
+/// True if the squared distance of `a` and `b` is below `squared`. Then sets `squared` to it, and
+/// `features` to the nearest features, the first tested of equal ones. Differences: within
+/// kMaxApart, or kMaxFarApart; this is not checked.
 bool is_nearer(const Triangle& a, const Triangle& b, Fraction& squared,
                Features& features) noexcept;
 
-/// The squared distance of triangles that are nearest between these features, as is_nearer() has
-/// it.
+/// The squared distance, as of is_nearer(), of triangles that are nearest between these features.
 Fraction squared_between(const Triangle& a, const Triangle& b, const Features& features) noexcept;
 
-/// The same pair's points and distance, rounded.
+/// Gets the nearest points and the distance of such triangles, rounded.
 void get_nearest_points(const Triangle& a, const Triangle& b, const Features& features,
                         const Fraction& squared, NearestPoints& nearest) noexcept;
 
-/// Whether the squared distance is at most `squared`.
+/// True if the squared distance is at most `squared`.
 bool is_within(const Triangle& a, const Triangle& b, const ShortFraction& squared) noexcept;
 
-/// The largest whole number whose root, and a tolerance in 2^-16 of it, is below the root of
+/// The largest whole number whose root, plus `tolerance` in 2^-16 of it, is below the root of
 /// `squared`; -1 if `squared` is 0. Pairs with a larger squared gap, which is whole, are no nearer,
-/// but for that.
+/// but for the tolerance.
 int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept;
 
-/// The square of the distance of the triangles' boxes: the sum of squared gaps, below 2^36.
+/// The squared distance of the triangles' boxes: the sum of squared gaps, below 2^36.
 int64_t squared_box_gap(const Triangle& a, const Triangle& b) noexcept;
 
-/// The planes through the nearest points of two triangles, normal to the line between them. No two
-/// triangles are nearer that planes parallel to these, as far apart or farther, have between them:
-/// exactly, so that equal distances are found, too.
+/// The planes through the nearest points of two triangles, normal to the line between them. Two
+/// triangles are no nearer if two parallel planes, as far apart or farther, lie between them. The
+/// test is exact, so that it finds equal distances, too.
 class SupportPlanes {
  public:
   SupportPlanes() : is_any_(false) {}
-  /// Of triangles that do not intersect, between these features.
+  /// `features`: the nearest features of the triangles, which do not intersect.
   SupportPlanes(const Triangle& a, const Triangle& b, const Features& features) noexcept;
 
-  /// For differences beyond kMaxApart, of triangles of meshes.
+  /// Allows differences beyond kMaxApart, for triangles of meshes.
   void widen() noexcept { rest_ = rest_ == 0 ? uint16_t{0} : kWideRest; }
 
-  /// Whether two triangles have such planes between them. Differences within kMaxApart.
+  /// True if such planes lie between two triangles. Differences: within kMaxApart.
   bool separates(const Triangle& a, const Triangle& b) const noexcept;
-  /// From A to B, rounded: the largest component has 13 bits. {0, 0}: there are no planes.
+  /// The direction from A to B, rounded: the largest component has 13 bits. {0, 0}: no planes.
   PackedVector direction() const noexcept;
 
  private:
@@ -105,48 +104,47 @@ class SupportPlanes {
   uint32_t low_[3];
   static constexpr uint16_t kRest = 1 << 4;
   static constexpr uint16_t kWideRest = 1 << 6;
-  // How far the planes are apart along it, in two parts.
+  // The distance of the planes along it, in two parts.
   uint32_t low_apart_;
   bool is_any_;
-  uint16_t rest_;  ///< by what the low parts move a sum, at most, in 2^16; 0 if there are none
+  uint16_t rest_;  ///< the most by which low parts change a sum, in 2^16; 0 if there are none
   int64_t high_apart_;
 };
 
-/// A direction of 10 bits a component, in a word; 0: none.
+/// A direction of 10 bits per component, in a word; 0: none.
 struct Direction {
   uint32_t packed = 0;
 };
 
-/// Whether some direction has the triangles so far apart that the square is `limit` + 1 or more;
-/// the limit is below 2^35. Directions are tried that come nearer to the one between the nearest
-/// points: six steps of Gilbert's, after `first`, which becomes the one that did.
+/// True if the triangles' squared gap along some direction is `limit` + 1 or more; `limit`: below
+/// 2^35. Tries `first` and six steps of Gilbert's, which approach the direction between the nearest
+/// points. Sets `first` to the direction that separates.
 ///
 /// Source: Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form on a
 /// Convex Set", SIAM Journal on Control 4, 1966.
 bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
                          Direction& first) noexcept;
 
-/// Whether the boxes of the triangles are so far apart that the square is `limit` + 1 or more; the
-/// direction becomes that of the gap.
+/// True if the squared distance of the triangles' boxes is `limit` + 1 or more; then sets
+/// `direction` to that of the gap.
 bool boxes_separate(const Triangle& a, const Triangle& b, int64_t limit,
                     Direction& direction) noexcept;
 
-/// The same along the normal of the longest edges of both: of two slivers, whose corners Gilbert's
-/// steps go back and forth between.
+/// directions_separate() along the normal of both triangles' longest edges: for two slivers,
+/// between whose corners Gilbert's steps alternate.
 bool edges_separate(const Triangle& a, const Triangle& b, int64_t limit,
                     Direction& direction) noexcept;
 
-/// Whether the direction between the triangles' middles has them apart: with a gap, exactly, so
-/// that it is false of triangles that touch. Detects most neighbours of a surface, which planes do
-/// not.
+/// True if the triangles have a gap along the direction between their middles: exact, so that it is
+/// false for triangles that touch. Separates most neighbours on a surface, which planes do not.
 bool middles_separate(const Triangle& a, const Triangle& b) noexcept;
 
-/// Whether the plane of either triangle has the other one on one side, so far off that the square
-/// is `limit` + 1 or more; the limit is below 2^35. Rarely false where the planes separate.
+/// True if one triangle lies on one side of the other's plane, at a squared distance of `limit` + 1
+/// or more; `limit`: below 2^35. Rarely false if the planes separate.
 bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
 
-/// A point of a triangle: corner `origin` and so much of the vectors from there to two others, in
-/// the order of corners: (first, second) / below.
+/// A point of a triangle: corner `origin` plus the shares (first, second) / below of the vectors
+/// from there to the two other corners, in the order of corners.
 struct PlaceInTriangle {
   uint8_t origin;
   Int128 first;
@@ -154,7 +152,7 @@ struct PlaceInTriangle {
   Int128 below;
 };
 
-/// Where the nearest points lie that is_nearer() found; not of an intersection.
+/// Gets the places of the nearest points that is_nearer() found; not for an intersection.
 void nearest_places(const Triangle& a, const Triangle& b, const Features& features,
                     PlaceInTriangle& of_a, PlaceInTriangle& of_b) noexcept;
 

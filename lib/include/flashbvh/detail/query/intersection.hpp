@@ -1,29 +1,27 @@
-// The predicate of PairQuery: which triangles intersect.
+// The predicate of PairQuery: triangles that intersect.
 //
-// A predicate is the test that a query makes of a walk's pairs. It is a small class with
-//     kIntersects             whether only triangles that intersect are an answer: then any test
-//                             that finds them disjoint may reject pairs, and the exact test is
-//                             known
-//     Shapes<Mesh>            how leaves are taken as shapes (leaf_planes.hpp), or NoShapes
-//     kBatch                  how many pairs of leaves may be found before they are tested: one if
-//                             an answer changes the bound
-//     kPairWork               what two triangles' test is in work (work.hpp)
-//     kDearWork               what comes on top for each of `dear_tests`, which it counts, or 0
-//     kKeepsShapes            whether the current leaf stays a shape from one walk to the next; if
-//                             not, it makes room on the stack while triangles are tested
-//     kDisjointRootsEnd       whether nothing matters where the root boxes are disjoint
-//     translated(transform)   a bound for the walk under a translation
-//     rotated(transform)      one under a rotation, which may have a state: a run's own
-//     test(a, b, i, j)        unless kIntersects: whether two triangles in A's frame are an answer,
-//                             A's i-th and B's j-th; may change the predicate
-//     KeepsBound              a type, void, if not only a rotated B has a bound with a state: then
-//                             is_kept(transform) decides, unless kAlwaysKeepsBound, and
-//                             kept(transform) makes it, not rotated()
-//     StaysNear               a type, void, if its limit is too short for a B that lies far off,
-//     which
-//                             is then put nearer
-//     error_of(transform, a, b)   unless kDisjointRootsEnd: what is wrong with the predicate
-// Box tests are the predicate's to widen; a test may only say yes where they do not say no.
+// A predicate decides a walk's pairs for a query. It is a small class with
+//     kIntersects             true if only triangles that intersect are an answer: then the exact
+//                             test is known, and any test that finds them disjoint may reject them
+//     Shapes<Mesh>            the leaf planes (leaf_planes.hpp), or NoShapes
+//     kBatch                  the most pairs of leaves in a batch: one if an answer changes the box
+//                             test
+//     kPairWork               the work of testing two triangles (work.hpp)
+//     kDearWork               the extra work for each of `dear_tests`, which it counts, or 0
+//     kKeepsShapes            true if the current leaf's planes stay from one walk to the next; if
+//                             not, they take no stack while triangles are tested
+//     kDisjointRootsEnd       true if disjoint root boxes end the query
+//     translated(transform)   returns a walk's box test under a translation
+//     rotated(transform)      returns one under a rotation; it may have a state for the run
+//     test(a, b, i, j)        unless kIntersects: true if A's i-th and B's j-th triangle, in A's
+//                             frame, are an answer; may change the predicate
+//     KeepsBound              a type, void, if a translated B may have a stateful box test, too:
+//                             then is_kept(transform) decides, unless kAlwaysKeepsBound, and
+//                             kept(transform) returns it instead of rotated()
+//     StaysNear               a type, void, if the limit is too short for a far B, which is then
+//                             put nearer
+//     error_of(transform, a, b)   unless kDisjointRootsEnd: returns the predicate's error
+// The predicate widens its box tests so that they reject no answer.
 #ifndef FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
 #define FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
 
@@ -36,11 +34,11 @@
 
 namespace flashbvh::detail {
 
-/// The box test with a state, of a predicate and where B lies.
+/// The stateful box test of a predicate and a transform.
 template <class Predicate, class = void>
 struct StatefulBoxTest {
   static constexpr bool kAlways = false;
-  /// Whether a walk takes it.
+  /// True if a walk uses it.
   FLASHBVH_INLINE static bool is_for(const Predicate& /*predicate*/, const Transform& transform) {
     return transform.is_rotated();
   }
@@ -59,7 +57,7 @@ struct StatefulBoxTest<Predicate, typename Predicate::KeepsBound> {
   }
 };
 
-/// Whether a predicate of distance sees a far B.
+/// True if a predicate of distance supports a far B.
 template <class Predicate, class = void>
 struct SeesFar {
   static constexpr bool kValue = !Predicate::kDisjointRootsEnd;
@@ -69,7 +67,7 @@ struct SeesFar<Predicate, typename Predicate::StaysNear> {
   static constexpr bool kValue = false;
 };
 
-/// Shapes that stay from one walk to the next; or none, and each walk makes its own.
+/// Leaf planes that stay from one walk to the next; or none, and each walk makes its own.
 template <class ShapesType, bool kKept>
 struct KeptShapes {
   using Shapes = ShapesType;
@@ -110,7 +108,8 @@ struct Intersection {
   }
 };
 
-/// The same with boxes alone: the paper's, and what leaves as shapes are measured against.
+/// Intersection without leaf planes, as in the paper: the reference that leaf planes are measured
+/// against.
 struct BoxIntersection : Intersection {
   template <class Mesh>
   using Shapes = NoShapes<Mesh>;

@@ -1,9 +1,9 @@
-// The triangles of two leaves tested at once, with AVX2: where a processor has it, which is
-// detected when a query runs. Answers are those of triangles_intersect(), bit for bit.
+// Tests the triangles of two leaves at once with AVX2, if a query detects AVX2 at run time. Answers
+// equal those of triangles_intersect(), bit for bit.
 //
-// A vector holds a corner in each lane: a triangle's heights over a plane are three products, and
-// whether it is on one side of it two masks. What separates no pair goes to the determinants of
-// triangle.cpp, two in a vector; what is flat goes there itself.
+// A vector holds one corner per lane: a triangle's heights over a plane take three products, and
+// two masks decide whether it lies on one side. A pair that no plane separates goes to the
+// determinants of triangle.cpp, two per vector; a pair with a flat triangle goes to triangle.cpp.
 #ifndef FLASHBVH_DETAIL_QUERY_LEAF_TRIANGLES_HPP
 #define FLASHBVH_DETAIL_QUERY_LEAF_TRIANGLES_HPP
 
@@ -19,12 +19,12 @@
 
 namespace flashbvh::detail {
 
-/// Whether the predicate tests any two triangles of two leaves, and only for intersection.
+/// True if the predicate tests any two triangles of two leaves, and only for intersection.
 template <class Predicate>
 inline constexpr bool kAsksAllAlike = Predicate::kIntersects;
 
-/// A batch of pairs of leaves. Elsewhere, and where the predicate differs by triangle, they are
-/// tested one pair after the other.
+/// A batch of pairs of leaves. On other processors, and if the predicate differs by triangle,
+/// triangles are tested one pair after the other.
 template <class LeafPairs, class Mesh, bool asks_all_alike>
 struct Batches {
   using Batch = LeafPairs;
@@ -33,23 +33,23 @@ struct Batches {
 
 #if defined(FLASHBVH_LEAVES_AT_ONCE)
 
-/// The most triangles of a leaf that is tested at once: what trees have by default.
+/// The most triangles of a leaf that is tested at once: the default of trees.
 constexpr uint32_t kMostAtOnce = 2;
 
-/// A narrow triangle in A's frame, a corner a lane. In cells, within +-2^17.
+/// A narrow triangle in A's frame, one corner per lane. In cells, within +-2^17.
 struct alignas(16) TriangleLanes {
-  int64_t x[4];  ///< of the three corners, and once more the last one's
+  int64_t x[4];  ///< of the three corners, then of the last one again
   int64_t y[4];
   int64_t z[4];
-  int64_t plane[4];      ///< its normal, and how high it is over the origin along that
+  int64_t plane[4];      ///< its normal, and its height over the origin along the normal
   int32_t corner[3][4];  ///< the same corners, with 0 after each
 };
 
-/// What places vertices, an axis a lane.
+/// The placement of vertices, one axis per lane.
 struct alignas(16) VertexTransform {
-  uint32_t entries_xy[4];  ///< halves with a sign
+  uint32_t entries_xy[4];  ///< signed halves
   uint32_t entries_z[4];
-  uint32_t rest_xy[4];  ///< of the other halves
+  uint32_t rest_xy[4];  ///< the lower bits of the entries (RotationMatrix)
   uint32_t rest_z[4];
   int32_t offset[4];  ///< of a translation: in cells
 
@@ -57,11 +57,11 @@ struct alignas(16) VertexTransform {
   void rotate(const RotatedTransform& by);
 };
 
-/// `corner`: three vertices of a mesh. Only where the processor has AVX2, as what follows.
+/// Place a triangle. `corner`: three vertices of a mesh. These and all functions below need AVX2.
 void take_translated(const VertexTransform& by, const Vertex* const (&corner)[3], TriangleLanes& t);
 void take_rotated(const VertexTransform& by, const Vertex* const (&corner)[3], TriangleLanes& t);
 
-/// Which pairs of triangles intersect: bit i + j * in_a for A's i-th and B's j-th.
+/// The pairs of triangles that intersect: bit i + j * in_a for A's i-th and B's j-th.
 uint32_t intersecting_pairs(const TriangleLanes* a, uint32_t in_a, const TriangleLanes* b,
                             uint32_t in_b);
 
@@ -71,7 +71,7 @@ class LeavesAtOnce {
  public:
   LeavesAtOnce(const Mesh& a, const Mesh& b) : a_(a), b_(b) {}
 
-  /// Whether a pair of leaves is tested here. The transform is always the same.
+  /// True if a pair of leaves is tested here. All calls pass one transform.
   bool has(const Transform& transform, uint32_t leaf_a, uint32_t leaf_b) {
     if (!prepared_) {
       prepare(transform);
@@ -79,7 +79,7 @@ class LeavesAtOnce {
     return usable_ && a_.mesh.triangles_in(leaf_a) <= kMostAtOnce &&
            b_.mesh.triangles_in(leaf_b) <= kMostAtOnce;
   }
-  /// Goes on to the next pair of triangles that intersects, below `untested`, or to the end.
+  /// Lowers `untested` to the next pair of triangles that intersects; false, and 0, if none does.
   bool next_answer(uint32_t leaf_a, uint32_t leaf_b, uint16_t& untested) {
     const bool took_a = a_.take(leaf_a, of_a_, take_translated);
     const bool took_b = b_.take(leaf_b, of_b_, rotated_ ? take_rotated : take_translated);
@@ -92,7 +92,7 @@ class LeavesAtOnce {
   }
 
  private:
-  /// Before a run's first pair.
+  /// Called before a run's first pair.
   void prepare(const Transform& transform) {
     prepared_ = true;
     rotated_ = transform.is_rotated();
@@ -113,7 +113,7 @@ class LeavesAtOnce {
     TriangleLanes triangle[kMostAtOnce];
 
     explicit Leaf(const Mesh& of) : mesh(of) {}
-    /// Whether it is another one than before.
+    /// True if the leaf is not that of the last call.
     template <class Take>
     bool take(uint32_t asked, const VertexTransform& by, const Take& take_triangle) {
       if (asked == leaf) {

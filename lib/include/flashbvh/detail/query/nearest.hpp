@@ -1,8 +1,8 @@
-// The predicate of distance: which triangles are nearest.
+// The predicate of distance: the nearest triangles.
 //
-// The nearest pair so far has a direction, from its point on A to that on B. Most other boxes,
-// leaves and triangles are farther apart along it, and are rejected there, as they lie in flash,
-// before anything is rotated.
+// The nearest pair so far gives a direction, from its point on A to its point on B. Most other
+// boxes, leaves and triangles are farther apart along it. They are rejected by their numbers in
+// flash, before anything is rotated.
 #ifndef FLASHBVH_DETAIL_QUERY_NEAREST_HPP
 #define FLASHBVH_DETAIL_QUERY_NEAREST_HPP
 
@@ -20,10 +20,10 @@
 
 namespace flashbvh::detail {
 
-/// What a run knows of the nearest pair so far: worked out of the pair when the run begins.
+/// A run's data of the nearest pair so far, computed from the pair when the run begins.
 struct NearestSoFar {
   explicit NearestSoFar(const Transform& where) : transform(where) {
-    // Where there are no planes, their numbers are not read.
+    // Without planes, their numbers are not read.
     // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
     if (where.is_far()) {
       along = SupportGap(where);
@@ -31,16 +31,16 @@ struct NearestSoFar {
   }
 
   const Transform& transform;  ///< prepared
-  Direction direction;         ///< that separated two triangles last
+  Direction direction;         ///< of the last separation of two triangles
   Fraction least = kInfinite;  ///< squared distance
   int64_t limit = INT64_MAX;   ///< the largest squared gap that still matters
   SupportPlanes planes;        ///< of the nearest triangles
   SupportGap along;            ///< the direction between the nearest points
   uint16_t turns = 0;          ///< how often both changed
-  bool is_short = false;       ///< whether 32 bits separate triangles by the limit
+  bool is_short = false;       ///< true if 32 bits suffice to separate triangles by the limit
 
-  /// These triangles are the nearest, and do not intersect. Apart, so that no frame below a test
-  /// holds what this makes.
+  /// Sets planes and direction of new nearest triangles, which do not intersect. Kept out of line,
+  /// so that its temporaries are in no frame below a test.
   FLASHBVH_NOINLINE void turn(const Triangle& a, const Triangle& b, const Features& features) {
     planes = SupportPlanes(a, b, features);
     ++turns;
@@ -58,7 +58,7 @@ struct NearestSoFar {
 template <class Index>
 struct Nearest;
 
-/// A walk's bound: along the direction first, which takes least.
+/// A walk's box test: along the direction first, which is cheapest.
 template <class Index>
 class NearestGap {
  public:
@@ -76,7 +76,7 @@ class NearestGap {
     return !nearest_->so_far->along.separates(a, b) && (is_kept_ ? kept_(a, b) : translated_(a, b));
   }
   const Nearest<Index>& nearest() const { return *nearest_; }
-  /// Calls `set` with the test that it is beyond the direction.
+  /// Calls `set` with the box test that follows the direction's.
   template <class Set>
   FLASHBVH_INLINE void give(const Set& set) {
     is_kept_ ? set(kept_) : set(translated_);
@@ -91,7 +91,7 @@ class NearestGap {
   bool is_kept_;
 };
 
-/// A leaf as a shape: first where its triangles end along the direction.
+/// Leaf planes that first test the end of the leaf's triangles along the direction.
 template <class Mesh>
 class NearestPlanes : public ProximityPlanes<Mesh> {
   using Base = ProximityPlanes<Mesh>;
@@ -112,7 +112,7 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
       take_end(this->leaf_side(), this->leaf());
     }
   }
-  /// A leaf that the direction rejects is not taken: nothing is tested below it.
+  /// A leaf that the direction rejects is not made current: nothing is tested below it.
   FLASHBVH_INLINE bool begin(Side side, uint32_t node, const PackedBox* reached) {
     take_end(side, (side == Side::a ? this->a : this->b).nodes[node].leaf());
     if (reached != nullptr && !may_reach(*reached)) {
@@ -124,8 +124,8 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) {
     return may_reach(box) && this->may_touch_late(box);
   }
-  /// Whether the triangles of the other tree's leaf, by its node, are too far off: along the
-  /// direction, or because both leaves have nothing but ties, or along the leaf's own axes.
+  /// True if the triangles of the other tree's leaf at `node` are too far off: along the direction,
+  /// or because both leaves have only ties, or along the leaf's own axes.
   FLASHBVH_NOINLINE bool rejects_leaf(uint32_t node, Progress& /*progress*/) {
     const Side other = this->leaf_side() == Side::a ? Side::b : Side::a;
     const auto& reached = (other == Side::a ? this->a : this->b).nodes[node];
@@ -139,7 +139,7 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
   using Node = flashbvh::Node<typename Mesh::Index>;
 
   const SupportGap& along() const { return nearest_->so_far->along; }
-  /// The same of the current leaf, kept.
+  /// ties_alone() of the current leaf, cached.
   bool has_ties_alone() {
     if (ties_ == Ties::unknown) {
       ties_ = ties_alone(this->leaf_side(), *this->node_) ? Ties::alone : Ties::not_alone;
@@ -166,11 +166,10 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
   int32_t most_ = SupportGap::kNothing;
 };
 
-/// Which triangles may be nearer than all that were tested before. The caller measures them
-/// exactly, by take(), so that no frame of a test is below that.
+/// Triangles that may be nearer than all triangles tested before. The caller measures them exactly
+/// by take(), outside all frames of a test.
 ///
-/// `allowance`, in 2^-16: the nearest that is found may be farther than the nearest by so much of
-/// its distance.
+/// `allowance`, in 2^-16: the share of the least distance by which the result may exceed it.
 template <class Index>
 struct Nearest : ProximityPredicate {
   template <class Mesh>
@@ -183,15 +182,15 @@ struct Nearest : ProximityPredicate {
 
   uint32_t tested = 0;  ///< pairs of triangles
   union {
-    uint32_t beyond = 0;   ///< between runs: by how much at most B was put nearer, in 1/256 cell
-    NearestSoFar* so_far;  ///< the run's, while it lasts
+    uint32_t beyond = 0;   ///< between runs: the most by which B was put nearer, in 1/256 cell
+    NearestSoFar* so_far;  ///< during a run: its data
   };
-  Index nearest_a = 0;  ///< the positions of the nearest so far
+  Index nearest_a = 0;  ///< slots of the nearest triangles so far
   Index nearest_b = 0;
   uint16_t allowance = 0;
-  bool has_nearest : 1;   ///< whether there is a nearest
-  bool intersect : 1;     ///< whether it does
-  bool has_features : 1;  ///< whether it is known between which features it is nearest
+  bool has_nearest : 1;   ///< true if there is a nearest pair
+  bool intersect : 1;     ///< true if it intersects
+  bool has_features : 1;  ///< true if its nearest features are known
   uint8_t of_a : 2;
   uint8_t of_b : 2;
   FeatureKind kind;
@@ -213,16 +212,15 @@ struct Nearest : ProximityPredicate {
     return Status::done;
   }
 
-  /// SupportGap::ties_alone() of a leaf, by its node, with the triangles that are nearest; false
-  /// while none is.
+  /// SupportGap::ties_alone() of a leaf with the nearest triangles; false while there are none.
   template <class Mesh>
   FLASHBVH_NOINLINE bool ties_alone(const Mesh& mesh, Side side, const Node<Index>& node) const {
     const auto& nearest = mesh.triangles[side == Side::a ? nearest_a : nearest_b];
     return has_nearest && so_far->along.ties_alone(mesh, side, node, nearest.corner);
   }
 
-  /// Whether two triangles may be nearer; none of those that are is left out. `may_tie`: whether
-  /// they may be exactly as far apart as the nearest.
+  /// False only if two triangles are not nearer. `may_tie`: true if they may be exactly as far
+  /// apart as the nearest pair.
   FLASHBVH_NOINLINE bool test(const Triangle& a, const Triangle& b, uint32_t /*i*/, uint32_t /*j*/,
                               bool may_tie = true) const {
     const int64_t limit = so_far->limit;
@@ -230,7 +228,7 @@ struct Nearest : ProximityPredicate {
              (so_far->is_short && (directions_separate(a, b, limit, so_far->direction) ||
                                    planes_separate(a, b, limit))));
   }
-  /// Whether they are; then they are the nearest, at positions that the caller sets.
+  /// True if they are nearer; they become the nearest pair, and the caller sets their slots.
   bool take(const Triangle& a, const Triangle& b) {
     Features features;
     if (!is_nearer(a, b, so_far->least, features)) {
@@ -241,7 +239,7 @@ struct Nearest : ProximityPredicate {
   }
 
  private:
-  /// Apart, so that a search has fewer registers above it.
+  /// Kept out of line, so that fewer registers are saved above a search.
   FLASHBVH_NOINLINE void keep(const Triangle& a, const Triangle& b, const Features& features) {
     has_nearest = true;
     intersect = features.kind == FeatureKind::intersection;
@@ -256,7 +254,7 @@ struct Nearest : ProximityPredicate {
   }
 };
 
-/// Triangles are placed that the direction does not separate.
+/// Places only triangles that the direction does not separate.
 template <class Index, class Mesh>
 class TriangleTest<Nearest<Index>, Mesh, false> {
  public:

@@ -1,4 +1,4 @@
-// The predicate of bands: which triangles are within a distance of each other.
+// The predicate of bands: triangles within a distance of each other.
 #ifndef FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 #define FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 
@@ -12,10 +12,10 @@
 
 namespace flashbvh::detail {
 
-/// What predicates of distance share: box tests of gaps, widened by nothing.
+/// The common part of predicates of distance: box tests of gaps, without widening.
 struct ProximityPredicate {
-  /// Of squared distances between far triangles: those that are nearer differ by less than 2^18
-  /// cells, and by less along 12 bits of a direction than 32 bits hold.
+  /// A limit of squared distances between far triangles: triangles that are nearer differ by less
+  /// than 2^18 cells, and along 12 bits of a direction by less than 32 bits hold.
   static constexpr int64_t kMostFarLimit = int64_t{1} << 32;
   using KeepsBound = void;
   static constexpr bool kAlwaysKeepsBound = false;
@@ -25,22 +25,22 @@ struct ProximityPredicate {
   static constexpr bool kDisjointRootsEnd = false;
 };
 
-/// Which triangles have points within a distance: closed, so equal is within.
+/// Triangles with points within a distance; an equal distance is within.
 struct Within : ProximityPredicate {
   static constexpr uint32_t kBatch = 4;
   static constexpr uint32_t kPairWork = kNearPairWork;
   static constexpr uint32_t kDearWork = kDearPairWork;
   static constexpr bool kKeepsShapes = false;
-  /// Steps of a distance in a cell: 1/256, as everywhere.
+  /// Sub-cells per cell: a distance counts in 1/256 cell.
   static constexpr uint32_t kSteps = 256;
   static constexpr uint32_t kStepsSquared = kSteps * kSteps;
-  /// Up to here triangles within the distance differ by at most kMaxApart, wherever B lies.
+  /// Up to this distance, triangles within it differ by at most kMaxApart, wherever B lies.
   static constexpr uint32_t kMostShort = (1u << 23) - 1;
   static constexpr uint32_t kMost = static_cast<uint32_t>(kMaxFarOffset) * kSteps;
 
-  uint32_t short_distance : 24;  ///< one beyond kMostShort for all that are
-  uint32_t dear_tests : 8;       ///< that nothing but the distance could decide; 255 for more
-  Direction direction;           ///< that separated two triangles last; else the distance
+  uint32_t short_distance : 24;  ///< kMostShort + 1 for all longer distances
+  uint32_t dear_tests : 8;       ///< tests that only the exact distance decided; 255 for more
+  Direction direction;           ///< of the last separation; for a long distance, the distance
 
   explicit Within(uint32_t distance = 0)
       : short_distance((distance <= kMostShort ? distance : kMostShort + 1) & 0xFFFFFF),
@@ -58,7 +58,7 @@ struct Within : ProximityPredicate {
     return {transform.offset, limit()};
   }
 
-  /// Of a B that was put nearer than it lies only "no" is an answer.
+  /// If B was put nearer than it lies, only the answer "no" is valid.
   template <class Mesh>
   Status error_of(const Transform& transform, const Mesh& a, const Mesh& b) const {
     if (distance() > kMost) {
@@ -81,7 +81,7 @@ struct Within : ProximityPredicate {
   }
 
  protected:
-  /// Of short ones.
+  /// For short distances.
   uint64_t squared_steps() const {
     const uint64_t steps = short_distance;
     return steps * steps;
@@ -90,16 +90,16 @@ struct Within : ProximityPredicate {
 
   uint64_t squared_any() const { return uint64_t{distance()} * distance(); }
   GapLimit limit() const { return GapLimit(static_cast<int64_t>(squared_any() / kStepsSquared)); }
-  /// Of short distances.
+  /// For short distances.
   bool are_separate(const Triangle& a, const Triangle& b, uint32_t steps) {
     const uint64_t squared = uint64_t{steps} * steps;
-    // In 32 bits from here on, not in registers for 64.
+    // 32 bits from here on, to spare the registers of 64.
     const uint32_t limit =
         static_cast<uint32_t>(squared) >> 16 | static_cast<uint32_t>(squared >> 32) << 16;
     return squared_box_gap(a, b) > limit || directions_separate(a, b, limit, direction) ||
            planes_separate(a, b, limit);
   }
-  /// Of any distance.
+  /// For any distance.
   FLASHBVH_NOINLINE bool are_boxes_separate(const Triangle& a, const Triangle& b) const {
     return static_cast<uint64_t>(squared_box_gap(a, b)) > squared_any() / kStepsSquared;
   }

@@ -1,4 +1,4 @@
-// How a query runs: walks that collect pairs of leaves, and tests of their triangles, by turns.
+// A query's run: walks that collect pairs of leaves alternate with tests of their triangles.
 #ifndef FLASHBVH_DETAIL_QUERY_QUERY_RUN_HPP
 #define FLASHBVH_DETAIL_QUERY_QUERY_RUN_HPP
 
@@ -19,8 +19,8 @@
 
 namespace flashbvh::detail {
 
-/// What a Query is made of. The walk batches up to eight pairs of leaves before their triangles are
-/// tested, so that its stack and that of the triangle test are never needed at once.
+/// The base of Query. The walk batches up to eight pairs of leaves before their triangles are
+/// tested, so that the stacks of walk and triangle test are never needed at once.
 template <class Traversal, class Predicate>
 class QueryRun : protected Predicate {
  protected:
@@ -43,20 +43,20 @@ class QueryRun : protected Predicate {
   [[nodiscard]] const Mesh& mesh_a() const { return *a_; }
   /// For derived queries: B.
   [[nodiscard]] const Mesh& mesh_b() const { return *b_; }
-  /// Where B lies.
+  /// B's placement.
   [[nodiscard]] const Transform& transform() const { return transform_; }
-  /// What is wrong with meshes, pose and predicate; `done`: nothing.
+  /// The error of meshes, pose or predicate; `done`: none.
   [[nodiscard]] Status error() const { return error_; }
   /// Records an error found by a derived query.
   void refuse(Status error) { error_ = error; }
-  /// For what a derived query does before its first walk.
+  /// For a derived query's steps before its first walk.
   void prepare() { transform_.prepare(*b_); }
-  /// The pair that a sink was handed is none, after all.
+  /// Takes the pair last handed to a sink back from the counts.
   void uncount_pair() { --stats_.triangle_pairs; }
   /// Counts a visit outside the walk.
   void count_visit() { ++stats_.visits; }
-  /// Runs and leaves in `work` what is left of it. `room()`: for how many more pairs `sink` has
-  /// capacity, which spares walking on after the last of them.
+  /// Runs, and leaves the remaining work in `work`. `room()`: the capacity of `sink` in pairs, so
+  /// that no walk goes on after the last of them.
   template <class Sink, class Room>
   FLASHBVH_INLINE Status run_with(uint32_t& work, Sink&& sink, const Room& room) {
     if (error_ != Status::done || state_ == State::done) {
@@ -74,15 +74,14 @@ class QueryRun : protected Predicate {
       }
       transform_.prepare(*b_);
     }
-    uint32_t left = work;  // in memory from here on only
+    uint32_t left = work;  // in memory only from here on
     const Status status = go_on(left, sink, room);
     work = left;
     return status;
   }
 
-  /// Positions of the current pair of triangles: the leaves' pairs are taken from the last one on,
-  /// all of A's for each of B's.
-  /// The pair due is the one before `untested_`, the pair tested last that at it.
+  /// Slots of the leaves' i-th pair of triangles. Pairs are tested from the last one down, all of
+  /// A's triangles for each of B's. `untested_` - 1 is the next pair, `untested_` the last tested.
   uint32_t of_a(uint32_t i) const {
     return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
   }
@@ -99,7 +98,7 @@ class QueryRun : protected Predicate {
     leaf_b_ = b_->nodes[nodes.b].leaf();
   }
 
-  /// Orders with a stack can't go back to a pair, so they batch but one.
+  /// Traversals with a stack can't go back to a pair, so their batch is one pair.
   using BatchTypes =
       Batches<LeafPairs<Mesh, Traversal::kStackless ? Predicate::kBatch : 1, Predicate::kPairWork>,
               Mesh, kAsksAllAlike<Predicate>>;
@@ -133,15 +132,14 @@ class QueryRun : protected Predicate {
     }
   }
 
-  /// Pays for pairs of triangles, all of them or as many as work allows; how many are kept for
-  /// another run.
+  /// Pays for pairs of triangles, as many as work allows. Returns the number left for another run.
   static uint32_t pay(uint32_t pairs, uint32_t& work) {
     const uint32_t paid = triangle_pairs_for<Predicate::kPairWork>(work);
     take_work(work, pairs * Predicate::kPairWork);
     return paid < pairs ? pairs - paid : 0;
   }
 
-  /// For what tests took that kPairWork is not for.
+  /// Pays for the parts of tests that kPairWork does not cover.
   void pay_dear(uint32_t& work) {
     if constexpr (Predicate::kDearWork != 0) {
       take_work(work, this->dear_tests * Predicate::kDearWork);
@@ -149,7 +147,7 @@ class QueryRun : protected Predicate {
     }
   }
 
-  /// What the walk found after the current pair, it will find again.
+  /// Stops at the current pair. The next walk finds the pairs after it again.
   void stop_at_current(const Batch& batch) {
     if constexpr (Traversal::kStackless) {
       if (batch.has_current()) {
@@ -190,7 +188,7 @@ class QueryRun : protected Predicate {
     return start.fits(a, b) ? Status::done : Status::stack_too_small;
   }
 
-  /// Whether roots that are disjoint end the query with its first visit.
+  /// True if disjoint roots end the query with its first visit.
   static constexpr bool kEndsAtRoots = Traversal::kStartsAtRoots && Predicate::kDisjointRootsEnd;
   template <bool>
   struct EndsAtRoots {};
@@ -239,11 +237,11 @@ class QueryRun : protected Predicate {
     state_ = State::fresh;
     error_ = error;
   }
-  /// What a walk is beyond its visits, where those of its pairs are not paid for.
+  /// The work of a walk beyond its visits, charged if its pairs do not pay for it.
   static constexpr uint32_t kWalkWork =
       Predicate::kPairWork < kNearPairWork ? kNearPairWork : Predicate::kPairWork;
 
-  /// Until the batch is full, to the end, or to that of the work.
+  /// Walks until the batch is full, all pairs are visited or the work is used up.
   FLASHBVH_NOINLINE State walk(uint32_t& work, Batch& batch, typename Kept::Shapes& kept,
                                uint32_t room) {
     typename Kept::AtHand shapes = Kept::at_hand(kept, *a_, *b_, transform_);
@@ -280,10 +278,9 @@ class QueryRun : protected Predicate {
     return detail::walk<Traversal>(ByReference<decltype(bound)>{&bound}, shapes, run, state_);
   }
 
-  /// Tests pairs of triangles until one is an answer; false if none is left of the batch.
-  /// Transforming triangles, B's above all, is not done again while pairs share them.
-  /// `kept`: how many of the current pairs are not paid for. Nothing but `this` outlives the call,
-  /// which keeps the stack flat where it is deepest.
+  /// Tests pairs of triangles until one is an answer; false if the batch has no more. Consecutive
+  /// pairs share transformed triangles, mainly B's. `kept`: the current pairs that are not paid
+  /// for. Only `this` outlives the call, which keeps the stack flat where it is deepest.
   FLASHBVH_NOINLINE bool next_answer(Batch& batch, uint32_t kept) {
     if (Predicate::kIntersects && untested_ == 0 && !batch.is_walked()) {
       return false;  // before a run's first walk: with no registers saved
@@ -298,7 +295,7 @@ class QueryRun : protected Predicate {
       bool answer = false;
       bool is_at_once = false;
       if constexpr (BatchTypes::kAtOnce) {
-        // Of those that are paid for in part, some come free: test_leaves() knows which.
+        // In leaves paid for in part, some pairs are free of charge: test_leaves() decides which.
         is_at_once = kept == 0 && batch.at_once.has(transform_, leaf_a_, leaf_b_);
         if (is_at_once) {
           untested_ = static_cast<uint16_t>(untested);
@@ -318,13 +315,13 @@ class QueryRun : protected Predicate {
     }
   }
 
-  /// Tests the pairs of triangles that the pair of leaves still has, down to an answer, or to those
-  /// that are kept for another run.
+  /// Tests the leaves' remaining pairs of triangles, down to an answer or to the `kept` pairs that
+  /// wait for another run.
   FLASHBVH_INLINE bool test_leaves(Test& test, const Batch& batch, uint32_t kept,
                                    uint32_t untested) {
     const uint32_t first_a = a_->first_triangle(leaf_a_);
     const uint32_t in_a = a_->end_triangle(leaf_a_) - first_a;
-    uint32_t of_a = untested;  // of A's, with the first of B's
+    uint32_t of_a = untested;  // A's triangles for B's first one
     uint32_t triangle_b = b_->first_triangle(leaf_b_);
     if (untested > in_a) {
       const uint32_t last = untested - 1;  // a run before this one may have stopped anywhere
@@ -332,7 +329,7 @@ class QueryRun : protected Predicate {
       of_a = last % in_a + 1;
       triangle_b += last / in_a;
     }
-    // A run that begins inside a pair of leaves does without.
+    // A run that begins inside a pair of leaves tests no box.
     const PackedBox* const box_a =
         batch.has_current() ? &a_->nodes[batch.current().a].box : nullptr;
     bool answer = false;
@@ -357,8 +354,8 @@ class QueryRun : protected Predicate {
     stats_.overlaps += walked.overlaps;
   }
 
-  /// The next pair of leaves, and how many pairs of triangles it has; 0 if there is none, or it is
-  /// not paid for.
+  /// Moves to the next pair of leaves. Returns its number of pairs of triangles; 0 if there is no
+  /// pair of leaves, or it is not paid for.
   FLASHBVH_INLINE_FOR_SPEED uint32_t take_next(Batch& batch) {
     const bool paid = batch.has_next();
     if (!paid && !batch.has_unpaid()) {
@@ -378,14 +375,14 @@ class QueryRun : protected Predicate {
     return 0;
   }
 
-  // What is read most comes first, where short instructions reach it.
+  // The members read most come first, within reach of short instructions.
   const Mesh* a_;
   const Mesh* b_;
   QueryStats stats_;
   Cursor cursor_;
-  Index leaf_a_;  ///< the cursor's pair of leaves, by number, once it is at one
+  Index leaf_a_;  ///< leaf numbers of the cursor's pair, once both are leaves
   Index leaf_b_;
-  uint16_t untested_;  ///< pairs of triangles that the cursor's pair of leaves still has
+  uint16_t untested_;  ///< remaining pairs of triangles of the cursor's leaves
   State state_;
   Status error_;  ///< `done`: none
   Transform transform_;

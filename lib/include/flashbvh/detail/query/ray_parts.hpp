@@ -1,4 +1,4 @@
-// The integers behind a ray of floats.
+// Conversion of a ray of floats to integers.
 #ifndef FLASHBVH_DETAIL_QUERY_RAY_PARTS_HPP
 #define FLASHBVH_DETAIL_QUERY_RAY_PARTS_HPP
 
@@ -9,16 +9,16 @@
 
 namespace flashbvh::detail {
 
-/// Largest coordinate of a segment's end, in cells: that of a mesh's origin, and a ray's.
+/// Largest coordinate of a segment's end, in cells: a mesh origin's plus a ray's.
 constexpr int64_t kMostOfSegment = (int64_t{1} << 29) + kMaxRayCoordinate;
 
-/// Of 1/65,536 of a cell, halves up.
+/// Rounds 1/65,536 cell to whole cells, halves up.
 inline int64_t whole_cells(int64_t fractions) {
   return (fractions + 0x8000) >> 16;
 }
 
-/// A vector of floats, which are finite and not all 0, as whole numbers below 2^30 in proportion to
-/// it, the largest of them 2^28 at least.
+/// Converts a vector of floats to proportional whole numbers below 2^30, the largest of them at
+/// least 2^28. False if a float is not finite or all are 0.
 inline bool get_direction(const float (&direction)[3], int32_t (&whole)[3]) {
   FloatParts parts[3];
   int32_t highest = INT32_MIN;
@@ -51,7 +51,7 @@ inline uint32_t share_of(uint32_t part, uint32_t whole) {
   return share;
 }
 
-/// `reach`, below 2^37, times a component of a direction of this length: within 2^-9 of a cell.
+/// `reach`, below 2^37, times `component` / `length` of a direction: within 2^-9 cell.
 inline int64_t way_along(int64_t reach, int32_t component, uint32_t length) {
   const bool negative = component < 0;
   const uint32_t share = share_of(static_cast<uint32_t>(negative ? -component : component), length);

@@ -1,5 +1,5 @@
-// A query of a mesh and itself: a predicate of two meshes, on each unordered pair of triangles
-// that share no vertex.
+// The predicate for a mesh against itself: a predicate of two meshes, on each unordered pair of
+// triangles that share no vertex.
 #ifndef FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
 #define FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
 
@@ -14,7 +14,7 @@
 
 namespace flashbvh::detail {
 
-/// Leaves are no shapes: neighbours always overlap, and a slab never separates them.
+/// There are no leaf planes: neighbours always overlap, and a slab never separates them.
 template <class Base>
 struct SelfPredicate : Base {
   template <class Mesh>
@@ -24,18 +24,18 @@ struct SelfPredicate : Base {
   explicit SelfPredicate(const Base& base) : Base(base) {}
 };
 
-/// Not of triangles that share a vertex.
+/// Triangles that share a vertex are not tested.
 template <class Base>
 inline constexpr bool kAsksAllAlike<SelfPredicate<Base>> = false;
 
-/// Which pairs count, by the positions of their triangles.
+/// Selects the pairs of triangles that count.
 template <class Mesh>
 class SelfPairs {
  public:
   explicit SelfPairs(const Mesh& mesh) : mesh_(mesh) {}
 
   FLASHBVH_INLINE void take_b(uint32_t of_b) { of_b_ = of_b; }
-  /// Each pair once, by its order in the array, unless a vertex is both triangles'.
+  /// True once per pair, by the order in the array, unless the triangles share a vertex.
   FLASHBVH_INLINE bool counts(uint32_t of_a) const {
     if (of_a >= of_b_) {
       return false;
@@ -45,8 +45,7 @@ class SelfPairs {
     const auto is_of_a = [&a](uint32_t v) { return v == a[0] || v == a[1] || v == a[2]; };
     return !is_of_a(b[0]) && !is_of_a(b[1]) && !is_of_a(b[2]);
   }
-  /// Of a pair that counts: whether B's is another triangle than at the last one; then it is in
-  /// `b`.
+  /// For a pair that counts: true if B's triangle is a new one, which this then writes to `b`.
   FLASHBVH_INLINE bool place_b(Triangle& b) {
     if (placed_ == of_b_) {
       return false;
@@ -70,7 +69,7 @@ class SelfPairs {
   uint32_t placed_ = UINT32_MAX;
 };
 
-/// Leaves of neighbours always overlap, their triangles seldom do: so what is cheap comes first.
+/// Leaves of neighbours always overlap, but their triangles seldom do: so cheap tests come first.
 template <class Base, class Mesh>
 class TriangleTest<SelfPredicate<Base>, Mesh, true> {
  public:

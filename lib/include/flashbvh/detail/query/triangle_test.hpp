@@ -1,4 +1,4 @@
-// Tests pairs of triangles of two meshes, keeping what consecutive pairs share.
+// Tests pairs of triangles of two meshes, and keeps the data that consecutive pairs share.
 #ifndef FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
 #define FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
 
@@ -10,12 +10,12 @@
 
 namespace flashbvh::detail {
 
-/// The triangle of B that consecutive pairs share, placed where the first of them needs it:
-/// rotating it costs most. It may be far.
+/// The triangle of B that consecutive pairs share. It is placed when first needed, as rotating it
+/// costs most. B may be far.
 template <class Mesh>
 class KeptTriangle {
  public:
-  /// By its position; whether it is another one than before.
+  /// Sets the triangle; true if it is a new one.
   bool take(uint32_t position) {
     const bool is_new = position != position_;
     is_placed_ = is_placed_ && !is_new;
@@ -37,20 +37,19 @@ class KeptTriangle {
   Triangle triangle_;
 };
 
-/// Any predicate's.
+/// The test of any predicate.
 template <class Predicate, class Mesh, bool kIntersects>
 class TriangleTest {
  public:
   TriangleTest(Predicate& predicate, const Mesh& a, const Mesh& b, const Transform& transform)
       : predicate_(predicate), a_(a), b_(b), transform_(transform) {}
 
-  /// A triangle of B, by its position; false if it intersects nothing in a box of A's, unless that
-  /// is null.
+  /// Sets B's triangle. False if it intersects nothing in `box_a`, unless that is null.
   bool take_b(uint32_t of_b, const PackedBox* /*box_a*/) {
     (void)kept_.take(of_b);
     return true;
   }
-  /// With a triangle of A.
+  /// Tests it against a triangle of A.
   bool operator()(uint32_t of_a) {
     Triangle a;
     translate_triangle(a_, of_a, kNoOffset, a);
@@ -65,7 +64,7 @@ class TriangleTest {
   KeptTriangle<Mesh> kept_;
 };
 
-/// Of intersection: the normal of B's triangle is kept, too.
+/// The test of intersection, which also keeps the normal of B's triangle.
 template <class Predicate, class Mesh>
 class TriangleTest<Predicate, Mesh, true> {
  public:
@@ -89,7 +88,7 @@ class TriangleTest<Predicate, Mesh, true> {
       rotate_triangle(b_, of_b, transform_.rotated(), kept_b_);
       has_normal_ = !narrow_;
     }
-    // A rotated box is wider than what is in it; a translated one is not.
+    // A rotated box is wider than its contents; a translated box is not.
     if (box_a != nullptr && !box_overlaps(*box_a, kept_b_)) {
       return false;
     }
@@ -100,7 +99,7 @@ class TriangleTest<Predicate, Mesh, true> {
     return true;
   }
 
-  /// Reads A's triangle in place: translate_triangle() by nothing would be a call and nine sums.
+  /// Reads A's triangle in place: translate_triangle() by 0 would take a call and nine sums.
   FLASHBVH_INLINE bool operator()(uint32_t of_a) const {
     const auto& corner = a_.triangles[of_a].corner;
     const auto at = [&](int i) {
@@ -119,7 +118,7 @@ class TriangleTest<Predicate, Mesh, true> {
   uint32_t kept_ = UINT32_MAX;
   bool narrow_;
   Placing placing_;
-  bool has_normal_ = false;  ///< or needs none
+  bool has_normal_ = false;  ///< or none is needed
   Triangle kept_b_;
   PlaneNormal normal_;
 };

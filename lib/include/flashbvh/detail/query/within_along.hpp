@@ -1,5 +1,5 @@
 // Compares triangles of two leaves where they lie in flash, along the direction that separated the
-// last two: a walk at a distance tests hundreds of pairs, and places only a few.
+// last pair: a walk at a distance tests hundreds of pairs, and places only a few.
 #ifndef FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
 #define FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
 
@@ -14,15 +14,14 @@
 
 namespace flashbvh::detail {
 
-/// The same question as Within, for walks that a guard takes many times: in slices, of which most
-/// end with "no".
+/// Within for a guard's walks, which are many, run in slices and mostly end with "no".
 struct WithinAlong : Within {
   static constexpr uint32_t kPairWork = kAlongPairWork;
   static constexpr uint32_t kDearWork = kPlacedPairWork;
 
   using StaysNear = void;
 
-  uint32_t dear_tests = 0;  ///< in kDearWork
+  uint32_t dear_tests = 0;  ///< in units of kDearWork
 
   WithinAlong() {}
   explicit WithinAlong(const Within& within) : Within(within) {}
@@ -43,13 +42,13 @@ struct WithinAlong : Within {
     dear_tests += kExactPairWork / kPlacedPairWork;
     return is_within(a, b, {squared_steps(), kStepsSquared});
   }
-  /// Along what separated the last two.
+  /// The gap along the direction that separated the last pair.
   LeafGap gap(const Transform& transform) const {
     return direction.packed != 0 ? LeafGap(scaled(direction), transform, squared()) : LeafGap();
   }
 
  private:
-  /// From 10 bits to the 13 of a slab's.
+  /// Scales a direction from 10 bits to a slab's 13.
   static PackedVector scaled(const Direction& from) {
     const auto component = [&](int up) {
       return (static_cast<int32_t>(from.packed << up) >> 22) * 16;
@@ -59,8 +58,8 @@ struct WithinAlong : Within {
   }
 };
 
-/// Triangles are placed that the last direction does not separate. Made for each batch of leaves,
-/// so that a walk does without the gap.
+/// Places only triangles that the last direction does not separate. Made for each batch of leaves,
+/// so that a walk does not hold the gap.
 template <class Mesh>
 class TriangleTest<WithinAlong, Mesh, false> {
  public:
@@ -93,7 +92,7 @@ class TriangleTest<WithinAlong, Mesh, false> {
     }
     return is_near;
   }
-  /// Apart, so that no frame below it holds another gap.
+  /// Kept out of line, so that no frame below it holds another gap.
   FLASHBVH_NOINLINE void turn() {
     gap_ = predicate_.gap(transform_);
     start_ = gap_.start_of_b(b_, kept_.position());
