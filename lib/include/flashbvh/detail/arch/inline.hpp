@@ -15,8 +15,8 @@
 #else
 #define FLASHBVH_INLINE_FOR_SPEED FLASHBVH_INLINE
 #endif
-/// For functions that make a query, so that compilers drop stores that are not read until it ends;
-/// not on Xtensa, whose frames grow by 16 bytes at a time.
+/// For functions that make a query, so that compilers drop stores that are not read until it ends.
+/// Not on Xtensa, whose frames grow by 16 bytes at a time.
 #if defined(__XTENSA__)
 #define FLASHBVH_INLINE_TO_RUN FLASHBVH_NOINLINE
 #else

@@ -15,7 +15,7 @@
 
 namespace flashbvh::detail {
 
-/// Whether the six sums of bounds of `a` and `b` reach `least`.
+/// True if the six sums of bounds of `a` and `b` reach `least`.
 FLASHBVH_INLINE inline bool bounds_reach_dsp(const PackedBox& a, const PackedBox& b,
                                              const PackedTriple& least) {
   __asm__ goto(

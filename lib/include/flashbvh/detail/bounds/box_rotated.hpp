@@ -1,4 +1,4 @@
-// The test whether a box of A and a rotated box of B overlap: the face axes of both.
+// The overlap test of a box of A and a rotated box of B, on the face axes of both.
 //
 // On A's axis i the transformed vertices of a box of B lie between
 //     sum_j R_ij * (upper_j where R_ij > 0, else lower_j) + o_i    above, and the same form below.
@@ -14,7 +14,7 @@
 // time. The axes whose rotated box is current go first; a rejection there costs no rotation at all.
 //
 // Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
-// cross products of edges are left out: they save visits, but cost more instructions than that
+// cross products of edges are left out: they save visits, but execute more instructions in all
 // (lib/docs/decisions/0007-rotated-boxes.md).
 #ifndef FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
 #define FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
@@ -88,9 +88,9 @@ class RotatedBoxTest {
   /// the four bytes after a box are read, too.
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
-  /// Lower limits for the packed words of a box of B that overlaps `a` on B's lattice; or of a box
-  /// of A that overlaps `b` on A's. The argument must be of the last overlapping pair, or kept; for
-  /// any other argument every box reaches the limits.
+  /// Lower limits for the packed words of a box of B, to overlap `a` on B's lattice. window_of_b():
+  /// of a box of A, on A's lattice. The argument must be of the last overlapping pair, or kept;
+  /// every box reaches the limits of another argument.
   PackedTriple window_of_a(const PackedBox& a) const { return window(a_, a); }
   PackedTriple window_of_b(const PackedBox& b) const { return window(b_, b); }
   /// The boxes of the last pair that overlapped, each on the other's lattice.
@@ -102,7 +102,7 @@ class RotatedBoxTest {
  private:
   static PackedBox seen(const PackedBox& bounds) {
 #if defined(FLASHBVH_ROTATED_EXCHANGED)
-    // Kept bounds above the lattice are what they are; elsewhere they are its end.
+    // Kept bounds may exceed the lattice; elsewhere bounds are clamped to its end.
     const auto within = [](uint32_t both) { return both - subtract_halves(both, 0x7FFF7FFFu); };
     return {within(bounds.lower_xy), within(bounds.upper_xy), within(swap_halves(bounds.z))};
 #else

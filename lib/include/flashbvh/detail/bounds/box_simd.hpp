@@ -22,7 +22,7 @@ namespace flashbvh::detail {
 
 #if defined(FLASHBVH_BOX_SIMD) && defined(__SSE2__)
 
-/// Whether the six sums of bounds of `a` and `b` reach `least`.
+/// True if the six sums of bounds of `a` and `b` reach `least`.
 inline bool bounds_reach_simd(const PackedBox& a, const PackedBox& b, const PackedTriple& least) {
   const auto first_two = [](const void* words) {
     return _mm_loadl_epi64(static_cast<const __m128i*>(words));
@@ -37,7 +37,7 @@ inline bool bounds_reach_simd(const PackedBox& a, const PackedBox& b, const Pack
 
 #elif defined(FLASHBVH_BOX_SIMD)
 
-/// Whether the six sums of bounds of `a` and `b` reach `least`.
+/// True if the six sums of bounds of `a` and `b` reach `least`.
 inline bool bounds_reach_simd(const PackedBox& a, const PackedBox& b, const PackedTriple& least) {
   const auto first_two = [](const void* words) {
     return vld1_u32(static_cast<const uint32_t*>(words));

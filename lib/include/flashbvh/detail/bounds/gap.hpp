@@ -2,16 +2,16 @@
 //
 // Along an axis the gap of two boxes is the length by which they miss each other; squared gaps
 // along orthogonal axes add up. Under a rotation, the sum on A's axes and the sum on B's must both
-// be within the limit. Sums of bounds and margins are those of box.hpp and box_rotated.hpp, but
+// be within the limit. Sums of bounds and margins are those of box.hpp and box_rotated.hpp. But
 // bounds are not clamped at the lattice's end: here a gap's size counts, not only its sign.
 //
-// If the limit is less than 2^15 cells, gaps are halves of words, two axes at once: a subtraction
+// If the limit is less than 2^15 cells, gaps are halves of words, two axes at once. A subtraction
 // that saturates at 0 gives the gap, and 2^15 is beyond the limit. Larger limits, and a translated
 // B that is too far off for halves, take the wide form, with gaps of 32 bits.
 //
 // B's axes are the columns n_j of the rotation with 14 bits. A vector w has sum (n_j . w)^2 <=
 // |N|^2 |w|^2, and |N|^2 is at most (1 + defect / 2 + 3 * 2^-15)^2. This is below 1 + 2^-10 if no
-// entry of R^T R is off by more than 2^-13, and the limit on B's axes is larger by this factor.
+// entry of R^T R is off by more than 2^-13. The limit on B's axes is larger by this factor.
 // Bounds on A's axes are rounded inwards, as placed vertices are whole there. Bounds on B's axes
 // are rounded outwards, as vertices are not whole there.
 #ifndef FLASHBVH_DETAIL_BOUNDS_GAP_HPP
@@ -33,8 +33,8 @@
 
 namespace flashbvh::detail {
 
-/// Squared gaps and their limit, in 32 bits. If the limit has more than 30 bits, gaps count in
-/// units of four cells, rounded down; if it has more than 35 bits, in larger units.
+/// Squared gaps and their limit, in 32 bits. For limits of more than 30 bits, gaps count in units
+/// of four cells, rounded down; for more than 35 bits, in larger units.
 class GapLimit {
  public:
   /// `squared`: the largest square of a distance that still matters, in square cells.
@@ -317,7 +317,7 @@ class RotatedGap {
     return squared_middles(seen_of_b(b), a) + squared(a, b);
   }
 
-  /// A box of A on B's lattice, and the other way round.
+  /// A box of A on B's lattice; a box of B on A's.
   const SeenBox& seen_of_a(const PackedBox& a);
   const SeenBox& seen_of_b(const PackedBox& b);
 
@@ -357,13 +357,13 @@ class KeptGap {
   bool operator()(const PackedBox& a, const PackedBox& b);
   const GapLimit& limit() const { return limit_; }
 
-  /// For a rotated B: lower limits for the packed words of a box of B that overlaps `a` on B's
-  /// lattice; or of a box of A and `b`. Not valid for a far B, where no limit is near.
+  /// For a rotated B: lower limits for the packed words of a box of B, to overlap `a` on B's
+  /// lattice. window_of_b(): of a box of A. Not valid for a far B, where no limit is near.
   const PackedTriple& window_of_a(const PackedBox& a);
   const PackedTriple& window_of_b(const PackedBox& b);
 
  private:
-  /// Tests two boxes of which none is current: the exception, and the only case that needs saved
+  /// Tests two boxes of which neither is current: the exception, and the only case that needs saved
   /// registers. The wide form never has a current box.
   FLASHBVH_NOINLINE bool compare_new(const PackedBox& a, const PackedBox& b);
 

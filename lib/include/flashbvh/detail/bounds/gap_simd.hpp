@@ -24,8 +24,8 @@ inline BoxTestLanes bound_lanes(const PackedBox& box) {
           _mm_unpackhi_epi64(xy, _mm_shuffle_epi32(z, _MM_SHUFFLE(3, 1, 1, 0)))};
 }
 
-/// The sum of squared gaps. A gap is `zero` less the smaller sum of its axis, in `upper` or in
-/// `lower`; it is shifted right by `shift` and clamped to `most`, below 2^16.
+/// The sum of squared gaps. A gap is `zero` less the smaller sum of its axis in `upper` or `lower`,
+/// shifted right by `shift` and clamped to `most`, below 2^16.
 inline uint32_t squared_gap_lanes(__m128i upper, __m128i lower, int32_t zero, uint32_t shift,
                                   uint32_t most) {
   const __m128i all_zero = _mm_set1_epi32(zero);

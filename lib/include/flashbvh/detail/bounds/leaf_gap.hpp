@@ -115,9 +115,9 @@ class SupportGap {
   }
   static constexpr int32_t kTie = 16 << kDirectionBits;
 
-  /// True if a leaf has a corner of the nearest triangle, and no other corner that may reach as far
-  /// along the unrounded direction (lib/docs/derivations.md, "Ties of leaves"). `nearest`: vertices
-  /// of the nearest triangle. Two such leaves have no nearer triangles.
+  /// True if a leaf has a corner of the nearest triangle, and no other corner may reach as far
+  /// along the unrounded direction. `nearest`: vertices of the nearest triangle. Two such leaves
+  /// have no nearer triangles (lib/docs/derivations.md, "Ties of leaves").
   template <class Mesh, class Node, class Index>
   bool ties_alone(const Mesh& mesh, Side side, const Node& node, const Index (&nearest)[3]) const {
     const PackedVector along = direction_of(side == Side::a ? of_a_ : of_b_);

@@ -1,8 +1,8 @@
-// B's lattice under a pose that rotates it, seen from A's: the place of each vertex of B, and the
-// numbers of the box test for both meshes together (box_rotated.hpp).
+// B's lattice under a pose that rotates it, seen from A's lattice: places B's vertices, and has the
+// numbers of the box test for both meshes (box_rotated.hpp).
 //
-// A vertex p goes to floor(R p + o + 1/2), where R is the pose's rotation with 22 fraction bits; o
-// has 14 fraction bits and includes both meshes' origins. This point is a function of p alone, so a
+// A vertex p goes to floor(R p + o + 1/2). R is the pose's rotation with 22 fraction bits; o has 14
+// fraction bits and includes both meshes' origins. This point is a function of p alone, so a
 // transformed mesh keeps its edges and corners together. Each coordinate is within 1/2 + 1/100 cell
 // of the exact result of the pose's numbers (lib/docs/derivations.md, "Poses").
 //

@@ -22,7 +22,8 @@ struct TranslatedTransform {
   TranslatedBoxTest bound;  ///< set by Transform::prepare()
 };
 
-/// A transform's form of placing B; from kMaxOffset on, for predicates of distance alone.
+/// A transform's way of placing B; from kMaxOffset on, `far` and `beyond` serve predicates of
+/// distance alone.
 enum class Placing : uint8_t {
   translated,
   rotated,
@@ -40,8 +41,8 @@ class Transform {
     place(pose, a, b, may_stop, [] {});
   }
 
-  /// Sets all members from a pose without an error, or, if `may_stop`, stops when the root boxes
-  /// show that nothing can intersect. Calls `rest()` last, which sets the query's other members.
+  /// Sets all members from a pose without an error. With `may_stop` it stops if the root boxes show
+  /// that nothing can intersect. Calls `rest()` last, which sets the query's other members.
   /// Each branch has its own copy of this end: if a query ends in the function that made it,
   /// compilers then drop stores that are never read. In a merged end they keep all stores.
   template <class Mesh, class Rest>
@@ -110,8 +111,8 @@ class Transform {
   const TranslatedTransform& translated() const { return translated_; }
   const RotatedTransform& rotated() const { return rotated_; }
 
-  /// True if the root boxes are disjoint: this decides the commonest query, of objects far apart,
-  /// before a walk is prepared.
+  /// True if place() separated the root boxes: this decides the commonest query, of objects far
+  /// apart, before a walk is prepared.
   bool roots_disjoint() const { return slab_margin_ == kDisjoint; }
 
   /// True if no transformed edge of B is longer than 2^15 - 1 cells along an axis; after prepare().
@@ -198,7 +199,7 @@ FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, c
   triangle = {{at(0), at(1), at(2)}};
 }
 
-/// Gets a narrow triangle, translated by whole cells, and its normal, which is narrow.
+/// Gets a translated triangle and its normal; every translated triangle is narrow.
 template <class Mesh>
 FLASHBVH_NOINLINE void translate_triangle(const Mesh& mesh, uint32_t position, const Point& offset,
                                           Triangle& triangle, PlaneNormal& normal) {

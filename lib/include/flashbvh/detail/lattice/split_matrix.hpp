@@ -1,9 +1,9 @@
 // A 3x3 matrix for rotating boxes.
 //
-// The bounds of a rotated box are sums of products: each entry of the matrix takes the upper bound
-// of the box where it is positive and the lower bound where it is negative. So the positive and the
-// negative part of every entry are kept apart, as halves of words that multiply a packed box's
-// words two products at a time (SMLAD on Cortex-M4, M7, M33; PMADDWD on SSE2).
+// The bounds of a rotated box are sums of products. A positive entry of the matrix takes the box's
+// upper bound, a negative entry the lower bound. So the positive and the negative part of every
+// entry are kept apart, as halves of words. These multiply a packed box's words two products at a
+// time (SMLAD on Cortex-M4, M7, M33; PMADDWD on SSE2).
 #ifndef FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
 #define FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
 

@@ -74,8 +74,8 @@ inline constexpr Fraction kInfinite = {{INT64_MAX, 0}, {0, 1}};
 /// -1, 0 or 1 as x is below, equal to or above y. Exact; nearly always the leading bits decide.
 int compare(const Fraction& x, const Fraction& y) noexcept;
 
-/// A fraction that is compared in 128 bits: parts below 2^46 and 2^17 with fractions of parts below
-/// 2^108 and 2^72; or `above` below 2^57 with those of meshes, of parts below 2^108 and 2^64.
+/// A fraction for comparisons in 128 bits. With fractions of parts below 2^108 and 2^72, it has
+/// parts below 2^46 and 2^17. With those of meshes, below 2^108 and 2^64, `above` is below 2^57.
 struct ShortFraction {
   uint64_t above;
   uint32_t below;

@@ -11,8 +11,8 @@ namespace flashbvh::detail {
 
 /// Largest difference along one axis between any two of the six corners, in cells.
 ///
-/// Below 2^20 the six products of a 3x3 determinant of differences add up to less than 6 * 2^60,
-/// so 64-bit integers hold the determinant and every partial sum of it.
+/// Below 2^20 the six products of a 3x3 determinant of differences add up to less than 6 * 2^60. So
+/// 64-bit integers hold the determinant and every partial sum of it.
 constexpr int32_t kMaxDifference = (1 << 20) - 1;
 
 /// True if the closed triangles `a` and `b` have a point in common.
@@ -24,8 +24,8 @@ constexpr int32_t kMaxDifference = (1 << 20) - 1;
 /// checked: beyond it the answer is meaningless.
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: at most 135 where the boxes are disjoint, else 265
-/// on average and at most 390; up to 950 for coplanar triangles and 2,100 for two segments
-/// (tests/predicates/contact_cost_test.cpp prints them), more where a difference reaches 2^15.
+/// on average and at most 390. Up to 950 for coplanar triangles and 2,100 for two segments; more
+/// where a difference reaches 2^15 (tests/predicates/contact_cost_test.cpp prints them).
 /// Stack: 104 bytes on Cortex-M3 and M4 at -O2.
 ///
 /// Source: Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation
@@ -45,9 +45,9 @@ struct PlaneNormal {
 /// Gets the normal of a narrow triangle: edges within +-(2^15 - 1) along each axis.
 void get_near_normal(const Triangle& t, PlaneNormal& normal) noexcept;
 
-/// triangles_intersect() for narrow triangles with all differences within kMaxDifference. As a
-/// query has tested the boxes that they are in, this tests the triangles' boxes only if one
-/// triangle is flat or lies in the other's plane. `normal_b`: of `b`.
+/// triangles_intersect() for narrow triangles with all differences within kMaxDifference, whose
+/// boxes may be disjoint. As a query has tested their leaves' boxes, their own boxes are tested
+/// only if one is flat or lies in the other's plane. `normal_b`: of `b`.
 bool near_triangles_intersect(const Triangle& a, const Triangle& b,
                               const PlaneNormal& normal_b) noexcept;
 /// triangles_intersect() for triangles that may not be narrow; tests the boxes first.

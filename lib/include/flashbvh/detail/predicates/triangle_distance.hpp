@@ -17,8 +17,8 @@
 
 namespace flashbvh::detail {
 
-/// Largest difference along one axis between any two of the six corners, in cells: then the
-/// numerators below are less than 2^108 and the denominators less than 2^72.
+/// Largest difference along one axis between any two of the six corners, in cells. It keeps the
+/// numerators below less than 2^108 and the denominators less than 2^72.
 constexpr int32_t kMaxApart = (1 << 17) - 1;
 /// kMaxApart for two meshes' triangles, whose edges are shorter: numerators and denominators are no
 /// larger. Functions that need kMaxApart say so.
@@ -143,8 +143,8 @@ bool middles_separate(const Triangle& a, const Triangle& b) noexcept;
 /// or more; `limit`: below 2^35. Rarely false if the planes separate.
 bool planes_separate(const Triangle& a, const Triangle& b, int64_t limit) noexcept;
 
-/// A point of a triangle: corner `origin` plus the shares (first, second) / below of the vectors
-/// from there to the two other corners, in the order of corners.
+/// A point of a triangle: corner `origin` plus (first, second) / below of the vectors from there to
+/// the other two corners, in the order of corners.
 struct PlaceInTriangle {
   uint8_t origin;
   Int128 first;

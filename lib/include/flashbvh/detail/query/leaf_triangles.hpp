@@ -57,7 +57,7 @@ struct alignas(16) VertexTransform {
   void rotate(const RotatedTransform& by);
 };
 
-/// Place a triangle. `corner`: three vertices of a mesh. These and all functions below need AVX2.
+/// Place a triangle. `corner`: three vertices of a mesh. These and intersecting_pairs() need AVX2.
 void take_translated(const VertexTransform& by, const Vertex* const (&corner)[3], TriangleLanes& t);
 void take_rotated(const VertexTransform& by, const Vertex* const (&corner)[3], TriangleLanes& t);
 

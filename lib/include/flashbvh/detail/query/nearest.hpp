@@ -124,8 +124,8 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
   FLASHBVH_INLINE bool may_touch(const PackedBox& box) {
     return may_reach(box) && this->may_touch_late(box);
   }
-  /// True if the triangles of the other tree's leaf at `node` are too far off: along the direction,
-  /// or because both leaves have only ties, or along the leaf's own axes.
+  /// True if the triangles of the other tree's leaf at `node` are too far off: along the direction
+  /// or the leaf's own axes, or because both leaves have only ties.
   FLASHBVH_NOINLINE bool rejects_leaf(uint32_t node, Progress& /*progress*/) {
     const Side other = this->leaf_side() == Side::a ? Side::b : Side::a;
     const auto& reached = (other == Side::a ? this->a : this->b).nodes[node];
@@ -167,7 +167,7 @@ class NearestPlanes : public ProximityPlanes<Mesh> {
 };
 
 /// Triangles that may be nearer than all triangles tested before. The caller measures them exactly
-/// by take(), outside all frames of a test.
+/// by take(), after the frames of the test are gone.
 ///
 /// `allowance`, in 2^-16: the share of the least distance by which the result may exceed it.
 template <class Index>

@@ -14,8 +14,8 @@ namespace flashbvh::detail {
 
 /// The common part of predicates of distance: box tests of gaps, without widening.
 struct ProximityPredicate {
-  /// A limit of squared distances between far triangles: triangles that are nearer differ by less
-  /// than 2^18 cells, and along 12 bits of a direction by less than 32 bits hold.
+  /// A limit of squared distances between far triangles. Nearer triangles differ by less than 2^18
+  /// cells, and along 12 bits of a direction by less than 32 bits hold.
   static constexpr int64_t kMostFarLimit = int64_t{1} << 32;
   using KeepsBound = void;
   static constexpr bool kAlwaysKeepsBound = false;

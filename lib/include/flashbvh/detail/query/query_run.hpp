@@ -19,8 +19,8 @@
 
 namespace flashbvh::detail {
 
-/// The base of Query. The walk batches up to eight pairs of leaves before their triangles are
-/// tested, so that the stacks of walk and triangle test are never needed at once.
+/// The base of Query. A walk batches up to eight pairs of leaves before their triangles are tested.
+/// So the stacks of walk and triangle test are never needed at once.
 template <class Traversal, class Predicate>
 class QueryRun : protected Predicate {
  protected:
@@ -51,7 +51,7 @@ class QueryRun : protected Predicate {
   void refuse(Status error) { error_ = error; }
   /// For a derived query's steps before its first walk.
   void prepare() { transform_.prepare(*b_); }
-  /// Takes the pair last handed to a sink back from the counts.
+  /// Removes the pair last handed to a sink from the counts.
   void uncount_pair() { --stats_.triangle_pairs; }
   /// Counts a visit outside the walk.
   void count_visit() { ++stats_.visits; }

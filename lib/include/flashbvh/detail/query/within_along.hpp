@@ -1,5 +1,5 @@
 // Compares triangles of two leaves where they lie in flash, along the direction that separated the
-// last pair: a walk at a distance tests hundreds of pairs, and places only a few.
+// last pair. A walk at a distance tests hundreds of pairs, and places only a few.
 #ifndef FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
 #define FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
 

@@ -10,12 +10,11 @@
 
 namespace flashbvh::detail {
 
-/// A pair of leaves pays for all its pairs of triangles when it is found, so that lack of work
-/// never makes a walk find it again. A pair that exceeds the work ends the walk; it is not counted
-/// in the batch, but tested after it.
+/// A pair of leaves pays for all its pairs of triangles when it is found: no walk finds it again
+/// for lack of work. A pair that exceeds the work ends the walk; it is tested after the batch.
 ///
-/// Each pair stores the walk's counts at that time, so that a query's counts are right at each
-/// pair. 8 * size + 16 bytes with 16-bit indices.
+/// Each pair stores the walk's counts, so that counts are right at each pair.
+/// 8 * size + 16 bytes with 16-bit indices.
 template <class Mesh, uint32_t size, uint32_t pair_work>
 class LeafPairs {
   using Index = typename Mesh::Index;

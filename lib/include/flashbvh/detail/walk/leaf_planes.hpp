@@ -1,10 +1,10 @@
 // Leaf planes: a leaf's triangles reject boxes of the other tree.
 //
 // Once one node of a pair is a leaf, the rest below the pair is that leaf against a subtree. Three
-// tests reject boxes of the subtree: the window, which is the leaf's own box seen from the other
-// tree; the slab along the normal of the leaf's first triangle; and the slab along the normal, in
-// that plane, of the triangle's longest edge. So no box of the subtree is rotated. The corners of a
-// leaf of the subtree are tested against the plane before any triangle is placed. The baker stores
+// tests reject boxes of the subtree. The window is the leaf's own box, seen from the other tree.
+// The plane is a slab along the normal of the leaf's first triangle. The edge is a slab along the
+// normal, in that plane, of the triangle's longest edge. So no box of the subtree is rotated. The
+// plane tests the corners of a leaf of the subtree before any triangle is placed. The baker stores
 // first the triangle whose slabs reject most; any other order gives equal answers.
 //
 // The tests of a pair depend on the pair alone, wherever a query is cut. Only the state of the
@@ -27,7 +27,7 @@ namespace flashbvh::detail {
 template <class Mesh>
 class LeafPlanes {
  protected:
-  // The tests of boxes come first, within reach of short instructions.
+  // The members that test boxes come first, within reach of short instructions.
   PackedTriple window;
   Slab plane;
   Slab edge;

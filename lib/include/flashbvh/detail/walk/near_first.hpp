@@ -1,10 +1,10 @@
 // The traversal of a search for any one pair. It is Ranked, but where B is rotated a walk goes to
 // the nearest child first, and skips children that one box test rejects.
 //
-// The remaining children are no function of the pair. So each level stores four bits: three for the
-// siblings that follow on the ring, which leads from the last child to the first, and one that
-// selects Ranked's order. Ranked's order also serves nodes with more than four children, and levels
-// more than eight descents below the roots.
+// The remaining children are no function of the pair. So each level stores four bits. Three are for
+// the siblings that follow on the ring, which leads from the last child to the first. One selects
+// Ranked's order: for a node with more than four children. Nodes more than eight descents below the
+// roots use Ranked's order, too.
 //
 // Under a translation the traversal is Ranked: visits are so cheap there that looking ahead costs
 // more than it saves. lib/docs/decisions/0028-first-pair.md has figures.

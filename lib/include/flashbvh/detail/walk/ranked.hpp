@@ -4,10 +4,10 @@
 // its box); leaves have none. The rule: descend into the node of the larger rank, into A on a tie.
 //
 // Invariant: at every visited pair rank(a) < rank(parent of b) and rank(b) <= rank(parent of a). It
-// holds at the roots, and each descent keeps it. So the ancestor descended into last is the one of
-// smaller rank among parent(a) and parent(b), B's on a tie, and the pair after (a, b) is a function
-// of the pair. A root's missing parent counts as kRootParentRank, above every real rank, so a root
-// is left last, and the walk is over when both nodes are roots. proofs/walk proves all of it.
+// holds at the roots, and each descent keeps it. So the last descent was into the node of smaller
+// rank among parent(a) and parent(b), B's on a tie. Hence the pair after (a, b) is a function of
+// the pair. A root's missing parent counts as kRootParentRank, above every real rank. So a root is
+// left last, and the walk is over when both nodes are roots. proofs/walk proves all of it.
 //
 // Post-indexed trees only. Each ascent undoes a descent: amortised constant time per visit.
 #ifndef FLASHBVH_DETAIL_WALK_RANKED_HPP

@@ -5,8 +5,8 @@
 // and siblings are visited by falling index. By the invariant of ranks, b is never a proper
 // descendant of a: rank(a) < rank(parent of b), and ranks never grow downwards. So b's later
 // siblings matter while b lies after a. The last sibling that matters is a or contains a; the
-// siblings after it lie before a. a's siblings never pass b: if a's parent were disjoint from b, it
-// would lie before b.
+// siblings after it lie before a. The siblings of a never pass b: if the parent of a were disjoint
+// from b, it would lie before b.
 #ifndef FLASHBVH_DETAIL_WALK_SELF_RANKED_HPP
 #define FLASHBVH_DETAIL_WALK_SELF_RANKED_HPP
 

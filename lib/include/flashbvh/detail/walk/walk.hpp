@@ -16,11 +16,11 @@
 //     descend_inner(bound)    descend() at two internal nodes, whose boxes the box test tested
 //                             last; unless kBelowLeaves
 //     next()                  moves to the pair after this one's subtrees; false if there is none
-//     leaf()                  if a run resumes below a leaf: its side
-//     leaf_root(), leaf_node()   the other tree's root and current node of the walk below it
+//     leaf()                  the side of the leaf below which a run resumes, or none
+//     leaf_root(), leaf_node()   the root and current node of that walk in the other tree
 //     store(cursor, ended)    stores the state; `ended`: next() returned false
 //     store_below(cursor, leaf, node)   stores the state of a walk below a leaf
-// and, if it is stackless, for cursors from outside whose indices are in range,
+// A stackless traversal also has, for cursors from outside whose indices are in range,
 //     nodes(a, b, cursor)     the cursor's nodes
 //     cursor_at(a, b, i, j)   the cursor of two nodes
 //     can_visit(a, b, cursor) true if a walk over these meshes can reach the cursor

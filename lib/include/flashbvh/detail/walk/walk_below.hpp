@@ -135,8 +135,8 @@ FLASHBVH_INLINE inline State walk_to_root(Shapes& shapes, Run& run, bool after) 
   return end;
 }
 
-/// Resumes the walk below a leaf, if there is one, for a traversal that stores more than a pair and
-/// so its successor. The traversal is made once more after it, which is cheaper than to keep it on
+/// For a traversal that stores more than a pair, and so the next one: resumes the walk below a
+/// leaf, if there is one. The traversal is made again after it, which is cheaper than to keep it on
 /// the stack.
 template <class Traversal, class Shapes, class Run>
 FLASHBVH_NOINLINE State walk_on_below_one(Shapes& shapes, Run& run, bool after) {

@@ -1,8 +1,8 @@
 // Work, the unit of a run's budget. A step has one price on all cores, so that a budget cuts a
 // query in the same places. The most instructions per unit depend on the core (time_bound.hpp).
 //
-// A visit costs 1. The other prices were chosen from the most instructions of a step, relative to a
-// visit under a rotation, on the cores that the tests run on (lib/docs/bounded_time.md).
+// A visit costs 1. The other prices follow from the most instructions of a step, relative to a
+// visit under a rotation, on the tested cores (lib/docs/bounded_time.md).
 #ifndef FLASHBVH_DETAIL_WALK_WORK_HPP
 #define FLASHBVH_DETAIL_WALK_WORK_HPP
 
@@ -33,14 +33,14 @@ constexpr uint32_t kGoOnWork = 2;
 /// runs divide by it.
 constexpr uint32_t kTrianglePairWork = 32;
 
-/// Two triangles tested for a distance: boxes do not separate hundreds of pairs, but early tests
-/// reject nearly all of these.
+/// Two triangles tested for a distance. A walk at a distance tests hundreds that boxes do not
+/// separate, and early tests reject nearly all.
 constexpr uint32_t kNearPairWork = 8;
 /// Extra for each other pair; charged after a batch.
 constexpr uint32_t kDearPairWork = 32;
 
-/// Two triangles tested in flash along a stored direction. Extra: placing a pair that this
-/// direction does not separate; the exact test of a pair that no direction separates.
+/// Two triangles tested in flash along a stored direction. Extra, in this order: placing a pair
+/// that it does not separate; the exact test of a pair that no direction separates.
 constexpr uint32_t kAlongPairWork = 1;
 constexpr uint32_t kPlacedPairWork = 4;
 constexpr uint32_t kExactPairWork = 24;
