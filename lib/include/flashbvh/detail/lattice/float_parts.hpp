@@ -88,7 +88,7 @@ inline int64_t cell_fractions(float length, float cells_per_unit) {
   return t.is_negative && size != kTooLarge ? -size : size;
 }
 
-/// True if `value` is negative, but not for -0. Reads its bits, as a core may have no FPU.
+/// True if `value` is negative, however small; false for -0. Uses bits, as a core may have no FPU.
 inline bool is_below_zero(float value) {
   uint32_t bits = 0;
   __builtin_memcpy(&bits, &value, sizeof bits);
