@@ -1,8 +1,8 @@
-// One question, one call: each runs a query to its end. For slices, and for all else, query.hpp.
+// One call for each query: each function runs a query to its end. query.hpp has slices and more.
 //
-// Every call has a query on its stack: at most 720 bytes with all that it calls, on Cortex-M3 to
-// M55 at -O2. It takes as long as the answer takes; where that is too long, cut a query into runs.
-// Errors are those of Query, in the status.
+// Every call has a query on its stack: at most 720 bytes with all functions that it calls, on
+// Cortex-M3 to M55 at -O2. A call ends when the answer is complete; if that takes too long, cut a
+// query into runs. Errors are those of Query, in the status.
 #ifndef FLASHBVH_COLLIDE_HPP
 #define FLASHBVH_COLLIDE_HPP
 
@@ -14,45 +14,44 @@
 
 namespace flashbvh {
 
-/// The answer to yes or no. After an error `yes` is true: what cannot be decided may collide.
+/// A yes-or-no answer. After an error `yes` is true: an undecided pair may collide.
 struct [[nodiscard]] Answer {
   Status status;
   bool yes;
 };
 
-/// Two triangles by their positions in the meshes' arrays: what a later query begins with. Opaque;
-/// may be stored.
+/// Two triangles by their slots in the meshes' arrays: a hint for later queries. Opaque, storable.
 template <class Index>
 struct Witness {
   Index a = static_cast<Index>(-1);
   Index b = static_cast<Index>(-1);
 
-  /// By default it is none.
+  /// True if it holds no pair, as by default.
   bool is_none() const { return a == static_cast<Index>(-1) && b == static_cast<Index>(-1); }
 };
 
 namespace detail {
 
-/// Whether a hint is a pair of these meshes' triangles.
+/// True if a hint is a pair of these meshes' triangles.
 template <class Mesh>
 bool is_pair(const Witness<typename Mesh::Index>& hint, const Mesh& a, const Mesh& b) {
   return hint.a < a.triangle_count && hint.b < b.triangle_count;
 }
 
-/// Of a query that ends at the first pair: `full` where there is one.
+/// Returns the answer of a query that ends at the first pair, with `full` if there is one.
 inline Answer answer_of(Status status) {
   return {status == Status::full ? Status::done : status, status != Status::done};
 }
 
 }  // namespace detail
 
-/// The query that a kind of mesh has by default.
+/// The default query for meshes with a given index type.
 template <class Index>
 using DefaultQuery = Query<Ranked<BasicMesh<Index, Layout::post_indexed>>>;
 
 namespace detail {
 
-/// A search for one pair, whichever is found first.
+/// A search for any one pair.
 template <class Index>
 class FirstQuery : public Query<NearFirst<BasicMesh<Index, Layout::post_indexed>>> {
   using Base = Query<NearFirst<BasicMesh<Index, Layout::post_indexed>>>;
@@ -60,7 +59,7 @@ class FirstQuery : public Query<NearFirst<BasicMesh<Index, Layout::post_indexed>
  public:
   using Base::Base;
 
-  /// `take(pair)` is called only if there is one.
+  /// Calls `take(pair)` if there is a pair.
   template <class Take>
   FLASHBVH_INLINE Answer find(const Take& take) {
     uint32_t work = UINT32_MAX;
@@ -70,7 +69,7 @@ class FirstQuery : public Query<NearFirst<BasicMesh<Index, Layout::post_indexed>
     };
     return answer_of(this->run_with(work, sink, [] { return UINT32_MAX; }));
   }
-  /// Whether the triangles of a hint that is none or a pair intersect.
+  /// True if the hint's triangles intersect. `hint`: none, or a pair of these meshes' triangles.
   FLASHBVH_NOINLINE bool holds(const Witness<Index>& hint) const {
     if (hint.is_none() || this->error() != Status::done || this->transform().roots_disjoint()) {
       return false;
@@ -85,8 +84,8 @@ class FirstQuery : public Query<NearFirst<BasicMesh<Index, Layout::post_indexed>
 
 }  // namespace detail
 
-/// A pair of triangles that intersect, the first that a search finds, in `found`, which is written
-/// only if there is one. Where all pairs are wanted, or a query in slices, others come first.
+/// Searches for one pair of triangles that intersect, and writes it to `found` only if there is
+/// one. Other queries may find another pair first.
 template <class Index>
 Answer first_pair(const BasicMesh<Index, Layout::post_indexed>& a,
                   const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
@@ -95,8 +94,8 @@ Answer first_pair(const BasicMesh<Index, Layout::post_indexed>& a,
   return query.find([&found](const TrianglePair<Index>& pair) { found = pair; });
 }
 
-/// Whether any two triangles intersect; ends at the first pair that does, which it looks for where
-/// the meshes overlap most.
+/// True if any two triangles intersect. Searches first where the meshes overlap most, and ends at
+/// the first pair.
 template <class Index>
 Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
                   const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) {
@@ -104,12 +103,13 @@ Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
   return query.find([](const TrianglePair<Index>&) {});
 }
 
-/// The same along a motion: `hint` is the pair that intersected last, and is tested before all
-/// else. At first it is none, and after a no or an error it is none again; then a no is the
-/// likelier answer, and the search takes the order that finds it soonest. It never changes the
-/// answer. `hint_invalid`: it is no pair of these meshes' triangles, and stays as it is.
+/// Repeats the test along a motion. `hint`: the pair that intersected last, which is tested first;
+/// none at first. After a no or an error it is none again; the search then takes the order that
+/// finds a no soonest. The hint never changes the answer. `hint_invalid`: it is no pair of these
+/// meshes' triangles; the hint does not change.
 ///
-/// About 1,300 instructions on a Cortex-M4 at -O2 where the hint holds (lib/docs/figures.md).
+/// About 1,300 instructions on a Cortex-M4 at -O2 if the hint's triangles intersect
+/// (lib/docs/figures.md).
 template <class Index>
 Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
                   const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
@@ -129,8 +129,8 @@ Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
   return answer;
 }
 
-/// Hands each intersecting pair to `visit(pair)`, in the query's order, until it returns false.
-/// `done` at the end, `full` if `visit` said no more.
+/// Passes each intersecting pair to `visit(pair)`, in the query's order, until it returns false.
+/// `done` at the end, `full` if `visit` returned false.
 template <class Index, class Visitor>
 FLASHBVH_INLINE inline Status for_each_pair(const BasicMesh<Index, Layout::post_indexed>& a,
                                             const BasicMesh<Index, Layout::post_indexed>& b,
@@ -139,7 +139,7 @@ FLASHBVH_INLINE inline Status for_each_pair(const BasicMesh<Index, Layout::post_
   return query.run(UINT32_MAX, visit).status;
 }
 
-/// How many pairs of triangles intersect: the result's `count`, 0 after an error.
+/// Returns the number of intersecting pairs of triangles in `count`, 0 after an error.
 template <class Index>
 RunResult count_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
                       const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) {
@@ -147,7 +147,7 @@ RunResult count_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
   return query.run(UINT32_MAX, [](const TrianglePair<Index>&) { return true; });
 }
 
-/// The first `capacity` pairs that intersect. `done`: these are all; `full`: there may be more.
+/// Writes the first `capacity` intersecting pairs. `done`: these are all; `full`: maybe not.
 template <class Index>
 RunResult find_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
                      const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,

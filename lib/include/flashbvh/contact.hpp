@@ -1,4 +1,4 @@
-// The triangles of a reported pair: where they intersect, and where they lie at any later time.
+// The triangles of a reported pair: their contact, and their corners at a later time.
 #ifndef FLASHBVH_CONTACT_HPP
 #define FLASHBVH_CONTACT_HPP
 
@@ -10,7 +10,7 @@
 
 namespace flashbvh {
 
-/// contact_of() the pair that `query` reported last: where Query::last_pair() may be called.
+/// Returns contact_of() for the pair that `query` reported last. Valid when Query::last_pair() is.
 template <class Query>
 [[nodiscard]] Contact contact_of_last(const Query& query) {
   Triangle a;
@@ -19,7 +19,7 @@ template <class Query>
   return contact_of(a, b);
 }
 
-/// The slot in the mesh of a triangle, by its id; triangle_count if there is none.
+/// Returns the slot of the triangle with this id; triangle_count if there is none.
 template <class Mesh>
 uint32_t slot_of(const Mesh& mesh, uint32_t id) {
   uint32_t slot = 0;
@@ -29,14 +29,14 @@ uint32_t slot_of(const Mesh& mesh, uint32_t id) {
   return slot;
 }
 
-/// The triangles of a reported pair at any later time, where a query on `a` and `b` under `pose`
-/// has them: in A's frame, in cells, for contact_of(). False, and nothing is written, if the pose
-/// is in error, the cells differ or an id isn't in its mesh; the call does not test whether the
-/// triangles intersect. A rotated B that is farther off than 48,000 cells is put at that distance,
-/// where it intersects nothing.
+/// Recomputes the triangles of a reported pair at any later time, equal to those of a query on `a`
+/// and `b` under `pose`: in cells of A's frame, for contact_of(). Returns false, and writes
+/// nothing, if the pose has an error, the cells differ or an id is not in its mesh. Does not test
+/// whether the triangles intersect. A rotated B more than 48,000 cells away is placed at that
+/// distance, where it intersects nothing.
 ///
-/// Cost: looks through the ids of both meshes, in flash, one by one; then prepares the pose as a
-/// query does. Query::last_pair() has neither to do.
+/// Cost: searches the ids of both meshes in flash, one by one, then prepares the pose as a query
+/// does. Query::last_pair() needs neither.
 template <class Mesh>
 [[nodiscard]] bool transform_pair(const Mesh& a, const Mesh& b, const Pose& pose,
                                   const TrianglePair<typename Mesh::Index>& pair,

@@ -1,4 +1,4 @@
-// Where a body lies: a rotation in fixed point and a translation in parts of a cell.
+// A body's placement: a rotation in fixed point and a translation in 1/2,048 cell.
 #ifndef FLASHBVH_FRAME_HPP
 #define FLASHBVH_FRAME_HPP
 
@@ -9,15 +9,15 @@
 
 namespace flashbvh {
 
-/// Fraction bits of a frame's translation: a cell is 2,048.
+/// Fraction bits of a frame's translation: 2,048 units are one cell.
 constexpr int kFrameBits = 11;
 constexpr int32_t kFrameCell = 1 << kFrameBits;
 
-/// Largest magnitude of a frame's translation along an axis, in 1/2,048 cell: 2^19 cells, so that
-/// differences of two still fit 32 bits.
+/// Largest magnitude of a frame's translation along each axis, in 1/2,048 cell: 2^19 cells. The
+/// difference of two translations then fits 32 bits.
 constexpr int32_t kMaxFrameTranslation = 1 << 30;
 
-/// A full turn, of an angle.
+/// A full turn as an angle.
 constexpr int32_t kFullTurn = 1 << 28;
 
 using Frame = flashbvh_frame;

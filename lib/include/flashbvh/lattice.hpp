@@ -1,7 +1,7 @@
 // The lattice: the integer coordinates in which all collision geometry lives.
 //
-// A mesh is rounded once, on the desktop, to multiples of its cell (a length). From then on every
-// box, vertex and answer is integer arithmetic, which is what makes answers equal on every core.
+// A mesh is rounded once, on the desktop, to multiples of its cell (a length). All boxes, vertices
+// and answers are then integers, which makes answers equal on every core.
 #ifndef FLASHBVH_LATTICE_HPP
 #define FLASHBVH_LATTICE_HPP
 
@@ -14,31 +14,31 @@ namespace flashbvh {
 
 /// Largest magnitude of a baked coordinate, in cells: 15-bit coordinates in 16-bit fields.
 ///
-/// The spare bit lets the sum of two box bounds stay in 16 bits, so that packed arithmetic neither
-/// wraps nor saturates (detail/bounds/box.hpp), and lets a rotated mesh stay inside 16 bits
-/// (16,383 * sqrt(3) = 28,377).
+/// The spare bit lets the sum of two box bounds fit 16 bits, so packed arithmetic neither wraps nor
+/// saturates (detail/bounds/box.hpp). It also keeps rotated meshes in 16 bits (16,383 * sqrt(3)
+/// = 28,377).
 constexpr int32_t kMaxCoordinate = 16383;
 
 using Vertex = flashbvh_vertex;
 using Point = flashbvh_point;
-/// Inside the library: from A's origin on.
+/// Inside the library, coordinates are relative to A's origin.
 using Triangle = flashbvh_triangle;
 
-/// float.hpp turns it into the mesh's unit.
+/// float.hpp converts it to the mesh's unit.
 using FinePoint = flashbvh_fine_point;
-/// Steps of a FinePoint in a cell.
+/// Units of a FinePoint in a cell.
 constexpr int32_t kFineOne = 256;
 
 using Segment = flashbvh_segment;
 /// Largest distance of a segment's ends from the mesh's origin along each axis, in cells: 32 times
-/// that of a vertex. Determinants stay below 2^57.
+/// a vertex's. Determinants then stay below 2^57.
 constexpr int32_t kMaxRayCoordinate = (1 << 19) - 1;
-/// A share of a segment: above / below, from 0 to 1; `below` is positive. Both are below 2^53.
+/// A fraction of a segment: above / below, from 0 to 1. `below` is positive; both are below 2^53.
 struct SegmentShare {
   int64_t above;
   int64_t below;
 };
-/// -1, 0 or 1 as the point at `x` is before, at or behind the point at `y`. Exact.
+/// Returns -1, 0 or 1 if the point at `x` is before, at or behind the point at `y`. Exact.
 int order_along(const SegmentShare& x, const SegmentShare& y) noexcept;
 
 /// A closed box: all points with lower <= coordinate <= upper, in cells.
@@ -47,8 +47,8 @@ struct Box {
   Vertex upper;
 };
 
-/// A box as it lies in flash: 12 bytes, low half first. Each half is a bound, or a negated one, and
-/// kMaxCoordinate + 1: 1 to 32,767.
+/// A box as stored in flash: 12 bytes, low half first. Each half is a bound or a negated bound,
+/// plus kMaxCoordinate + 1: 1 to 32,767.
 struct PackedBox {
   uint32_t upper_xy;  ///< upper x, upper y
   uint32_t lower_xy;  ///< negated lower x, negated lower y
@@ -57,7 +57,7 @@ struct PackedBox {
 
 namespace detail {
 
-/// Raises a bound (or a negated one) to a positive number of 15 bits.
+/// Offset that makes a bound (or a negated one) a positive number of 15 bits.
 constexpr int32_t kBoundBias = kMaxCoordinate + 1;
 
 static_assert(2 * (kMaxCoordinate + kBoundBias) <= 0xFFFF, "sums of two bounds fit 16 bits");
@@ -74,7 +74,7 @@ constexpr int16_t unpack_negated(uint32_t half) {
 
 }  // namespace detail
 
-/// A box of vertices as nodes keep it.
+/// Packs a box of vertices into a node's format.
 constexpr PackedBox pack(const Box& box) {
   using detail::join_halves;
   using detail::pack_bound;
@@ -83,7 +83,7 @@ constexpr PackedBox pack(const Box& box) {
           join_halves(pack_bound(box.upper.z), pack_bound(-box.lower.z))};
 }
 
-/// The box that a node keeps, in cells from the mesh's origin.
+/// Unpacks a node's box, in cells from the mesh's origin.
 constexpr Box unpack(const PackedBox& box) {
   using namespace detail;
   return {{unpack_negated(low_half(box.lower_xy)), unpack_negated(high_half(box.lower_xy)),

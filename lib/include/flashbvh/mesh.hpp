@@ -1,4 +1,4 @@
-// Baked meshes and their bounding volume trees as they lie in flash: constant arrays, nothing else.
+// Baked meshes and their bounding volume trees as constant arrays in flash.
 //
 // Both layouts of the paper put a node before its subtrees:
 //   pre-indexed   node, first subtree, ..., last subtree   (section 7)
@@ -7,15 +7,15 @@
 //
 // `link` is the one index that a node stores:
 //   pre-indexed   the escape index (definitions 3.1 to 3.3 and 8.1)
-//   post-indexed  of a child before the last: its next sibling, which lies at a smaller index;
-//                 of the last child: its first sibling (itself if it is alone), which does not.
-// So in a post-indexed tree the children form a ring: the first child of node i is the link of
-// i + 1, its last child, and whether a node is a last child shows in its link. The root's link
-// is the number of nodes, the imaginary end node of definition 3.3, in both layouts.
+//   post-indexed  a child before the last: its next sibling, which has a smaller index;
+//                 the last child: its first sibling (itself if it is alone), which has not.
+// So the children in a post-indexed tree form a ring: the first child of node i is the link of
+// i + 1, its last child. A last child is recognised by its link. The root's link is the number of
+// nodes in both layouts: the imaginary end node of definition 3.3.
 //
-// `data` of a leaf has the top bit set and holds the leaf's number, counted in array order. `data`
-// of an internal node holds its rank in the top byte (1 to 126) and its parent's rank in the low
-// byte (127 at the root): see detail/walk/ranked.hpp.
+// A leaf's `data` has the top bit set and holds the leaf's number in array order. An internal
+// node's `data` holds its rank in the top byte (1 to 126) and its parent's rank in the low byte
+// (127 at the root): see detail/walk/ranked.hpp.
 #ifndef FLASHBVH_MESH_HPP
 #define FLASHBVH_MESH_HPP
 
@@ -28,15 +28,15 @@
 
 namespace flashbvh {
 
-/// Where a node's subtrees lie: see above.
+/// The order of a node's subtrees in the array: see above.
 enum class Layout : uint8_t { pre_indexed = 0, post_indexed = 1 };
 
-/// A rank above every real one: what the root's missing parent counts as.
+/// The rank of the root's missing parent: above every real rank.
 constexpr int32_t kRootParentRank = 127;
 /// Ranks of internal nodes run from 1 to this.
 constexpr int32_t kMaxRank = 126;
 
-/// 16 bytes with 16-bit indices, 20 with 32-bit ones.
+/// A node of a tree: 16 bytes with 16-bit indices, 20 with 32-bit ones.
 template <class IndexType>
 struct Node {
   using Index = IndexType;
@@ -47,13 +47,13 @@ struct Node {
   Index link;
   Index data;
 
-  /// Whether the node has triangles, not children.
+  /// True if the node has triangles instead of children.
   constexpr bool is_leaf() const { return (data & kLeafFlag) != 0; }
-  /// Of a leaf: its number in array order.
+  /// Returns a leaf's number in array order.
   constexpr Index leaf() const { return static_cast<Index>(data & ~kLeafFlag); }
-  /// 1 to 126 for an internal node, negative for a leaf.
+  /// Returns 1 to 126 for an internal node, a negative number for a leaf.
   constexpr int32_t rank() const { return static_cast<int8_t>(data >> (kBits - 8)); }
-  /// Of an internal node: the rank of its parent, kRootParentRank at the root.
+  /// Returns the rank of an internal node's parent, kRootParentRank at the root.
   constexpr int32_t parent_rank() const { return static_cast<uint8_t>(data); }
 };
 
@@ -63,8 +63,8 @@ struct Corners {
   Index corner[3];
 };
 
-/// Whether `u` and `v`, in this order, share an edge: the last two corners of `u` are those of `v`
-/// in the other order. The box of such a quad needs four vertices, so `flashbvh bake --deformable`
+/// True if `u` and `v`, in this order, share an edge: the last two corners of `u` are those of `v`
+/// in reverse order. Such a quad's box needs only four vertices, so `flashbvh bake --deformable`
 /// turns the triangles of a leaf this way.
 template <class Index>
 FLASHBVH_INLINE inline bool is_quad(const Corners<Index>& u, const Corners<Index>& v) {
@@ -79,8 +79,8 @@ FLASHBVH_INLINE inline bool is_quad(const Corners<Index>& u, const Corners<Index
   }
 }
 
-/// A tree: a view of nodes that outlive it. Everything is constant, so any number of queries, tasks
-/// and interrupts may share it.
+/// A tree: a view of nodes, which must outlive it. All of it is constant, so any number of queries,
+/// tasks and interrupts may share it.
 template <class IndexType, Layout layout>
 struct Tree {
   using Index = IndexType;
@@ -89,15 +89,15 @@ struct Tree {
   const Node<Index>* nodes;  ///< node_count nodes, the root first
   Index node_count;
   Index leaf_count;
-  Index stack_need;  ///< most pairs that descending this tree can leave on a stack
+  Index stack_need;  ///< most pairs that a descent of this tree can leave on a stack
 
-  /// Of an internal node.
+  /// Returns the first child of an internal node.
   uint32_t first_child(uint32_t node) const {
     return layout == Layout::pre_indexed ? node + 1 : nodes[node + 1].link;
   }
-  /// Of a child before the last.
+  /// Returns the sibling after a child that is not the last.
   uint32_t next_sibling(uint32_t node) const { return nodes[node].link; }
-  /// Whether no sibling comes after `child`, whose parent is `parent`.
+  /// True if `child`, whose parent is `parent`, is the last sibling.
   bool is_last_child(uint32_t parent, uint32_t child) const {
     return layout == Layout::pre_indexed ? nodes[child].link == nodes[parent].link
                                          : child == parent + 1;
@@ -107,39 +107,39 @@ struct Tree {
 /// Baked as NAME_TREE_SIZE, for time_bound.hpp.
 using TreeSize = flashbvh_tree_size;
 
-/// Of lengths: what the numbers of a mesh's file mean. Images hold the values.
+/// The unit of the lengths in a mesh's file. Images hold these values.
 enum class Unit : uint8_t { none = 0, nm, um, mm, cm, m, mil, inch, foot };
 constexpr uint8_t kUnitCount = 9;
 
-/// A baked mesh: its tree and its triangles, a view of arrays that outlive it. 64 bytes with 16-bit
-/// indices on a 32-bit core.
+/// A baked mesh: a view of its tree and triangles, whose arrays must outlive it. 64 bytes with
+/// 16-bit indices on a 32-bit core.
 template <class IndexType, Layout layout>
 struct BasicMesh : Tree<IndexType, layout> {
   using Index = IndexType;
 
   const Corners<Index>* triangles;  ///< triangle_count, in order of their leaves
-  const Index* triangle_ids;        ///< triangle_count: the triangle's number in the source mesh
-  const Index* leaf_offsets;    ///< leaf_count + 1: the leaf's first triangle; null at one per leaf
-  const Vertex* vertices;       ///< vertex_count
+  const Index* triangle_ids;        ///< triangle_count: each triangle's number in the source mesh
+  const Index* leaf_offsets;  ///< leaf_count + 1: each leaf's first triangle; null if one per leaf
+  const Vertex* vertices;     ///< vertex_count
   const Index* shell_vertices;  ///< shell_count: the first vertex of each shell, ascending
   Index triangle_count;
   Index vertex_count;
-  Index shell_count;      ///< parts of the surface that share no vertex
-  uint16_t longest_edge;  ///< of all triangles, in cells, rounded up
-  int32_t origin[3];      ///< the lattice point, in cells, from which the vertices count
+  Index shell_count;      ///< number of shells: parts of the surface that share no vertex
+  uint16_t longest_edge;  ///< length of the longest edge in cells, rounded up
+  int32_t origin[3];      ///< the vertices' origin: a lattice point, in cells
   Unit unit;
-  bool is_closed;      ///< whether each edge is run through as often one way as the other
-  uint64_t cell_bits;  ///< the cell in the unit, as the bits of an IEEE binary64
+  bool is_closed;      ///< true if each edge is used as often in one direction as in the other
+  uint64_t cell_bits;  ///< the cell's length in the unit, as the bits of an IEEE binary64
 
-  /// The slot of the leaf's first triangle in `triangles`.
+  /// Returns the slot of the leaf's first triangle in `triangles`.
   uint32_t first_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf : leaf_offsets[leaf];
   }
-  /// The slot after its last one.
+  /// Returns the slot after the leaf's last triangle.
   uint32_t end_triangle(uint32_t leaf) const {
     return leaf_offsets == nullptr ? leaf + 1 : leaf_offsets[leaf + 1];
   }
-  /// How many triangles the leaf has.
+  /// Returns the number of triangles in the leaf.
   uint32_t triangles_in(uint32_t leaf) const {
     if (leaf_offsets == nullptr) {
       return 1;

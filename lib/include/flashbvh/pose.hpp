@@ -1,4 +1,4 @@
-// Where B lies in A's frame: a rotation in fixed point and a translation in cells.
+// B's pose in A's frame: a rotation in fixed point and a translation in cells.
 #ifndef FLASHBVH_POSE_HPP
 #define FLASHBVH_POSE_HPP
 
@@ -7,7 +7,7 @@
 #include "flashbvh/detail/lattice/split_matrix.hpp"
 #include "flashbvh/status.hpp"
 
-/// Poses are made with vectors, too (lib/src/lattice/pose_sse2.hpp).
+/// On x86-64, SSE2 vectors make poses (lib/src/lattice/pose_sse2.hpp).
 #if defined(__SSE2__) && defined(__x86_64__) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_POSE_SSE2 1
 #endif
@@ -18,66 +18,66 @@ namespace detail {
 struct PoseOfLanes;
 }
 
-/// One in the fixed point of a rotation: 30 fraction bits.
+/// 1 in the fixed point of a rotation: 30 fraction bits.
 constexpr int32_t kRotationOne = 1 << 30;
 
-/// How far R^T R may be from the identity, entry by entry, for R to count as a rotation: 2^-13, in
-/// the fixed point of a rotation. A matrix written with five decimals passes; of those with four,
-/// not all.
+/// Tolerance of a rotation matrix R: no entry of R^T R may differ from the identity's by more than
+/// 2^-13, in the fixed point of a rotation. A matrix of five decimals passes; one of four may not.
 constexpr int32_t kRotationTolerance = kRotationOne >> 13;
 
-/// Largest magnitude of a translation, in cells: differences of origins and translations then stay
-/// in 32 bits. Objects that far apart cannot touch: a mesh is at most 2 * kMaxCoordinate cells
-/// wide.
+/// Largest magnitude of a translation along each axis, in cells: differences of origins and
+/// translations then fit 32 bits. Objects that far apart cannot touch: a mesh is at most
+/// 2 * kMaxCoordinate cells wide.
 constexpr int32_t kMaxTranslation = 1 << 29;
 
-/// B's point p, in cells of B's frame, lies at rotation * p + translation in A's frame. 68 bytes.
+/// Maps B's point p, in cells of B's frame, to rotation * p + translation in A's frame. 68 bytes.
 ///
-/// Checked when it is made, so that a query need not: a pose that can't be is kept as an error,
-/// which every query on it returns, and every pose made of it. Constant once made: queries, tasks
-/// and interrupts may share it; to write one while another reads it takes a lock of the caller's.
+/// Queries need not check a pose: it is checked when it is made and stores its error. Each query on
+/// the pose returns that error, and each pose made from it inherits the error. A pose is constant
+/// once made, so queries, tasks and interrupts may share it. Assigning to a pose that others read
+/// needs a lock.
 ///
-/// Instructions on a Cortex-M4 at -O2, which lib/docs/figures.md has for every core: rigid() 580,
-/// relative() 1,060, composed() and inverse() less. Stack in bytes, on Cortex-M3 to M55 at -O2:
-/// rigid() 112, inverse() 176, composed() and relative() 288.
+/// Instructions on a Cortex-M4 at -O2: rigid() 580, relative() 1,060, composed() and inverse() less
+/// (lib/docs/figures.md has all cores). Stack in bytes, on Cortex-M3 to M55 at -O2: rigid() 112,
+/// inverse() 176, composed() and relative() 288.
 class Pose {
  public:
-  /// B translated, not rotated. Cells: the mesh's unit divided by the cell, rounded. Beyond
-  /// +-kMaxTranslation the pose's status is `translation_out_of_range`.
+  /// Returns a translation of B in cells: lengths in the mesh's unit divided by the cell, rounded.
+  /// `translation_out_of_range`: a coordinate is beyond +-kMaxTranslation.
   static constexpr Pose translated(int32_t x, int32_t y, int32_t z) { return Pose(x, y, z); }
 
-  /// B rotated and translated. `rotation`: row by row, kRotationOne is 1; kept to 2^-22. `cells`:
-  /// the translation, rounded to whole cells; `fraction`: what rounding left, in 1/65,536 of a
-  /// cell, -32,768 to 32,767. A matrix further than kRotationTolerance from a rotation, or a
-  /// mirroring one, gives `not_a_rotation`; within it is used as it is, not repaired.
+  /// Returns a pose that rotates and translates B. `rotation`: row by row, kRotationOne is 1;
+  /// rounded to 2^-22. `cells`: the translation, rounded to whole cells. `fraction`: the remainder
+  /// of that rounding, in 1/65,536 cell, -32,768 to 32,767. `not_a_rotation`: the matrix exceeds
+  /// kRotationTolerance or mirrors. A matrix within the tolerance is used as it is, not repaired.
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                     const int16_t (&fraction)[3]);
-  /// The same, translated by whole cells.
+  /// Returns a pose that rotates B and translates it by whole cells.
   static Pose rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]);
 
-  /// These three know how far their factors' matrices are from rotations, and do not work it out
-  /// again for the product: queries may make a few visits more than under the same numbers given to
-  /// rigid(), and give the same answers.
+  /// composed(), inverse() and relative() add up the deviations of their factors' matrices from
+  /// rotations, instead of measuring the product's. Queries may make a few visits more than with
+  /// the same numbers given to rigid(); the answers are equal.
   ///
-  /// First `inner`, then `outer`: B in A's frame from B in C's and C in A's. Each entry of the
-  /// rotation is rounded to 2^-22, the translation to 2^-16 cells. Tolerances add up: a product of
-  /// inexact matrices may be `not_a_rotation`.
+  /// Applies `inner`, then `outer`: returns B in A's frame from B in C's frame and C in A's. Rounds
+  /// each entry of the rotation to 2^-22 and the translation to 2^-16 cells. Tolerances add up: a
+  /// product of inexact matrices may be `not_a_rotation`.
   static Pose composed(const Pose& outer, const Pose& inner);
 
-  /// A in B's frame from B in A's: the transposed matrix.
+  /// Returns A in B's frame, by the transposed matrix.
   Pose inverse() const;
 
-  /// B in A's frame from both in the world's; rounded once, as composed().
+  /// Returns B in A's frame from the world poses of both; rounded once, as in composed().
   static Pose relative(const Pose& world_a, const Pose& world_b);
 
-  /// `done` if queries can use the pose, else why not.
+  /// `done` if queries can use the pose, else its error.
   constexpr Status status() const { return status_; }
 
-  /// In cells, rounded to the nearest. `axis`: 0 to 2.
+  /// Returns the translation in cells, rounded to the nearest. `axis`: 0 to 2.
   constexpr int32_t translation(int axis) const { return cells_[axis]; }
-  /// What is left of it, in 1/65,536 of a cell: -32,768 to 32,767.
+  /// Returns the remainder of that rounding in 1/65,536 cell: -32,768 to 32,767.
   constexpr int32_t fraction(int axis) const { return fraction_[axis]; }
-  /// kRotationOne is 1. `row` and `column`: 0 to 2.
+  /// Returns an entry of the rotation; kRotationOne is 1. `row` and `column`: 0 to 2.
   constexpr int32_t rotation(int row, int column) const {
     if (!rotated_) {
       return row == column ? kRotationOne : 0;
@@ -87,10 +87,10 @@ class Pose {
     return entry[column] * (1 << (30 - detail::kRotationBits));
   }
 
-  /// Whether the rotation is exactly the identity.
+  /// True if the rotation is exactly the identity.
   constexpr bool is_translation() const { return !rotated_; }
 
-  /// For the library: the rotation, of a pose that has one.
+  /// For the library: the rotation's matrix, valid if the pose is not a translation.
   constexpr const detail::RotationMatrix& matrix() const { return matrix_; }
 
  private:
@@ -115,11 +115,11 @@ class Pose {
   void get_rotation(Entries& entries) const;
   void get_transposed(Entries& entries) const;
   void set_rotation(const Entries& entries, uint32_t defect);
-  /// The product of rotations with these defects, `right` transposed: proven again only where their
-  /// sum is much.
+  /// Sets the product of two rotations, `right` transposed. `defects`: the sum of their defects; a
+  /// large sum is replaced by the product's measured defect.
   void set_product(const Entries& left, const Entries& right, uint32_t defects);
   void refuse(Status status) { status_ = status_ == Status::done ? status : status_; }
-  /// left * (cells, fraction), and what it is added to.
+  /// Sets left * (cells, fraction), plus the translation of `added_to` unless that is null.
   void set_translation(const Entries& left, const int32_t (&cells)[3], const int32_t (&fraction)[3],
                        const Pose* added_to);
 

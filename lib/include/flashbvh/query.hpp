@@ -1,15 +1,15 @@
-// A collision query between two baked meshes: which triangles of A intersect which triangles of B.
+// A collision query between two baked meshes: finds the triangles of A and B that intersect.
 //
-// The query object is all the memory there is. It may be stopped after any amount of work and gives
-// the same pairs in the same order however it is cut into runs.
+// The query object is all the memory that a query needs. It may stop after any amount of work and
+// gives the same pairs in the same order, however it is cut into runs.
 //
-// Work: a visit to a pair of boxes is 1; a leaf taken as a shape 8, and 1 for each triangle after
-// its first; two triangles tested against each other 32, or 8 where they are tested whether they
-// are within a distance. The work of a run bounds its time (time_bound.hpp,
-// lib/docs/bounded_time.md).
+// Work: a visit to a pair of boxes is 1. Preparing the planes of a leaf is 8, plus 1 for each
+// triangle after its first. Testing two triangles is 32, or 8 if the test is for a distance. The
+// work of a run bounds its time (time_bound.hpp, lib/docs/bounded_time.md).
 //
-// A query writes nothing but itself and the caller's array, so any number of queries, in tasks and
-// in interrupts, may share meshes and poses. One query is one caller's at a time: what interrupts a
+// A query writes only to itself and to the caller's array. So any number of queries, in tasks and
+// in interrupts, may share meshes and poses. A query has one caller at a time: an interrupt of its
+// run must not touch it.
 // run of it may not touch it.
 #ifndef FLASHBVH_QUERY_HPP
 #define FLASHBVH_QUERY_HPP
@@ -24,8 +24,8 @@
 
 namespace flashbvh {
 
-/// `Traversal`: Ranked<Mesh>, or a class with the same members (detail/walk/walk.hpp). The meshes
-/// and the pose outlive the query. 128 bytes on a 32-bit core with 16-bit indices.
+/// `Traversal`: Ranked<Mesh>, or a class with equal members (detail/walk/walk.hpp). The meshes and
+/// the pose must outlive the query. 128 bytes on a 32-bit core with 16-bit indices.
 template <class Traversal, class Predicate = detail::Intersection>
 class Query : protected detail::QueryRun<Traversal, Predicate> {
   using Base = detail::QueryRun<Traversal, Predicate>;
@@ -39,32 +39,31 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
   using Cursor = typename Traversal::Cursor;
   using Pair = TrianglePair<Index>;
 
-  /// B lies at `pose` in A's frame. Orders with a stack take their array as `start`; the stackless
-  /// ones need nothing. Errors show in status() and in every run.
+  /// B is at `pose` in A's frame. Traversals with a stack take their array as `start`; the
+  /// stackless ones need none. status() and every run return errors.
   ///
-  /// Instructions on a Cortex-M4 at -O2: about 60 under a translation; under a rotation about 190
+  /// Instructions on a Cortex-M4 at -O2: about 60 under a translation. Under a rotation about 190
   /// if the objects are far apart, which the query detects, and at most 720 (lib/docs/figures.md,
-  /// "start", has what the first run adds).
+  /// "start", has the cost that the first run adds).
   FLASHBVH_INLINE_TO_RUN Query(const Mesh& a, const Mesh& b, const Pose& pose,
                                const Cursor& start = Cursor(),
                                const Predicate& predicate = Predicate())
       : Base(a, b, pose, start, predicate) {}
 
-  /// Meshes and poses that would be gone before the first run.
+  /// Rejects temporary meshes and poses, which would be gone before the first run.
   Query(const Mesh&&, const Mesh&, const Pose&, const Cursor& = Cursor()) = delete;
   Query(const Mesh&, const Mesh&&, const Pose&, const Cursor& = Cursor()) = delete;
   Query(const Mesh&, const Mesh&, const Pose&&, const Cursor& = Cursor()) = delete;
 
-  /// `suspended` while there is something left to do.
+  /// `suspended` while there is work left.
   using Base::status;
-  /// What was done so far, inside a sink too.
+  /// Returns the counts so far, also inside a sink.
   [[nodiscard]] const QueryStats& stats() const { return stats_; }
 
-  /// Does at most `work`, and writes at most `capacity` pairs to `found`.
-  /// Returns `done`; `suspended` when the work is done; `full` as soon as the array is; or an
-  /// error. After `suspended` and `full` the next run goes on where this one ended. With work of 1
-  /// or more it always gets on: the step that it can't quite pay for is done, and is the last.
-  /// UINT32_MAX: all there is to do.
+  /// Does at most `work`, and writes at most `capacity` pairs to `found`. Returns `done`;
+  /// `suspended` if the work is spent; `full` as soon as the array is; or an error. After
+  /// `suspended` and `full` the next run resumes at this point. Any non-zero `work` makes progress:
+  /// the last step may cost more than is left. UINT32_MAX: no limit.
   ///
   /// Stack on Cortex-M3 to M55 at -O2: 544 bytes. Instructions: time_bound.hpp.
   FLASHBVH_INLINE RunResult run(uint32_t work, Pair* found, uint32_t capacity) {
@@ -87,10 +86,10 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
     return run(work, found, capacity);
   }
 
-  /// Hands each pair to `sink(pair)` and counts it; if that returns false, the run ends with `full`
-  /// after the pair.
+  /// Passes each pair to `sink(pair)` and counts it; if `sink` returns false, the run ends with
+  /// `full` after the pair.
   ///
-  /// If the sink stops at a pair, the next run repeats part of the walk; stats() count it once.
+  /// If the sink stops at a pair, the next run repeats part of the walk; stats() counts it once.
   template <class Sink>
   FLASHBVH_INLINE RunResult run(uint32_t work, Sink&& sink) {
     uint32_t count = 0;
@@ -103,15 +102,15 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
     return {end, count, work - left};
   }
 
-  /// Where the query stands. Between runs; not for orders with a stack.
+  /// Returns the cursor. Valid between runs; not for traversals with a stack.
   [[nodiscard]] QueryCursor<Index> cursor() const {
     return {cursor_.a, cursor_.b, untested_, state_, 0, 0, 0};
   }
 
-  /// Goes on from a cursor of a query on the same meshes and pose; counts go on from what they
-  /// are. `cursor_invalid`, and nothing changes, if no query on these meshes has such a cursor.
-  /// A cursor of another pose or of other meshes is not detected if it could be one of this
-  /// query; the run then gives the pairs after it.
+  /// Resumes from the cursor of a query on the same meshes and pose; counts continue from their
+  /// current values. `cursor_invalid`, and nothing changes, if no query on these meshes can have
+  /// such a cursor. A cursor of another pose or other meshes is not detected if it is possible in
+  /// this query. The run then gives the pairs after it.
   Status resume(const QueryCursor<Index>& at) {
     if (error_ != Status::done) {
       return error_;
@@ -131,20 +130,21 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
     return status();
   }
 
-  /// The triangles of the pair reported last, in A's frame, in cells: inside a sink, and after a
-  /// run that wrote a pair and ended with `full`.
+  /// Returns the triangles of the last reported pair, in cells of A's frame. Valid inside a sink,
+  /// and after a run that wrote a pair and ended with `full`.
   void last_pair(Triangle& a, Triangle& b) const {
     detail::place_pair(*a_, of_a(untested_), *b_, of_b(untested_), transform_, a, b);
   }
-  /// Their positions in the meshes' arrays, not their ids: as hints are (clearance.hpp). Valid when
-  /// last_pair() is. A template, so that what is compiled once has it only where it is called.
+  /// Returns the slots of these triangles in the meshes' arrays, not their ids, as hints hold them
+  /// (clearance.hpp). Valid when last_pair() is. A template, so that compiled libraries have it
+  /// only where it is called.
   template <class Positions = Pair>
   [[nodiscard]] Positions last_slots() const {
     return {static_cast<Index>(of_a(untested_)), static_cast<Index>(of_b(untested_))};
   }
 };
 
-/// The default query, and the same for meshes with 32-bit indices.
+/// The default query, for meshes with 16-bit and with 32-bit indices.
 using PairQuery = Query<Ranked<Mesh>>;
 using PairQuery32 = Query<Ranked<Mesh32>>;
 

@@ -1,8 +1,8 @@
-// Two triangles: the common piece of a pair that intersects, and where a pair is nearest.
+// Two triangles: the common part of a pair that intersects, and the nearest points of any pair.
 //
-// That a pair intersects is decided exactly (detail/predicates/triangle.hpp); this says where, for
-// those who draw it, measure it or push the bodies apart. A query never pays for it: a call is for
-// one pair. Query::last_pair() and transform_pair() give a pair's triangles.
+// Queries decide exactly that a pair intersects (detail/predicates/triangle.hpp). These functions
+// compute where, for drawing, measuring or pushing bodies apart, one pair in each call; no query
+// pays for them. Query::last_pair() and transform_pair() return a pair's triangles.
 #ifndef FLASHBVH_TRIANGLE_HPP
 #define FLASHBVH_TRIANGLE_HPP
 
@@ -12,48 +12,49 @@
 
 namespace flashbvh {
 
-/// Largest difference along one axis between two corners of one triangle, in cells. Meshes keep
+/// Largest difference along each axis between two corners of one triangle, in cells. Meshes keep
 /// within it under any pose: 2 * 16,383 * sqrt(3) = 56,753, and a cell for rounding.
 constexpr int32_t kMaxContactSpan = 57000;
-/// The same between any two corners of two triangles: what transformed vertices keep to.
+/// Largest difference along each axis between any two corners of two triangles, in cells.
+/// Transformed vertices keep within it.
 constexpr int32_t kMaxContactDistance = 160000;
-/// Largest magnitude of a corner's coordinate, in cells: that of an origin, and a mesh's extent.
+/// Largest magnitude of a corner's coordinate, in cells: an origin's, plus a mesh's extent.
 constexpr int32_t kMaxContactCoordinate = (1 << 29) + kMaxContactDistance / 2;
 
 using Normal = flashbvh_normal;
 using Contact = flashbvh_contact;
 
-/// What the common part of two triangles may be.
+/// Kinds of the common part of two triangles.
 enum class ContactKind : uint8_t {
   segment = FLASHBVH_CONTACT_SEGMENT,
   coplanar = FLASHBVH_CONTACT_COPLANAR,
   degenerate = FLASHBVH_CONTACT_DEGENERATE,
 };
 
-/// The common part of `a` and `b`, which intersect.
+/// Returns the common part of `a` and `b`, which intersect.
 ///
-/// The order of corners and of arguments changes the normals, as their definition says, and nothing
-/// else; translating both triangles by whole cells translates the ends alike. Each triangle spans
-/// at most kMaxContactSpan along each axis, both at most kMaxContactDistance, and coordinates are
-/// within +-kMaxContactCoordinate, as those of every pair that a query reports are; this is not
-/// checked. Of triangles within these bounds that do not intersect, the answer is two meaningless
-/// points and correct normals.
+/// The order of corners and of arguments changes only the normals, as their definition says.
+/// Translating both triangles by whole cells translates the ends equally. Preconditions, not
+/// checked, which every pair that a query reports meets: each triangle spans at most
+/// kMaxContactSpan along each axis, both together at most kMaxContactDistance, and coordinates are
+/// within +-kMaxContactCoordinate. For triangles that do not intersect, the ends are meaningless
+/// and the normals correct.
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: 1,800 for two planes that cross, 5,000 on average
 /// and at most 8,500 for coplanar triangles (tests/predicates/contact_cost_test.cpp prints them).
-/// Stack: 280 bytes on Cortex-M3 to M55 at -O2, the contact itself, 104 bytes, not counted.
+/// Stack: 280 bytes on Cortex-M3 to M55 at -O2, without the contact's own 104 bytes.
 ///
 /// Source: the common line as in Guigue and Devillers (triangle.hpp).
 [[nodiscard]] Contact contact_of(const Triangle& a, const Triangle& b) noexcept;
 
-/// Of a UnitVector's coordinates: 1.
+/// 1 in the fixed point of a UnitVector.
 constexpr int32_t kUnitOne = 1 << 30;
 using UnitVector = flashbvh_unit_vector;
 using NearestPoints = flashbvh_nearest_points;
 
-/// Of two triangles in A's frame, as Query::last_pair() and transform_pair() give them; differences
-/// of their corners are below 2^17 cells along each axis. A point of an intersection is one that
-/// both have.
+/// Returns the nearest points of two triangles in A's frame, such as those of Query::last_pair()
+/// and transform_pair(). Differences of their corners must be below 2^17 cells along each axis. If
+/// the triangles intersect, both points are one common point.
 [[nodiscard]] NearestPoints nearest_points_of(const Triangle& a, const Triangle& b) noexcept;
 
 /// A squared distance, exactly: above / below square cells. Each has 128 bits, the high word first;
@@ -62,17 +63,16 @@ struct SquaredDistance {
   uint64_t above[2];
   uint64_t below[2];
 };
-/// The squared distance of two triangles, as nearest_points_of() takes them; 0 if they intersect.
+/// Returns the squared distance of two triangles, as for nearest_points_of(); 0 if they intersect.
 [[nodiscard]] SquaredDistance squared_distance(const Triangle& a, const Triangle& b) noexcept;
 
-/// The directions along which a query bounds the triangles of a leaf, rounded to 13 bits a
-/// component.
+/// The directions along which a query bounds a leaf's triangles. Components are rounded to 13 bits.
 struct LeafDirections {
   Point normal;  ///< of the plane of the leaf's first triangle
-  Point across;  ///< in that plane, the normal of the triangle's longest edge
+  Point across;  ///< in that plane, normal to the triangle's longest edge
 };
-/// Of a leaf whose first triangle has these corners; false if the triangle has no area. For tools
-/// that choose the first triangle.
+/// Writes the directions of a leaf whose first triangle has these corners; false if that triangle
+/// has no area. For tools that choose the first triangle.
 [[nodiscard]] bool get_leaf_directions(const Vertex (&corners)[3],
                                        LeafDirections& directions) noexcept;
 

@@ -1,5 +1,4 @@
-// Lengths that queries report in cells, in a mesh's unit. In integers; lengths as floats are in
-// float.hpp.
+// Converts lengths from cells to the mesh's unit, in integers. float.hpp converts to floats.
 #ifndef FLASHBVH_UNITS_HPP
 #define FLASHBVH_UNITS_HPP
 
@@ -7,19 +6,19 @@
 
 namespace flashbvh {
 
-/// `fine`, in 1/256 cell and within +-2^39, in millionths of the mesh's unit, to the nearest: of
-/// millimetres, nanometres. `cell_bits`: Mesh::cell_bits. INT64_MAX or its negative for that much
-/// or more.
+/// Returns a length in millionths of the mesh's unit, rounded to the nearest: nanometres for
+/// millimetres. `fine`: in 1/256 cell, within +-2^39. `cell_bits`: Mesh::cell_bits. Saturates at
+/// INT64_MAX and -INT64_MAX.
 ///
 /// Stack: 112 bytes on Cortex-M3 to M55 at -O2.
 int64_t millionths_of(int64_t fine, uint64_t cell_bits);
 
 namespace detail {
 
-/// The bits of the binary32 nearest to the length in the unit.
+/// Returns the bits of the binary32 nearest to the length in the unit.
 uint32_t length_bits(int64_t fine, uint64_t cell_bits);
 
-/// The bits of the binary32 nearest to the number of cells in a unit.
+/// Returns the bits of the binary32 nearest to the number of cells in a unit.
 uint32_t cells_per_unit_bits(uint64_t cell_bits);
 
 }  // namespace detail
