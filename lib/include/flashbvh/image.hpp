@@ -1,7 +1,7 @@
-// The binary image: a baked mesh in one block of bytes, opened in place, in flash.
+// The binary image: a baked mesh in one block of bytes, used in place in flash.
 //
-// A header of 80 bytes, then the arrays of the mesh, each starting at a multiple of 4 bytes, gaps
-// filled with zeros, in this order:
+// A header of 80 bytes, then the mesh's arrays in this order. Each array starts at a multiple of 4
+// bytes; gaps are filled with zeros:
 //
 //     nodes                 node_count      x 16 or 20 bytes (16 or 32-bit indices)
 //     levels                node_count      x index; absent unless kImageHasLevels
@@ -29,25 +29,25 @@ namespace flashbvh {
 constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
 constexpr uint16_t kImageVersion = 2;
 
-/// Largest magnitude of an origin, in cells: the arithmetic of a rotation
-/// (detail/bounds/rotated_transform.hpp) rotates origins, too.
+/// Largest magnitude of an origin, in cells. Rotations rotate origins too
+/// (detail/bounds/rotated_transform.hpp).
 constexpr int32_t kMaxOrigin = 1 << 29;
-/// Most triangles in a leaf: what one visit can cost, and a pair of leaves counts its pairs of
-/// triangles in 32 bits.
+/// Most triangles in a leaf: it limits the cost of one visit, and a cursor counts the pairs of
+/// triangles of two leaves in 16 bits.
 constexpr uint32_t kMaxLeafSize = 255;
 
-/// Of ImageHeader::flags.
-constexpr uint8_t kImageHasLevels = 1;  ///< always, of a pre-indexed tree
+/// Bits of ImageHeader::flags.
+constexpr uint8_t kImageHasLevels = 1;  ///< always set for a pre-indexed tree
 constexpr uint8_t kImageIsClosed = 2;   ///< Mesh::is_closed
 
 /// The first 80 bytes of an image.
 struct ImageHeader {
   uint32_t magic;
   uint16_t version;
-  uint8_t layout;       ///< of enum Layout
+  uint8_t layout;       ///< a value of enum Layout
   uint8_t index_bits;   ///< 16 or 32
   uint32_t byte_count;  ///< of the whole image
-  uint32_t crc;         ///< CRC-32 (IEEE 802.3) of all bytes but these four
+  uint32_t crc;         ///< CRC-32 (IEEE 802.3) of all bytes except these four
   uint32_t node_count;
   uint32_t leaf_count;
   uint32_t triangle_count;
@@ -55,67 +55,65 @@ struct ImageHeader {
   uint32_t depth;         ///< of the deepest leaf; the root has depth 0
   uint32_t stack_need;    ///< Tree::stack_need
   uint8_t leaf_size;      ///< most triangles in a leaf
-  uint8_t name_size;      ///< of the source's name
-  uint16_t arity;         ///< most children of a node, 65,535 standing for more
+  uint8_t name_size;      ///< bytes of the source's name
+  uint16_t arity;         ///< most children of a node; 65,535 means this many or more
   int32_t origin[3];      ///< in cells, within +-kMaxOrigin
-  uint32_t cell[2];       ///< in the unit: IEEE binary64, low word first
-  uint32_t deviation[2];  ///< largest distance from its source, as `cell`
+  uint32_t cell[2];       ///< the cell in the unit: IEEE binary64, low word first
+  uint32_t deviation[2];  ///< largest distance between mesh and source, as `cell`
   uint32_t shell_count;
   uint16_t longest_edge;  ///< Mesh::longest_edge
-  uint8_t unit;           ///< of enum Unit
+  uint8_t unit;           ///< a value of enum Unit
   uint8_t flags;          ///< kImageHasLevels, kImageIsClosed
 };
 
 static_assert(sizeof(ImageHeader) == 80, "the figure in the format's description");
 
-/// Checks magic, version and size, and copies the header, which says what kind of image it is, not
-/// whether its contents can be trusted.
+/// Checks magic, version and size, and copies the header. The header says which kind of image it
+/// is; its contents may still be invalid.
 Status read_image_header(const void* bytes, size_t size, ImageHeader& header);
 
-/// For bounds (time_bound.hpp) on an image that was opened.
+/// Returns the tree's size for bounds (time_bound.hpp) from the header of an image that was opened.
 inline TreeSize tree_size_of(const ImageHeader& header) {
   return {header.depth, header.arity, header.leaf_size, header.leaf_count, header.triangle_count};
 }
 
-/// Opens an image in place: `bytes` must start at a multiple of 4 and outlive `mesh`.
+/// Opens an image in place. `bytes` must start at a multiple of 4 and outlive `mesh`.
 ///
-/// Checks all of it in linear time and constant memory: checksum; links that go forward and nest;
-/// levels, ranks and the header's figures as the tree's shape makes them; indices in range; each
-/// node's box in its parent's, each triangle in its leaf's; the longest edge, and whether the
-/// surface is closed. `mesh` is written only on `done`; every query on it then stays inside the
-/// image and ends.
+/// Checks all of it in linear time and constant memory: the checksum, links that go forward and
+/// nest, and indices in range. Levels, ranks and the header's numbers must match the tree. Each
+/// node's box must be in its parent's, each triangle in its leaf's. The longest edge and closedness
+/// must be right. Writes `mesh` only on `done`; queries on it then end and read only the image.
 ///
 /// Instructions: 10 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400
 /// bytes on Cortex-M3 to M55 at -O2.
 ///
-/// Bytes after the image, if `size` has more than the header says, are not looked at. MeshType:
-/// Mesh, PreMesh, Mesh32 or PreMesh32; another kind of image gives `image_kind`.
+/// If `size` exceeds the header's byte count, the bytes after the image are ignored. MeshType:
+/// Mesh, PreMesh, Mesh32 or PreMesh32. `image_kind`: the image has another kind.
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh);
 
-/// The mesh in an image that the firmware's own build has baked, as `flashbvh bake` writes it into
-/// C: a view in constant time, without any check. Anything else leads queries out of bounds. What
-/// comes from elsewhere, or is written at run time, is for open_image().
+/// Returns the mesh of an image that the firmware's own build has baked (`flashbvh bake` writes C):
+/// a view in constant time, without any check. Other bytes lead queries out of bounds; open_image()
+/// is for images from elsewhere or written at run time.
 ///
 ///     const flashbvh::Mesh plate = flashbvh::view_unchecked<flashbvh::Mesh>(plate_image);
 ///
-/// Precondition: `image` starts at a multiple of 4, outlives the mesh and is of its kind.
+/// Precondition: `image` starts at a multiple of 4, outlives the mesh and has its kind.
 template <class MeshType>
 MeshType view_unchecked(const void* image);
 
-// For programs that write images or show what is in them.
+// For programs that write or show images.
 
-/// Where the arrays of an image lie, in bytes from its start; `end` is its size. 64 bits, so that
-/// no header makes a sum wrap.
+/// Offsets of an image's arrays, in bytes from its start; `end` is its size. 64 bits, so that sums
+/// of any header's values do not wrap.
 struct ImageOffsets {
   uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, vertices, shell_vertices,
       name, end;
 };
-/// The header may hold anything.
+/// Returns the offsets for a header, which may hold any values.
 ImageOffsets image_offsets(const ImageHeader& header);
 
-/// The checksum that the header of an image of `size` bytes must hold; at least 16 bytes. 10
-/// instructions a byte.
+/// Returns the checksum for the header of an image of at least 16 bytes. 10 instructions a byte.
 uint32_t image_crc(const void* bytes, size_t size);
 
 }  // namespace flashbvh

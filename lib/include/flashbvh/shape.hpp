@@ -5,9 +5,9 @@
 //     a capsule    closer_than(mesh, SegmentShape, pose, radius)
 //     a thick plate  closer_than(mesh, TriangleShape, pose, half of its thickness)
 //     a box        intersects(mesh, BoxShape, pose)
-// and distance() measures how far they are, less the radius. There is no other mechanism.
+// distance() measures to a point, segment or triangle: subtract the radius from it.
 //
-// Coordinates are cells of the shape's frame; it has the cell of the mesh that it will meet.
+// Coordinates are in cells of the shape's frame. Its cell is the tested mesh's.
 #ifndef FLASHBVH_SHAPE_HPP
 #define FLASHBVH_SHAPE_HPP
 
@@ -21,25 +21,25 @@
 
 namespace flashbvh {
 
-/// A mesh of one leaf and what it is a view of. Points into itself: it is not copied, and set again
-/// in place. 64 bytes and 26 + 8 * triangles + 6 * vertices.
+/// A mesh of one leaf with its arrays. Points into itself: it is not copied, and set again in
+/// place. 64 bytes and 26 + 8 * triangles + 6 * vertices.
 template <uint16_t triangles, uint16_t vertices>
 class Shape {
  public:
   Shape(const Shape&) = delete;
   Shape& operator=(const Shape&) = delete;
 
-  /// What queries take.
+  /// Returns the mesh, for queries.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
-  /// `shape_too_large` where a coordinate is further than 16,383 cells from the middle, or beyond
-  /// 2^29: then the shape is as it was. One that never was any has no cell of a mesh and no inside:
-  /// queries of it and a mesh end with `cell_mismatch`, inside() with `not_closed`. Rays alone meet
-  /// it, in the origin.
+  /// Returns `done`, or `shape_too_large`: a coordinate is more than 16,383 cells from the middle,
+  /// or beyond 2^29; the shape does not change. A shape that was never set has no valid cell and no
+  /// inside: queries of it and a mesh end with `cell_mismatch`, inside() with `not_closed`. Only
+  /// rays can hit it, at the origin.
   [[nodiscard]] Status status() const { return status_; }
 
  protected:
-  /// Has the cell of `like` from when its points are set; no mesh has a negative one.
+  /// Takes the cell of `like`, made negative until the points are set; no mesh has a negative one.
   FLASHBVH_NOINLINE explicit Shape(const Mesh& like, const uint8_t (&corners)[triangles][3]) {
     for (uint16_t i = 0; i < triangles; ++i) {
       corners_[i] = {{corners[i][0], corners[i][1], corners[i][2]}};
@@ -61,7 +61,7 @@ class Shape {
     mesh_.cell_bits = like.cell_bits | kNegative;
   }
 
-  /// Of all its vertices.
+  /// Sets all vertices.
   void set_points(const Point (&points)[vertices]) {
     Point least = points[0];
     Point most = points[0];
@@ -84,7 +84,7 @@ class Shape {
       vertices_[i] = from(points[i], middle);
     }
     node_ = {pack({from(least, middle), from(most, middle)}), 1, Node<uint16_t>::kLeafFlag};
-    // The diagonal is no shorter than any edge.
+    // The diagonal is at least as long as any edge.
     const int64_t x = int64_t{most.x} - least.x;
     const int64_t y = int64_t{most.y} - least.y;
     const int64_t z = int64_t{most.z} - least.z;
@@ -122,7 +122,7 @@ class Shape {
   Status status_ = Status::done;
 };
 
-// Setting the smaller ones is not inlined: its frame is gone before queries use them.
+// Kept out of line for the smaller shapes, so that its frame is gone before queries run.
 
 /// A point.
 class PointShape : public Shape<1, 1> {
@@ -155,14 +155,14 @@ class TriangleShape : public Shape<1, 3> {
 
 namespace detail {
 
-/// Corner i has the upper x where i has bit 0, y bit 1, z bit 2.
+/// Corner i has the upper x if bit 0 of i is set, the upper y for bit 1, the upper z for bit 2.
 inline constexpr uint8_t kBoxTriangles[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
                                                  {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
                                                  {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
 
 }  // namespace detail
 
-/// A closed box between two corners, `lower` along each axis not above `upper`.
+/// A closed box between two corners; `lower` must not exceed `upper` along any axis.
 class BoxShape : public Shape<12, 8> {
  public:
   /// With the cell of `like`; see status().
