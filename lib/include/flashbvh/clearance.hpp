@@ -1,18 +1,17 @@
-// How far two meshes are apart: between which points, and whether by more than a distance.
+// Distance of two meshes: the nearest points, and whether the distance exceeds a limit.
 //
-// Exact on the lattice, as everything here: the distance is that of the two transformed meshes. It
-// is decided as an exact fraction of square cells, and rounded down and up to 1/256 cell. It is a
-// distance of surfaces, not of solids: a mesh wholly inside another one is as far from it as from
-// its wall. Meshes that intersect have distance 0, and no depth: the least movement that parts two
-// meshes is not a property of the place where they touch (two combs that interlock have none of
-// that size at all). What pushes bodies apart is a band: all pairs within d (WithinQuery), each
-// with its distance.
+// Exact on the lattice: the distance is that of the two transformed meshes, an exact fraction of
+// square cells, rounded down and up to 1/256 cell. It is a distance of surfaces, not of solids: a
+// mesh inside another one is as far from it as from its wall. Meshes that intersect have distance 0
+// and no depth: the smallest movement that separates two meshes is no local property of a contact
+// (two interlocked combs have no movement of that size). To push bodies apart, use a band: all
+// pairs within d (WithinQuery), each with its distance.
 //
 // Stack on Cortex-M3 to M55 at -O2, in bytes: a run 880, a result 944, distance() 1,120,
-// closer_than() 880 (proofs/stack). Budgets of work cut these queries as any other, but what a
-// unit of it takes is proven of PairQuery alone (time_bound.hpp): two triangles take more here.
+// closer_than() 880 (proofs/stack). Work budgets cut these queries like any other. But the time of
+// a unit of work is proven only for PairQuery (time_bound.hpp): two triangles take more here.
 //
-// Distances are in cells and 1/256 of them; float.hpp and units.hpp turn them into lengths.
+// Distances are in cells and 1/256 cell; float.hpp and units.hpp convert them to lengths.
 #ifndef FLASHBVH_CLEARANCE_HPP
 #define FLASHBVH_CLEARANCE_HPP
 
@@ -29,23 +28,21 @@ namespace flashbvh {
 /// The largest distance of a query, in 1/256 cell: 2^20 cells.
 constexpr uint32_t kMaxDistance = detail::Within::kMost;
 
-/// Every pair of triangles within a distance, in the order and the slices of a PairQuery: a Query
-/// (query.hpp) that is made of meshes, a pose and the predicate `within(distance)`.
+/// Finds every pair of triangles within a distance, in the order and the slices of a PairQuery. It
+/// is a Query (query.hpp) with the predicate `within(distance)`.
 using Within = detail::Within;
 using WithinQuery = Query<Ranked<Mesh>, Within>;
 using WithinQuery32 = Query<Ranked<Mesh32>, Within>;
 
-/// `distance`: in 1/256 cell, at most kMaxDistance; a query beyond it ends with
-/// `distance_out_of_range`.
+/// Returns the predicate of a WithinQuery. `distance`: in 1/256 cell, at most kMaxDistance; a query
+/// beyond it ends with `distance_out_of_range`.
 inline Within within(uint32_t distance) {
   return Within(distance);
 }
 
-/// Whether any points of the two meshes are at most `distance` apart, in 1/256 cell; ends at the
-/// first pair of triangles that are.
-/// `distance_out_of_range`: it is more than kMaxDistance, or B's lattice lies 2^20 cells or more
-/// along an axis from A's, and whether it is within so large a distance is not decidable; `yes`
-/// then.
+/// True if any points of the two meshes are at most `distance` apart, in 1/256 cell; ends at the
+/// first such pair of triangles. `distance_out_of_range`, and `yes`: the distance is more than
+/// kMaxDistance, or undecidable because B's lattice is 2^20 cells or more along an axis from A's.
 template <class Index>
 Answer closer_than(const BasicMesh<Index, Layout::post_indexed>& a,
                    const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
@@ -56,40 +53,40 @@ Answer closer_than(const BasicMesh<Index, Layout::post_indexed>& a,
   return detail::answer_of(query.run(UINT32_MAX, &found, 1).status);
 }
 
-/// What is known of a distance.
+/// The distance of two meshes, as far as it is known.
 template <class Index>
 struct [[nodiscard]] Clearance {
-  /// `done`; `suspended`: not all was looked at; or an error, and nothing else holds.
+  /// `done`; `suspended`: work is left; or an error, and no other field is valid.
   Status status;
-  /// False: B lies 2^20 cells or more along an axis from A, lattice from lattice. `lower` and
-  /// `upper` hold; no triangles, no witness and no points are reported.
+  /// False if B's lattice is 2^20 cells or more along an axis from A's. Then only `lower` and
+  /// `upper` are valid.
   bool in_range;
-  /// In 1/256 cell: the distance is at least this, rounded down; 0 while suspended.
+  /// Lower bound of the distance in 1/256 cell, rounded down; 0 while suspended.
   uint32_t lower;
-  /// The distance is at most this, rounded up: in range that of these triangles. UINT32_MAX if none
-  /// is known yet, or if it may be so much or more.
+  /// Upper bound of the distance, rounded up; in range, the distance of `triangles`. UINT32_MAX if
+  /// none is known yet, or if the bound may be so large.
   uint32_t upper;
   TrianglePair<Index> triangles;  ///< by their ids
-  Witness<Index> witness;         ///< the same, as a hint for the next query
-  FinePoint point_a;              ///< where they are nearest
+  Witness<Index> witness;         ///< these triangles as a hint for the next query
+  FinePoint point_a;              ///< the nearest points of the triangles
   FinePoint point_b;
   UnitVector direction;  ///< from point_a to point_b
 };
 
-/// What a query of a distance may begin with.
+/// Optional arguments of a distance query.
 template <class Index>
 struct ClearanceOptions {
-  Witness<Index> hint = {};  ///< a pair that may be near: the nearest of the pose before
-  /// In 2^-16: the distance reported may be larger than the true one by so much of that, and as
-  /// much larger than `lower`, but for what both are rounded by.
+  Witness<Index> hint = {};  ///< a pair that may be near: the previous pose's nearest pair
+  /// Relative tolerance in 2^-16. The reported distance may exceed the true one, and `lower`, by
+  /// this fraction of the true one, apart from rounding.
   uint16_t tolerance = 0;
 };
 
-/// The distance of two meshes, in slices. With the last nearest pair as `hint` it visits hardly
-/// more than the boxes that are nearer than the answer; without one it first goes down both trees
-/// to where they seem nearest. A hint is dropped if its triangles lie some 70 % as far apart as the
-/// middles of the meshes, or farther. Instructions on each core: lib/docs/figures.md, Distances.
-/// The distance never depends on the hint; where several pairs are nearest, the reported one may.
+/// The distance of two meshes, in slices. With the last nearest pair as `hint`, the query visits
+/// hardly more than the boxes nearer than the answer. Without a hint, it first descends both trees
+/// to where they seem nearest. It drops a hint whose triangles are about 70 % as far apart as the
+/// centres of the meshes, or farther. Instructions on each core: lib/docs/figures.md, Distances.
+/// The distance never depends on the hint; if several pairs are nearest, the reported one may.
 template <class MeshType>
 class BasicClearanceQuery
     : protected Query<Ranked<MeshType>, detail::Nearest<typename MeshType::Index>> {
@@ -102,13 +99,13 @@ class BasicClearanceQuery
   using Hint = Witness<Index>;
   using Options = ClearanceOptions<Index>;
 
-  /// `hint_invalid`: it is no pair of these meshes' triangles.
+  /// `hint_invalid`: the hint is no pair of these meshes' triangles.
   BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose,
                       const Options& options = Options())
       : Base(a, b, pose, {}, predicate(options.tolerance)) {
     begin_at(pose, options.hint);
   }
-  /// With a hint alone.
+  /// Uses default options except the hint.
   BasicClearanceQuery(const Mesh& a, const Mesh& b, const Pose& pose, const Hint& hint)
       : Base(a, b, pose, {}, predicate(0)) {
     begin_at(pose, hint);
@@ -120,34 +117,34 @@ class BasicClearanceQuery
   template <class... With>
   BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const With&...) = delete;
 
-  /// `suspended` while there is something left to do.
+  /// `suspended` while there is work left.
   Status status() const {
     return this->error() == Status::done && this->intersect ? Status::done : Base::status();
   }
   using Base::stats;
-  /// How many pairs of triangles were tested; stats() has those that were the nearest for a while.
+  /// Returns the number of tested pairs of triangles; stats() counts those that became the nearest.
   [[nodiscard]] uint32_t triangle_tests() const { return this->tested; }
 
-  /// Does at most `work`; UINT32_MAX: all there is to do. As Query::run().
+  /// Does at most `work`; UINT32_MAX: no limit. As Query::run().
   FLASHBVH_INLINE RunResult run(uint32_t work) {
     uint32_t left = work;
     const Status status = run_within(left);
     return {status, 0, work - left};
   }
-  /// Does at most `work`, and leaves there what is left of it; UINT32_MAX stays.
+  /// Does at most `work` and leaves the remainder in it; UINT32_MAX does not change.
   Status run_within(uint32_t& work);
 
-  /// What is known by now.
+  /// Returns the distance as far as it is known.
   Clearance<Index> result() const;
 
-  /// The triangles that are nearest by now, in A's frame, in cells. Not before there are any, where
-  /// result().upper is UINT32_MAX, nor out of range.
+  /// Returns the nearest triangles so far, in cells of A's frame. Not valid while result().upper is
+  /// UINT32_MAX, nor out of range.
   void nearest_triangles(Triangle& a, Triangle& b) const {
     detail::place_pair(this->mesh_a(), this->nearest_a, this->mesh_b(), this->nearest_b,
                        this->transform(), a, b);
   }
 
-  /// Between runs.
+  /// Returns the cursor. Valid between runs.
   [[nodiscard]] QueryCursor<Index> cursor() const {
     QueryCursor<Index> at = Base::cursor();
     at.has_witness = this->has_nearest ? 1 : 0;
@@ -155,7 +152,7 @@ class BasicClearanceQuery
     at.witness_b = this->nearest_b;
     return at;
   }
-  /// As Query::resume(); the distance is worked out of the witness again.
+  /// As Query::resume(); the distance is recomputed from the witness.
   Status resume(const QueryCursor<Index>& at);
 
  private:
@@ -164,29 +161,28 @@ class BasicClearanceQuery
     made.allowance = tolerance;
     return made;
   }
-  /// With no part in the caller's frame.
+  /// Kept out of line so that its frame is gone before `run()`.
   void begin_at(const Pose& pose, const Hint& hint);
-  /// A's, then B's, from A's origin on.
+  /// Writes A's triangle, then B's, relative to A's origin.
   FLASHBVH_NOINLINE void get_pair(uint32_t i, uint32_t j, Triangle (&pair)[2]) const;
-  /// With a pair of triangles, which may be the nearest. Returns the square of their boxes' gap.
+  /// Starts with a pair of triangles as the nearest. Returns the squared gap of their boxes.
   int64_t begin_with(const Hint& pair);
-  /// Whether a hint with so large a gap would cost more than it spares: it is dropped.
+  /// True if a hint with this gap would cost more than it saves: the query drops it.
   bool is_stale(int64_t squared_gap) const;
-  /// Of two triangles by their positions: they are nearest, if they are.
+  /// Makes these slots' triangles the nearest if they are; false if they are not.
   FLASHBVH_NOINLINE bool take(uint32_t i, uint32_t j);
-  /// Where the descent ended: of the triangles there.
+  /// Tests the triangles of the leaves where the descent ended.
   void take_leaves(uint32_t& work);
-  /// To the children that are nearest of the node of the larger rank. While nothing is found, the
-  /// place of the nearest triangles holds the nodes that this is at.
-  /// False where both are leaves.
+  /// Descends from the node of the larger rank to its child nearest to the other node; false if
+  /// both are leaves. Until a pair is found, the nearest triangles' slots hold the current nodes.
   FLASHBVH_NOINLINE bool descend(uint32_t& work);
 };
 
 using ClearanceQuery = BasicClearanceQuery<Mesh>;
 using ClearanceQuery32 = BasicClearanceQuery<Mesh32>;
 
-/// The distance in one call, which takes as long as the answer takes. For slices, ClearanceQuery;
-/// errors are its own.
+/// Returns the distance in one call, which ends when the answer is complete. ClearanceQuery has
+/// slices and the errors.
 template <class Index>
 Clearance<Index> distance(const BasicMesh<Index, Layout::post_indexed>& a,
                           const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,

@@ -1,18 +1,19 @@
-// The first contact of two bodies on a motion: whether they are apart at every moment, and if not,
-// from when to when.
+// First contact of two bodies on a motion: whether they are apart at every moment, and if not, the
+// time interval of the contact.
 //
-// The motion is cut into intervals. In the middle of one the bodies are compared: if they are
-// farther apart than anything of B moves until the ends of the interval, they are in all of it. So
-// `free` is certified for every moment, of the bodies that the poses place exactly. Where a pose on
-// the way is rounded to the lattice, as queries round it, points lie up to 0.9 cells elsewhere: a
-// query there may report an intersection if the bodies pass closer than that. A distance of one
-// cell (`within`) excludes it, and a larger one keeps the bodies apart by it.
+// The query cuts the motion into intervals and compares the bodies in an interval's middle. If they
+// are farther apart than any point of B moves until the ends of the interval, they are apart in all
+// of it. So `free` is certified for every moment, for bodies placed by exact poses. A query on the
+// way rounds its pose to the lattice, which moves points by up to 0.9 cells; it may report an
+// intersection if the bodies pass closer. `within` of one cell excludes this, and a larger distance
+// keeps the bodies apart by it.
 //
-// Points, segments, balls, capsules and boxes are bodies, too (shape.hpp), with `within` as radius:
-// their motion is a sweep.
+// Points, segments, spheres, capsules and boxes are bodies too (shape.hpp), with `within` as the
+// radius: the query then tests their swept volume.
 //
-// Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005); intervals are
-// chosen by the triangles that were nearest in the last one. lib/docs/derivations.md, "Motions of
+// Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005). The nearest
+// triangles of the last interval choose the next interval: lib/docs/derivations.md, "Motions of two
+// bodies".
 // two bodies".
 #ifndef FLASHBVH_FIRST_CONTACT_HPP
 #define FLASHBVH_FIRST_CONTACT_HPP
@@ -29,10 +30,10 @@
 
 namespace flashbvh {
 
-/// The most moves of a motion: so that their roundings stay below what decides a contact.
+/// Most moves of a motion: their rounding errors then stay below the limit that decides a contact.
 constexpr uint32_t kMostMoves = 64;
 
-/// Of a motion of two bodies.
+/// Outcomes of a motion of two bodies.
 enum class ContactOutcome : uint8_t {
   free = FLASHBVH_OUTCOME_FREE,
   contact = FLASHBVH_OUTCOME_CONTACT,
@@ -41,10 +42,10 @@ enum class ContactOutcome : uint8_t {
 
 namespace detail {
 
-/// Which type an answer has.
+/// Selects an answer's type by the index type.
 template <class Index>
 struct ContactAnswerOf {
-  /// With wider indices.
+  /// The type with wider indices.
   struct [[nodiscard]] Type {
     Status status;
     ContactOutcome outcome;
@@ -53,7 +54,7 @@ struct ContactAnswerOf {
     uint32_t to;
   };
 };
-/// With those of C.
+/// The type that C has too.
 template <>
 struct ContactAnswerOf<uint16_t> {
   using Type = flashbvh_first_contact_answer;
@@ -61,41 +62,41 @@ struct ContactAnswerOf<uint16_t> {
 
 }  // namespace detail
 
-/// A flashbvh_first_contact_answer, or the same with wider indices.
+/// A flashbvh_first_contact_answer, or a struct of equal fields with wider indices.
 template <class Index>
 using FirstContactAnswerOf = typename detail::ContactAnswerOf<Index>::Type;
 
-/// What a run does next.
+/// The next step of a run.
 enum class ContactPhase : uint8_t {
-  at_time,   ///< walks: whether the bodies touch at `time`
-  choose,    ///< the next interval, by the hint
-  lengthen,  ///< tries the chosen one half as long again
-  walk,      ///< whether they come near in it
+  at_time,   ///< walks: do the bodies touch at `time`?
+  choose,    ///< chooses the next interval by the hint
+  lengthen,  ///< tries an interval longer by half
+  walk,      ///< walks: do the bodies come near in the interval?
   done,
 };
 
-/// Where a query stands between runs: all there is to keep with its meshes and its motion. May be
-/// stored for any time.
+/// A query's cursor between runs: with the meshes and the motion all that is needed to resume. May
+/// be stored for any time.
 template <class Index>
 struct [[nodiscard]] FirstContactCursor {
-  uint32_t time;  ///< in 2^-30 of the motion: certified, or passed over, up to there
-  uint32_t step;  ///< in 2^-30 of the motion: the length of the interval that begins there
-  uint32_t near;  ///< the time since when they may be close, or kNever
+  uint32_t time;  ///< in 2^-30 of the motion: certified or passed over up to here
+  uint32_t step;  ///< in 2^-30 of the motion: length of the interval that begins there
+  uint32_t near;  ///< start of the time in which they may be close, or kNever
   QueryCursor<Index> walk;
   Witness<Index> hint;
   Status status;
   ContactOutcome outcome;
   ContactPhase phase;
-  uint8_t near_steps;    ///< intervals since then
+  uint8_t near_steps;    ///< intervals since `near`
   uint8_t is_begun;      ///< 1 if time 0 is tested
-  uint8_t walks_at_end;  ///< 1 if the end is yet to be tested by a walk
+  uint8_t walks_at_end;  ///< 1 if a walk has yet to test the end
 
   static constexpr uint32_t kNever = UINT32_MAX;
 };
 
-/// The query. 80 bytes on a 32-bit core with 16-bit indices, and a BodyMotion.
+/// The query. 80 bytes on a 32-bit core with 16-bit indices, without its BodyMotion.
 ///
-/// Stack of run() on Cortex-M3 to M55 at -O2: 1,408 bytes. What a unit of work takes is not proven.
+/// Stack of run() on Cortex-M3 to M55 at -O2: 1,408 bytes. No time of a unit of work is proven.
 template <class MeshType>
 class BasicFirstContact {
  public:
@@ -104,10 +105,10 @@ class BasicFirstContact {
   using Answer = FirstContactAnswerOf<Index>;
   using Cursor = FirstContactCursor<Index>;
 
-  /// Meshes and motion outlive it. `within`, in 1/256 cell: bodies that come so near touch; 0:
-  /// bodies that intersect. Errors show in status() and in every run: those of a query;
-  /// `motion_out_of_range`, also of more than kMostMoves; `distance_out_of_range`: beyond
-  /// kMaxDistance / 2.
+  /// Meshes and motion must outlive the query. `within`, in 1/256 cell: bodies this near are in
+  /// contact; 0: only bodies that intersect. status() and every run return errors: those of a
+  /// Query; `motion_out_of_range`, also for more than kMostMoves; `distance_out_of_range`: `within`
+  /// is beyond kMaxDistance / 2.
   BasicFirstContact(const Mesh& a, const Mesh& b, const BodyMotion& motion, uint32_t within = 0);
   template <class... With>
   BasicFirstContact(const Mesh&&, const Mesh&, const BodyMotion&, const With&...) = delete;
@@ -116,19 +117,19 @@ class BasicFirstContact {
   template <class... With>
   BasicFirstContact(const Mesh&, const Mesh&, const BodyMotion&&, const With&...) = delete;
 
-  /// `suspended`: there is something to run; `done`; or its error.
+  /// `suspended` while there is work left; `done`; or the query's error.
   Status status() const { return at_.status; }
 
-  /// Does at most `work` (query.hpp), overdrawn by one step; UINT32_MAX: all there is to do.
+  /// Does at most `work` (query.hpp), overdrawn by one step; UINT32_MAX: no limit.
   Answer run(uint32_t work);
 
-  /// After `close`: goes on behind it, as if it were free.
+  /// After `close`: continues behind it, as if it were free.
   void pass();
 
-  /// Between runs.
+  /// Returns the cursor. Valid between runs.
   [[nodiscard]] const Cursor& cursor() const { return at_; }
-  /// Goes on from a cursor of a query with the same meshes and motion. `cursor_invalid`, and
-  /// nothing changes, if it can't be one.
+  /// Resumes from the cursor of a query with equal meshes and motion. `cursor_invalid`, and nothing
+  /// changes, if no such query can have it.
   Status resume(const Cursor& at);
 
  private:

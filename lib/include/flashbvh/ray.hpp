@@ -1,19 +1,19 @@
-// Rays: what a segment hits of a mesh, and how often it goes through a closed one.
+// Rays: the triangles of a mesh that a segment hits, and its crossings of a closed mesh.
 //
-// A ray has an end here: a segment between two points of the lattice, as a sensor has a reach. It
-// is exact and watertight: whether a triangle is hit, and in which order, is decided in integers;
-// no ray is lost between triangles that share an edge or a corner.
+// A ray is a segment between two lattice points, as a sensor's range is limited. Rays are exact and
+// watertight: integers decide which triangles are hit and in which order; no ray slips between
+// triangles that share an edge or a corner.
 //
-// Two questions, two rules. A *hit* is closed: touching a triangle counts, its edges and corners
-// too, each triangle by itself, so a ray through a shared edge hits both; one that lies in a
-// triangle's plane hits it where it first has a point of it. A *crossing* of a closed surface is
-// counted after the segment is moved by less than any number, always to the same side: through a
-// shared edge or corner it is one if the surface is gone through, and none, or one out and one in,
-// if it is grazed.
+// Hits and crossings have different rules. A *hit* includes a triangle's edges and corners, for
+// each triangle separately, so a ray through a shared edge hits both triangles. A ray in a
+// triangle's plane hits it at the ray's first point in the triangle. *Crossings* of a closed
+// surface are counted after an infinitesimal move of the segment, always to one side. At a shared
+// edge or corner, a ray through the surface counts one crossing; a grazing ray none, or one out and
+// one in.
 //
-// Points are cells of the mesh's frame, as it was drawn, within kMaxRayCoordinate of the mesh's
-// origin; float.hpp makes them of lengths. One call answers one question; a ray through a mesh
-// of a thousand triangles visits some 30 boxes, and 100 at worst (lib/docs/figures.md, Rays).
+// Points are in cells of the mesh's source frame, within kMaxRayCoordinate of the mesh's origin;
+// float.hpp converts lengths. Each call answers one query. A ray through a mesh of a thousand
+// triangles visits about 30 boxes, and 100 at worst (lib/docs/figures.md, Rays).
 #ifndef FLASHBVH_RAY_HPP
 #define FLASHBVH_RAY_HPP
 
@@ -26,45 +26,45 @@
 
 namespace flashbvh {
 
-/// What a ray hits. How far along the segment: above / below of it, exactly, from 0 to 1.
+/// A ray's hit. `along`: its fraction of the segment's length, exact.
 template <class Index>
 struct RayHit {
   Index triangle;  ///< its id
-  Index slot;      ///< in the mesh's array: what a later ray begins with
-  /// Which side the ray meets: 1 the front, where corners turn counter-clockwise; -1 the back; 0
-  /// where it lies in the triangle's plane, or the triangle has no area.
+  Index slot;      ///< slot in the mesh's array: a hint for the next ray
+  /// The side that the ray meets: 1 the front, where corners turn counter-clockwise; -1 the back; 0
+  /// if the ray lies in the triangle's plane, or the triangle has no area.
   int8_t side;
   SegmentShare along;
 };
 
-/// No triangle to begin with.
+/// The hint without a triangle.
 template <class Index>
 constexpr Index kNoHint = static_cast<Index>(-1);
 
-/// After an error `yes` is true, and nothing else holds: what cannot be decided may be hit.
+/// A ray's result. After an error `yes` is true and no other field is valid: the ray may hit.
 template <class Index>
 struct [[nodiscard]] RayAnswer {
-  /// `done`; `ray_out_of_range`: an end lies too far off; `hint_invalid`.
+  /// `done`; `ray_out_of_range`: an end is too far away; `hint_invalid`.
   Status status;
   bool yes;
   RayHit<Index> hit;
   uint32_t visits;  ///< boxes tested
 };
 
-/// The first hit along the segment; of several in one place that of the least triangle id. `hint`:
-/// the slot of a triangle that may be near it, as the ray before has hit, which spares visits;
-/// the hit never depends on it. Stack: 704 bytes on Cortex-M3 to M55 at -O2.
+/// Returns the first hit along the segment; of several at one point, the least triangle id. `hint`:
+/// the slot of a triangle that may be near it, such as the last ray's hit, which saves visits. The
+/// hit never depends on the hint. Stack: 704 bytes on Cortex-M3 to M55 at -O2.
 template <class Index>
 RayAnswer<Index> nearest_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,
                              const Segment& segment, Index hint = kNoHint<Index>) noexcept;
 
-/// Any hit, the first that the walk comes to: whether something is in the way.
+/// Returns any hit, the first that the walk finds: tests for an obstacle.
 template <class Index>
 RayAnswer<Index> any_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,
                          const Segment& segment) noexcept;
 
-/// Hands each hit to `visit(hit)`, in the tree's order, until it returns false. `done` at the end,
-/// `full` if `visit` said no more, `ray_out_of_range`.
+/// Passes each hit to `visit(hit)`, in the tree's order, until it returns false. `done` at the end,
+/// `full` if `visit` returned false, `ray_out_of_range`.
 template <class Index, class Visitor>
 Status for_each_hit(const BasicMesh<Index, Layout::post_indexed>& mesh, const Segment& segment,
                     Visitor&& visit) {
@@ -78,23 +78,23 @@ Status for_each_hit(const BasicMesh<Index, Layout::post_indexed>& mesh, const Se
   return walk.status();
 }
 
-/// A number of crossings; 0 after an error.
+/// A signed number of crossings; 0 after an error.
 struct [[nodiscard]] CrossingCount {
   Status status;  ///< `done`, `not_closed`, `ray_out_of_range`
   int32_t outwards;
   uint32_t visits;  ///< boxes tested
 };
 
-/// How often the segment goes out of a closed mesh, less how often it goes in: the winding number
-/// of its start less that of its end, both moved by less than any number.
+/// Returns how often the segment leaves a closed mesh, minus how often it enters. This is the
+/// winding number of its start minus that of its end, both moved infinitesimally.
 template <class Index>
 CrossingCount signed_crossings(const BasicMesh<Index, Layout::post_indexed>& mesh,
                                const Segment& segment) noexcept;
 
-/// Where a hit is, in the mesh's frame: each coordinate within 1/256 cell of the exact one.
+/// Returns a hit's point in the mesh's frame: each coordinate within 1/256 cell of the exact one.
 [[nodiscard]] FinePoint point_along(const Segment& segment, const SegmentShare& along) noexcept;
 
-/// How far that is from the segment's start, in 1/256 cell: within 2/256 of the exact one.
+/// Returns the hit's distance from the segment's start in 1/256 cell; the error is at most 2/256.
 [[nodiscard]] uint32_t distance_along(const Segment& segment, const SegmentShare& along) noexcept;
 
 }  // namespace flashbvh

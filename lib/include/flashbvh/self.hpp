@@ -1,13 +1,12 @@
-// Where a mesh intersects itself: which of its triangles intersect which others, each unordered
-// pair once, and which are within a distance of each other.
+// Self-intersection of a mesh: its pairs of triangles that intersect, or are within a distance,
+// each unordered pair once.
 //
-// Triangles that share a vertex, by its index, are no answer: they always touch there. Vertices
-// that merely lie in one place are different ones. Everything else is as of a Query (query.hpp):
-// exact, in any slices, resumable, the same on every core. Of a pair, `a` is the triangle that lies
-// first in the mesh's array.
+// Triangles that share a vertex index are not reported: they always touch there. Vertices at equal
+// coordinates with different indices are different. All else is as in a Query (query.hpp): exact,
+// in any slices, resumable, equal on every core. In a pair, `a` has the lower slot.
 //
-// 128 bytes on a 32-bit core, 136 for the band. Stack of a run on a Cortex-M4 at -O2: 432
-// bytes, 632 for the band (proofs/stack).
+// 128 bytes on a 32-bit core, 136 for the band. Stack of a run on a Cortex-M4 at -O2: 432 bytes,
+// 632 for the band (proofs/stack).
 #ifndef FLASHBVH_SELF_HPP
 #define FLASHBVH_SELF_HPP
 
@@ -21,7 +20,7 @@
 
 namespace flashbvh {
 
-/// `PredicateBase`: detail::Intersection or Within. The mesh outlives the query.
+/// `PredicateBase`: detail::Intersection or Within. The mesh must outlive the query.
 template <class MeshType, class PredicateBase>
 class BasicSelfQuery
     : public Query<detail::SelfRanked<MeshType>, detail::SelfPredicate<PredicateBase>> {
@@ -29,13 +28,13 @@ class BasicSelfQuery
   using Base = Query<detail::SelfRanked<MeshType>, Predicate>;
 
  public:
-  /// With `within(distance)` (clearance.hpp) as the predicate of a SelfWithinQuery.
+  /// A SelfWithinQuery takes `within(distance)` (clearance.hpp) as its predicate.
   explicit BasicSelfQuery(const MeshType& mesh, const PredicateBase& predicate = PredicateBase())
       : BasicSelfQuery(mesh, predicate, Pose::translated(0, 0, 0)) {}
   explicit BasicSelfQuery(const MeshType&&, const PredicateBase& = PredicateBase()) = delete;
 
  private:
-  /// A translation is not looked at again.
+  /// The query does not use `identity` after the constructor.
   BasicSelfQuery(const MeshType& mesh, const PredicateBase& predicate, const Pose& identity)
       : Base(mesh, mesh, identity, {}, Predicate(predicate)) {}
 };
@@ -45,7 +44,7 @@ using SelfQuery32 = BasicSelfQuery<Mesh32, detail::Intersection>;
 using SelfWithinQuery = BasicSelfQuery<Mesh, Within>;
 using SelfWithinQuery32 = BasicSelfQuery<Mesh32, Within>;
 
-/// Whether any two triangles of a mesh that share no vertex intersect; ends at the first pair.
+/// True if any two triangles of a mesh that share no vertex intersect; ends at the first pair.
 template <class Index>
 Answer intersects_itself(const BasicMesh<Index, Layout::post_indexed>& mesh) {
   BasicSelfQuery<BasicMesh<Index, Layout::post_indexed>, detail::Intersection> query(mesh);
