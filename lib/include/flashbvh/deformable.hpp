@@ -1,14 +1,14 @@
-// Meshes that bend: vertices and boxes in the caller's RAM, the rest where it was baked.
+// Deformable meshes: vertices and boxes in the caller's RAM, all else where it was baked.
 //
-// Move any of the vertices, refit(), and query: mesh() is a baked mesh like any other, so every
-// query, order and shape takes it, on either side and under any pose. Which triangles lie in which
-// leaf, and the ranks, stay as they were baked; any are right. A refit works one pass backwards
-// over the nodes, without a stack, and can be cut into slices as queries can.
+// Move any vertices, refit(), and query: mesh() is a mesh like any other. Every query, traversal
+// and shape takes it, on either side and under any pose. The leaves' triangles and the ranks stay
+// as baked; they are valid for any vertices. A refit passes once backwards over the nodes, without
+// a stack, and can be cut into slices like a query.
 //
-// From when vertices begin to move until a refit ends `done`, boxes and vertices do not agree and
-// no query may use the mesh. While a refit is on, queries of it and another mesh end with
-// `cell_mismatch`, and inside() with `not_closed`. What was begun before a refit must not go on
-// after it: a DeformableQuery detects it, and so does its cursor.
+// From the first move of a vertex until a refit ends `done`, boxes and vertices disagree and no
+// query may use the mesh. During a refit, queries of it and another mesh end with `cell_mismatch`,
+// and inside() with `not_closed`. A query begun before a refit must not resume after it:
+// DeformableQuery and its cursor detect that.
 //
 // RAM: 16 bytes a node and 6 a vertex (20 with 32-bit indices), and this object, 104 bytes on a
 // 32-bit core. Stack of a refit: 176 bytes on a Cortex-M4 at -O2.
@@ -24,17 +24,17 @@
 
 namespace flashbvh {
 
-/// What a run of a refit gave.
+/// The result of a refit's run.
 struct [[nodiscard]] RefitResult {
-  /// `done`; `suspended`: go on; `vertex_out_of_lattice`: put that vertex where a coordinate is
-  /// within +-kMaxCoordinate, and refit again; until then no query may use the mesh.
+  /// `done`; `suspended`: run again; `vertex_out_of_lattice`: move that vertex to coordinates
+  /// within +-kMaxCoordinate and refit again. Until then no query may use the mesh.
   Status status;
-  uint32_t vertex;  ///< the first that is out of the lattice
-  uint32_t work;    ///< spent of the granted work
+  uint32_t vertex;  ///< the first vertex outside the lattice
+  uint32_t work;    ///< work spent
 };
 
-/// `MeshType`: Mesh, or any other kind. The baked mesh's arrays and the caller's outlive it.
-/// Not to be copied while queries point to it.
+/// `MeshType`: Mesh, or any other kind. The baked mesh's arrays and the caller's must outlive it.
+/// Must not be copied while queries point to it.
 template <class MeshType>
 class BasicDeformableMesh {
  public:
@@ -51,27 +51,27 @@ class BasicDeformableMesh {
     is_closed_ = baked.is_closed;
   }
 
-  /// What queries take.
+  /// Returns the mesh, for queries.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
-  /// To be moved, any of them; then refit(). They count from the origin.
+  /// Returns the vertices, relative to the origin. Move any of them, then refit().
   [[nodiscard]] Vertex* vertices() { return vertices_; }
 
-  /// Where vertices count from, in cells of the mesh's frame, within +-2^29 along each axis: a mesh
-  /// that goes far takes its lattice along. Then refit().
+  /// Sets the vertices' origin, in cells of the mesh's frame, within +-2^29 along each axis: the
+  /// lattice of a mesh moves with it. Then refit().
   void set_origin(const Point& origin) {
     mesh_.origin[0] = origin.x;
     mesh_.origin[1] = origin.y;
     mesh_.origin[2] = origin.z;
   }
 
-  /// Fits the boxes to the vertices, as they are now. `work`: nodes; UINT32_MAX: all there are.
-  /// After `suspended` the next one goes on; vertices must not move meanwhile: start_again().
+  /// Fits the boxes to the current vertices. `work`: number of nodes; UINT32_MAX: no limit. After
+  /// `suspended` the next call resumes. If vertices move meanwhile, call start_again().
   RefitResult refit(uint32_t work = UINT32_MAX);
-  /// Gives up the current refit; the next one starts at the beginning.
+  /// Discards the current refit; the next one starts from the beginning.
   void start_again() { node_ = 0; }
 
-  /// Odd while a refit is not done; never twice the same, short of 2^31 refits.
+  /// Returns a version: odd while a refit is not done; no value repeats within 2^31 refits.
   [[nodiscard]] uint32_t refits() const { return refits_; }
 
  private:
@@ -84,7 +84,7 @@ class BasicDeformableMesh {
   Node<Index>* nodes_;
   Vertex* vertices_;
   uint32_t refits_ = 0;
-  uint32_t node_ = 0;  ///< after the next one; 0: no refit is on
+  uint32_t node_ = 0;  ///< the next node plus 1; 0: no refit is in progress
   detail::RefitPlace place_ = {};
   bool is_closed_ = false;
 };
@@ -92,15 +92,15 @@ class BasicDeformableMesh {
 using DeformableMesh = BasicDeformableMesh<Mesh>;
 using DeformableMesh32 = BasicDeformableMesh<Mesh32>;
 
-/// Where a DeformableQuery stands, between runs; refused once one of its meshes was refit.
+/// A DeformableQuery's cursor between runs; rejected after one of its meshes was refit.
 template <class Index>
 struct DeformableCursor {
   QueryCursor<Index> at;
-  uint32_t refits;  ///< of both meshes
+  uint32_t refits;  ///< sum of both meshes' refits()
 };
 
-/// Any query that is run in slices (PairQuery, SelfQuery, ClearanceQuery, ...) of meshes of which
-/// one or both bend: after a refit it ends with `mesh_changed`, and so does what is resumed.
+/// Any query in slices (PairQuery, SelfQuery, ClearanceQuery, ...) with one or two deformable
+/// meshes. After a refit it ends with `mesh_changed`, and so does a resumed query.
 ///
 ///     DeformableQuery<PairQuery> query(link, cloth, pose);
 template <class Query>
@@ -112,32 +112,32 @@ class DeformableQuery {
  public:
   using Pair = TrianglePair<typename Mesh::Index>;
 
-  /// Of two meshes, and what else the query takes: its pose first.
+  /// Two deformable meshes, then the query's other arguments: its pose first.
   template <class... With>
   DeformableQuery(const Deformable& a, const Deformable& b, const With&... with)
       : query_(a.mesh(), b.mesh(), with...), a_(&a), b_(&b), refits_(refits()) {}
-  /// Of one that bends, as B.
+  /// B is deformable.
   template <class... With>
   DeformableQuery(const Mesh& a, const Deformable& b, const With&... with)
       : query_(a, b.mesh(), with...), a_(nullptr), b_(&b), refits_(refits()) {}
-  /// As A.
+  /// A is deformable.
   template <class... With>
   DeformableQuery(const Deformable& a, const Mesh& b, const With&... with)
       : query_(a.mesh(), b, with...), a_(&a), b_(nullptr), refits_(refits()) {}
-  /// Of one against itself, and a band's predicate.
+  /// One deformable mesh against itself, then a band's predicate.
   template <class... With>
   explicit DeformableQuery(const Deformable& mesh, const With&... with)
       : query_(mesh.mesh(), with...), a_(&mesh), b_(nullptr), refits_(refits()) {}
 
-  /// Whether a mesh was refit since the query was made, or is being refit.
+  /// True if a mesh was refit since the query was made, or its refit is not done.
   [[nodiscard]] bool is_outdated() const {
     return refits_ != refits() || is_being_refit(a_) || is_being_refit(b_);
   }
-  /// The query's own, or `mesh_changed`.
+  /// Returns the query's own status, or `mesh_changed`.
   [[nodiscard]] Status status() const {
     return is_outdated() ? Status::mesh_changed : query_.status();
   }
-  /// As the query's own, in each of its forms.
+  /// As the query's own run(), in each of its forms.
   template <class... Arguments>
   FLASHBVH_INLINE RunResult run(uint32_t work, Arguments&&... arguments) {
     if (is_outdated()) {
@@ -146,13 +146,13 @@ class DeformableQuery {
     return query_.run(work, arguments...);
   }
 
-  /// What was found and done. It no longer holds for the mesh as it is now, once it
-  /// is_outdated().
+  /// Returns the query, with its results. They do not hold for the current mesh once is_outdated()
+  /// is true.
   [[nodiscard]] const Query& query() const { return query_; }
 
-  /// Where the query stands, between runs.
+  /// Returns the cursor. Valid between runs.
   [[nodiscard]] DeformableCursor<Index> cursor() const { return {query_.cursor(), refits_}; }
-  /// `mesh_changed`: it is from before a refit. Else as Query::resume().
+  /// `mesh_changed`: the cursor is from before a refit. Else as Query::resume().
   Status resume(const DeformableCursor<Index>& cursor) {
     if (is_outdated() || cursor.refits != refits_) {
       return Status::mesh_changed;
@@ -164,13 +164,13 @@ class DeformableQuery {
   static bool is_being_refit(const Deformable* mesh) {
     return mesh != nullptr && mesh->refits() % 2 != 0;
   }
-  /// Both only grow, so their sum is the same only if both are.
+  /// Returns the sum of both counts. Both only grow, so equal sums mean equal counts.
   uint32_t refits() const {
     return (a_ != nullptr ? a_->refits() : 0) + (b_ != nullptr ? b_->refits() : 0);
   }
 
   Query query_;
-  const Deformable* a_;  ///< null: it does not bend
+  const Deformable* a_;  ///< null: not deformable
   const Deformable* b_;
   uint32_t refits_;
 };

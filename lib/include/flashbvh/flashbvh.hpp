@@ -1,4 +1,4 @@
-// All that firmware needs to query baked meshes.
+// All headers that firmware needs to query baked meshes.
 #ifndef FLASHBVH_FLASHBVH_HPP
 #define FLASHBVH_FLASHBVH_HPP
 

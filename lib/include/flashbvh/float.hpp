@@ -1,20 +1,20 @@
-// Floating point, as kinematics and sensors give it: poses of a matrix or a unit quaternion, rays
-// of an origin, a direction and a reach; lengths, points and contacts in the mesh's unit.
+// Floats from kinematics and sensors: poses from a matrix or a unit quaternion, rays from an
+// origin, a direction and a reach; lengths, points and contacts in the mesh's unit.
 //
-// Optional: firmware that does not include this header links no float code. The header calculates
-// with none, either: a float is taken apart by its bits and the rest is integers. So no conversion
-// is out of range, NaN and infinity are known by their bits (whatever -ffast-math assumes), and
-// results are the same on every core: without an FPU, with fused multiplication, with subnormals
+// Optional: firmware that does not include this header links no float code. The header itself uses
+// no float arithmetic: it splits a float into its bits and calculates in integers. So no conversion
+// is out of range, and NaN and infinity are detected by their bits (whatever -ffast-math assumes).
+// Results are equal on every core: without an FPU, with fused multiplication, with subnormals
 // flushed to zero.
 //
-// Where an input of a pose is no number or too large, the pose's status says so: `not_a_rotation`
+// If a pose's input is not finite or too large, the pose's status has the error: `not_a_rotation`
 // for a rotation, `translation_out_of_range` for a translation or for a `cells_per_unit` that is
-// not positive and finite; the latter if both are wrong.
+// not positive and finite. If both are wrong, it is the latter.
 //
-// Translations are in the mesh's unit: `cells_per_unit` is NAME_CELLS_PER_UNIT of the baked header,
-// or 1 where they are in cells. Their product is rounded once, to 1/65,536 of a cell. The start of
-// a ray lies within half a cell of the origin along each axis, its end within 0.51 cells of where
-// direction and reach end; so at the reach the segment is at most 0.9 cells away from the ray.
+// Translations are in the mesh's unit. `cells_per_unit` is NAME_CELLS_PER_UNIT of the baked header,
+// or 1 for cells. Their product is rounded once, to 1/65,536 cell. A ray starts within half a cell
+// of the origin along each axis and ends within 0.51 cells of the exact end. So at the reach the
+// segment is at most 0.9 cells away from the ray.
 //
 // Stack on Cortex-M3 to M55 at -O2: a pose 352 bytes, a ray 304 bytes.
 #ifndef FLASHBVH_FLOAT_HPP
@@ -33,22 +33,22 @@
 
 namespace flashbvh {
 
-/// B rotated and translated: its point p lies at rotation * p + translation in A's frame.
-/// `rotation`: row by row, each entry rounded to 2^-30, halves away from zero; then as
-/// Pose::rigid() has it, with its tolerance and its rounding to 2^-22.
+/// Returns a pose that rotates and translates B: point p of B is at rotation * p + translation in
+/// A's frame. `rotation`: row by row, each entry rounded to 2^-30, halves away from zero; then as
+/// in Pose::rigid(), with its tolerance and its rounding to 2^-22.
 inline Pose pose_of(const float (&rotation)[3][3], const float (&translation)[3],
                     float cells_per_unit) {
   return detail::make_pose(rotation, translation, cells_per_unit);
 }
 
-/// The same from 12 numbers row by row: three of the rotation and one of the translation a row.
+/// Returns a pose from 12 numbers row by row: three of the rotation and one of the translation a
+/// row.
 inline Pose pose_of(const float (&matrix)[3][4], float cells_per_unit) {
   return detail::make_pose(matrix, cells_per_unit);
 }
 
-/// The same from a unit quaternion. A squared length further than kQuaternionTolerance from 1 gives
-/// `not_a_rotation`; within it, the quaternion is taken as one of length 1 that was rounded, and
-/// made so.
+/// Returns a pose from a unit quaternion. `not_a_rotation`: its squared length differs from 1 by
+/// more than kQuaternionTolerance. Within the tolerance, the quaternion is normalised.
 inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3],
                     float cells_per_unit) {
   int32_t entries[3][3] = {};
@@ -56,36 +56,36 @@ inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3
   return detail::make_pose(entries, translation, cells_per_unit);
 }
 
-/// NAME_CELLS_PER_UNIT of a mesh whose header is not there, as of an image. `cell_bits`:
+/// Returns NAME_CELLS_PER_UNIT of a mesh without its header, such as an image. `cell_bits`:
 /// Mesh::cell_bits.
 inline float cells_per_unit(uint64_t cell_bits) {
   return detail::float_of(detail::cells_per_unit_bits(cell_bits));
 }
 
-/// A length in the mesh's unit as a distance in 1/256 cell (clearance.hpp): rounded down, but for a
-/// rounding of the product to 1/65,536 cell. UINT32_MAX, which every query refuses, if it is
-/// negative, no number or too large.
+/// Converts a length in the mesh's unit to a distance in 1/256 cell (clearance.hpp). The product is
+/// rounded to 1/65,536 cell, then down. Returns UINT32_MAX, which every query rejects, if the
+/// length is negative, not a number or too large.
 inline uint32_t fine_distance(float length, float cells_per_unit) {
   const int64_t fine = detail::cell_fractions(length, cells_per_unit) >> 8;
   return detail::is_below_zero(length) || fine >= UINT32_MAX ? UINT32_MAX
                                                              : static_cast<uint32_t>(fine);
 }
 
-/// The length of so many 1/256 cells in the mesh's unit, to the nearest float.
+/// Returns a length in 1/256 cell in the mesh's unit, to the nearest float.
 inline float length_in_unit(int64_t fine, uint64_t cell_bits) {
   return detail::float_of(detail::length_bits(fine, cell_bits));
 }
 
-/// A segment, or why there is none.
+/// A segment, or the error.
 struct [[nodiscard]] MadeSegment {
   Status status;
   Segment segment;
 };
 
-/// The segment from `origin` along `direction`, of any length but 0, as far as `reach`; origin and
-/// reach in the mesh's unit, of which a cell is 1 / `cells_per_unit`, in the mesh's frame.
-/// `ray_out_of_range`: what is no number, no direction, a reach below 0, or further off than any
-/// mesh.
+/// Returns the segment from `origin` along `direction`, of any length but 0, up to `reach`. Origin
+/// and reach are in the mesh's unit and frame; a cell is 1 / `cells_per_unit`. `ray_out_of_range`:
+/// an input is not a number, the direction is zero, the reach is below 0, or an end is farther away
+/// than any mesh.
 inline MadeSegment segment_of(const float (&origin)[3], const float (&direction)[3], float reach,
                               float cells_per_unit) {
   const MadeSegment none = {Status::ray_out_of_range, {}};
@@ -95,7 +95,7 @@ inline MadeSegment segment_of(const float (&origin)[3], const float (&direction)
       !detail::get_direction(direction, whole)) {
     return none;
   }
-  if (detail::is_below_zero(reach)) {  // by so little that it was rounded to 0
+  if (detail::is_below_zero(reach)) {  // below 0, but rounded to 0
     return none;
   }
   int64_t squared = 0;
@@ -120,20 +120,20 @@ inline MadeSegment segment_of(const float (&origin)[3], const float (&direction)
 
 using UnitPoint = flashbvh_unit_point;
 
-/// A contact's point in the unit of mesh A, which it is reported of; each coordinate rounded once,
-/// to the nearest float. A float has 24 bits, which a point 65,536 cells off takes up: past that,
-/// millionths_of() (units.hpp) keeps the rest.
+/// Converts a contact's point to the unit of mesh A; each coordinate is rounded once, to the
+/// nearest float. A float's 24 bits resolve 1/256 cell up to 65,536 cells away; millionths_of()
+/// (units.hpp) keeps the rest farther away.
 inline UnitPoint in_unit(const FinePoint& point, uint64_t cell_bits) {
   return {detail::float_of(detail::length_bits(point.x, cell_bits)),
           detail::float_of(detail::length_bits(point.y, cell_bits)),
           detail::float_of(detail::length_bits(point.z, cell_bits))};
 }
 
-/// Two triangles that intersect, and where.
+/// Two triangles that intersect, and their common part.
 template <class Index>
 struct [[nodiscard]] UnitContact {
-  Status status;  ///< of Query; after an error `yes` is true and nothing else holds
-  bool yes;       ///< false: no triangles intersect, and nothing else holds
+  Status status;  ///< as of Query; after an error `yes` is true and no other field is valid
+  bool yes;       ///< false: no triangles intersect, and no other field is valid
   TrianglePair<Index> triangles;
   UnitPoint ends[2];  ///< of the common part (contact_of()), in A's frame and unit
   Normal normal_a;
@@ -156,8 +156,8 @@ FLASHBVH_NOINLINE void put_contact(const DefaultQuery<Index>& query, uint64_t ce
 
 }  // namespace detail
 
-/// The first pair of triangles that a query finds, and where they intersect. Stack on Cortex-M3 to
-/// M55 at -O2: as first_pair(); the result, 88 bytes, not counted.
+/// Returns the first pair of triangles that a query finds, and their intersection. Stack on
+/// Cortex-M3 to M55 at -O2: as first_pair(), without the result's 88 bytes.
 template <class Index>
 UnitContact<Index> first_contact(const BasicMesh<Index, Layout::post_indexed>& a,
                                  const BasicMesh<Index, Layout::post_indexed>& b,

@@ -1,4 +1,4 @@
-// What a run of a query gives, and where a query stands between runs.
+// The result of a query's run, and a query's cursor between runs.
 #ifndef FLASHBVH_RUN_RESULT_HPP
 #define FLASHBVH_RUN_RESULT_HPP
 
@@ -12,25 +12,25 @@ namespace flashbvh {
 
 namespace detail {
 
-/// Which type a pair of triangles' ids has.
+/// Selects the type of a pair of triangles' ids by the index type.
 template <class Index>
 struct PairOf {
-  /// With wider indices.
+  /// The type with wider indices.
   struct Type {
     Index a;
     Index b;
   };
 };
-/// With those of C.
+/// The type that C has too.
 template <>
 struct PairOf<uint16_t> {
   using Type = flashbvh_pair;
 };
 
-/// Which type a cursor has.
+/// Selects a cursor's type by the index type.
 template <class Index>
 struct CursorOf {
-  /// With wider indices.
+  /// The type with wider indices.
   struct Type {
     Index a;
     Index b;
@@ -41,7 +41,7 @@ struct CursorOf {
     Index witness_b;
   };
 };
-/// With those of C.
+/// The type that C has too.
 template <>
 struct CursorOf<uint16_t> {
   using Type = flashbvh_cursor;
@@ -49,14 +49,14 @@ struct CursorOf<uint16_t> {
 
 }  // namespace detail
 
-/// A flashbvh_pair, or the same with wider indices.
+/// A flashbvh_pair, or a struct of equal fields with wider indices.
 template <class Index>
 using TrianglePair = typename detail::PairOf<Index>::Type;
 
 using RunResult = flashbvh_run_result;
 
-/// A flashbvh_cursor, 12 bytes, or the same with wider indices, 20 bytes: where a stackless query
-/// stands between runs.
+/// A stackless query's cursor between runs: a flashbvh_cursor, 12 bytes, or a struct of equal
+/// fields with wider indices, 20 bytes.
 template <class Index>
 using QueryCursor = typename detail::CursorOf<Index>::Type;
 

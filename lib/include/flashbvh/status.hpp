@@ -1,4 +1,4 @@
-// Every way a call into flashbvh can end: C++'s names of the C statuses.
+// Every way in which a flashbvh call can end: C++ names of the C statuses.
 #ifndef FLASHBVH_STATUS_HPP
 #define FLASHBVH_STATUS_HPP
 
@@ -9,8 +9,8 @@
 
 namespace flashbvh {
 
-/// status.h has the values, which never change, and says what each means. The compiler warns where
-/// one is dropped (plain/language.h).
+/// status.h has the values, which never change, and their meanings. The compiler warns if a status
+/// is dropped (plain/language.h).
 enum class Status : uint8_t {
   done = FLASHBVH_STATUS_DONE,
   suspended = FLASHBVH_STATUS_SUSPENDED,

@@ -1,10 +1,10 @@
-// What queries can cost at worst, for static_assert: lib/docs/bounded_time.md has the proof.
+// Worst-case time of queries, for static_assert: lib/docs/bounded_time.md has the proof.
 //
 //     constexpr uint32_t kWork =
 //         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm_TREE_SIZE, cell_TREE_SIZE);
 //     step = query.run(kWork, found);  // 56,000 instructions at most
 //
-// In cycles, of a core whose manual has them, in RAM or in flash with so many wait states:
+// In cycles, for a core whose manual states them, in RAM or in flash with a number of wait states:
 //
 //     flashbvh::work_within(84000, flashbvh::kCortexM4FCycles, 0, arm_TREE_SIZE, cell_TREE_SIZE);
 #ifndef FLASHBVH_TIME_BOUND_HPP
@@ -23,12 +23,12 @@ namespace flashbvh {
 using RunCosts = flashbvh_run_costs;
 using RunCycles = flashbvh_run_cycles;
 
-/// kCortexM0 to kRV32IMAC.
+/// Defines kCortexM0 to kRV32IMAC.
 #define FLASHBVH_CONSTANT(core, c_name, text, ...) constexpr RunCosts k##core = {__VA_ARGS__};
 FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
-/// kCortexM0Cycles to kCortexM4FCycles. Fast: of parts whose MULS takes one cycle, as nearly all
-/// do.
+/// Defines kCortexM0Cycles to kCortexM4FCycles. "Fast" is for parts whose MULS takes one cycle, as
+/// on nearly all.
 #define FLASHBVH_CONSTANT(core, c_name, text, ...) \
   constexpr RunCycles k##core##Cycles = {__VA_ARGS__};
 FLASHBVH_FOR_EACH_CORE_IN_CYCLES(FLASHBVH_CONSTANT)
@@ -44,22 +44,22 @@ constexpr uint64_t most_leaf_triangles(const TreeSize& a, const TreeSize& b) {
   return greater_of(a.leaf_size, b.leaf_size);
 }
 
-/// Siblings after a node, in both trees.
+/// Returns the largest number of siblings after a node, in both trees together.
 constexpr uint64_t later_siblings(const TreeSize& a, const TreeSize& b) {
   return greater_of(a.arity, 1) + greater_of(b.arity, 1) - 2;
 }
 
 }  // namespace detail
 
-/// The most visits of a whole query by any traversal, at any pose, on two meshes with so many
-/// leaves, whose nodes have two children or more each, as `flashbvh bake` makes them. For two
-/// images and `ranked`, `flashbvh collide --bound` knows the exact number, which is lower.
+/// Returns the most visits of a whole query by any traversal, at any pose, on two meshes with this
+/// many leaves, whose nodes have two children or more each, as `flashbvh bake` makes them. For two
+/// images and `ranked`, `flashbvh collide --bound` prints the exact number, which is lower.
 constexpr uint64_t most_visits(uint32_t leaves_a, uint32_t leaves_b) {
   return 2 * static_cast<uint64_t>(leaves_a) * leaves_b - 1;
 }
 
-/// The most work of a whole query in one run, of so many visits, and so many leaves taken as
-/// shapes: where all boxes overlap, and all pairs of triangles are tested.
+/// Returns the most work of a whole query in one run, for numbers of visits and of leaves whose
+/// planes are prepared: all boxes overlap, and all pairs of triangles are tested.
 constexpr uint64_t most_work(const TreeSize& a, const TreeSize& b, uint64_t visits,
                              uint64_t shapes) {
   const uint64_t shape = detail::kShapeWork - 1 + detail::most_leaf_triangles(a, b);
@@ -67,27 +67,27 @@ constexpr uint64_t most_work(const TreeSize& a, const TreeSize& b, uint64_t visi
                         uint64_t{detail::kTrianglePairWork} * a.triangle_count * b.triangle_count;
   return work + work / UINT16_MAX * detail::kTrianglePairWork;
 }
-/// By any traversal but `leaf`: a leaf is taken with one visit, and two or more are below it.
+/// For any traversal except `leaf`: one visit prepares a leaf, and two or more visits are below it.
 constexpr uint64_t most_work(const TreeSize& a, const TreeSize& b) {
   const uint64_t visits = most_visits(a.leaf_count, b.leaf_count);
   return most_work(a, b, visits, visits / 3);
 }
 
-/// The most work of one step: a run may overdraw by it, less 1.
+/// Returns the most work of one step: a run may overdraw by that, less 1.
 constexpr uint64_t largest_step(const TreeSize& a, const TreeSize& b) {
   return detail::greater_of(detail::kTrianglePairWork,
                             detail::kShapeWork + detail::most_leaf_triangles(a, b));
 }
 
-/// The most instructions that a unit of work takes.
+/// Returns the most instructions of a unit of work.
 constexpr uint64_t instructions_of_work(const RunCosts& costs, const TreeSize& a,
                                         const TreeSize& b) {
-  // A walk begins again for each pair of triangles at worst.
+  // In the worst case, each pair of triangles starts a walk again.
   const uint64_t siblings = detail::later_siblings(a, b) * costs.later_sibling;
   return costs.work + (siblings + detail::kTrianglePairWork - 1) / detail::kTrianglePairWork;
 }
 
-/// The most instructions that a run takes in addition to its work.
+/// Returns the most instructions of a run in addition to those of its work.
 constexpr uint64_t instructions_of_start(const RunCosts& costs, const TreeSize& a,
                                          const TreeSize& b) {
   return costs.start + (uint64_t{a.depth} + b.depth) * costs.ascent +
@@ -95,15 +95,15 @@ constexpr uint64_t instructions_of_start(const RunCosts& costs, const TreeSize& 
          (detail::most_leaf_triangles(a, b) - 1) * costs.leaf_triangle;
 }
 
-/// The most instructions of PairQuery::run(work, found), from `run` called to returned, whatever
-/// the pose, and where the query stands. Not of UINT32_MAX, which is no limit.
+/// Returns the most instructions of PairQuery::run(work, found), from call to return, at any pose
+/// and cursor. Not valid for UINT32_MAX, which is no limit.
 constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& a, const TreeSize& b,
                                      uint32_t work) {
   return instructions_of_start(costs, a, b) +
          (work + largest_step(a, b) - 1) * instructions_of_work(costs, a, b);
 }
 
-/// Of SelfQuery::run(work, found), whose ascents may pass by all siblings.
+/// For SelfQuery::run(work, found), whose ascents may pass all siblings.
 constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& mesh, uint32_t work) {
   const uint64_t passed = (detail::later_siblings(mesh, mesh) + 1) * costs.later_sibling;
   return instructions_of_start(costs, mesh, mesh) + 2 * uint64_t{mesh.depth} * passed +
@@ -112,7 +112,7 @@ constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& mesh
 
 namespace detail {
 
-/// What is in cycles where a read of flash takes so many wait states.
+/// Returns the costs in cycles if each read of flash takes this many wait states.
 constexpr RunCosts with_waits(const RunCycles& core, uint32_t wait_states) {
   const RunCosts& cycles = core.cycles;
   const RunCosts& reads = core.reads;
@@ -124,13 +124,13 @@ constexpr RunCosts with_waits(const RunCycles& core, uint32_t wait_states) {
 
 }  // namespace detail
 
-/// As most_instructions(), in cycles. `wait_states`: at most 1000, of each read of the memory that
-/// code and meshes lie in; 0 of RAM. No cache is trusted.
+/// As most_instructions(), in cycles. `wait_states`: at most 1000, for each read of the memory of
+/// code and meshes; 0 for RAM. Assumes no cache hits.
 constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& a,
                                const TreeSize& b, uint32_t work) {
   return most_instructions(detail::with_waits(core, wait_states), a, b, work);
 }
-/// Of a mesh against itself.
+/// For a mesh against itself.
 constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& mesh,
                                uint32_t work) {
   return most_instructions(detail::with_waits(core, wait_states), mesh, work);
@@ -138,7 +138,7 @@ constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, cons
 
 namespace detail {
 
-/// `none`: what a run without work takes at most.
+/// `none`: the most that a run without work takes.
 constexpr uint32_t work_within(uint64_t instructions, uint64_t none, uint64_t of_work) {
   const uint64_t work = instructions < none ? 0 : (instructions - none) / of_work;
   return work < kUnlimited ? static_cast<uint32_t>(work) : kUnlimited - 1;
@@ -146,26 +146,26 @@ constexpr uint32_t work_within(uint64_t instructions, uint64_t none, uint64_t of
 
 }  // namespace detail
 
-/// The most work for which run(work, found) stays within so many instructions; 0 if none does, and
-/// never UINT32_MAX.
+/// Returns the most work with which run(work, found) takes at most this many instructions; 0 if
+/// there is none, and never UINT32_MAX.
 constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& a,
                                const TreeSize& b) {
   return detail::work_within(instructions, most_instructions(costs, a, b, 0),
                              instructions_of_work(costs, a, b));
 }
-/// The same of a mesh against itself.
+/// For a mesh against itself.
 constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& mesh) {
   const uint64_t none = most_instructions(costs, mesh, 0);
   return detail::work_within(instructions, none, most_instructions(costs, mesh, 1) - none);
 }
 
-/// The most work for which run(work, found) stays within so many cycles; arguments as of
-/// most_cycles().
+/// Returns the most work with which run(work, found) takes at most this many cycles; arguments as
+/// for most_cycles().
 constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
                                const TreeSize& a, const TreeSize& b) {
   return work_within(cycles, detail::with_waits(core, wait_states), a, b);
 }
-/// Of a mesh against itself.
+/// For a mesh against itself.
 constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
                                const TreeSize& mesh) {
   return work_within(cycles, detail::with_waits(core, wait_states), mesh);

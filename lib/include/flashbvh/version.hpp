@@ -1,6 +1,6 @@
 // The version of the library. CMake reads it from here; everything else includes it.
 //
-// MAJOR, MINOR, PATCH: what each of them promises is in lib/docs/changelog.md.
+// lib/docs/changelog.md says what MAJOR, MINOR and PATCH promise.
 #ifndef FLASHBVH_VERSION_HPP
 #define FLASHBVH_VERSION_HPP
 
