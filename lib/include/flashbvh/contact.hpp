@@ -29,8 +29,8 @@ uint32_t slot_of(const Mesh& mesh, uint32_t id) {
   return slot;
 }
 
-/// Recomputes the triangles of a reported pair at any later time, equal to those of a query on `a`
-/// and `b` under `pose`: in cells of A's frame, for contact_of(). Returns false, and writes
+/// Recomputes the triangles of a reported pair at any later time, in cells of A's frame, for
+/// contact_of(). They equal those of a query on `a` and `b` under `pose`. Returns false, and writes
 /// nothing, if the pose has an error, the cells differ or an id is not in its mesh. Does not test
 /// whether the triangles intersect. A rotated B more than 48,000 cells away is placed at that
 /// distance, where it intersects nothing.

@@ -4,7 +4,7 @@
 // The query cuts the motion into intervals and compares the bodies in an interval's middle. If they
 // are farther apart than any point of B moves until the ends of the interval, they are apart in all
 // of it. So `free` is certified for every moment, for bodies placed by exact poses. A query on the
-// way rounds its pose to the lattice, which moves points by up to 0.9 cells; it may report an
+// way rounds its pose to the lattice, which moves points by up to 0.9 cells. It may report an
 // intersection if the bodies pass closer. `within` of one cell excludes this, and a larger distance
 // keeps the bodies apart by it.
 //

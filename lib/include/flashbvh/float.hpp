@@ -7,9 +7,9 @@
 // Results are equal on every core: without an FPU, with fused multiplication, with subnormals
 // flushed to zero.
 //
-// If a pose's input is not finite or too large, the pose's status has the error: `not_a_rotation`
-// for a rotation, `translation_out_of_range` for a translation or for a `cells_per_unit` that is
-// not positive and finite. If both are wrong, it is the latter.
+// A pose's status has the error if an input is not finite or too large: `not_a_rotation` for a
+// rotation, `translation_out_of_range` for a translation. A `cells_per_unit` that is not positive
+// and finite also gives the latter, as do two errors.
 //
 // Translations are in the mesh's unit. `cells_per_unit` is NAME_CELLS_PER_UNIT of the baked header,
 // or 1 for cells. Their product is rounded once, to 1/65,536 cell. A ray starts within half a cell

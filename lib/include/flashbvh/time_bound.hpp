@@ -51,15 +51,15 @@ constexpr uint64_t later_siblings(const TreeSize& a, const TreeSize& b) {
 
 }  // namespace detail
 
-/// Returns the most visits of a whole query by any traversal, at any pose, on two meshes with this
-/// many leaves, whose nodes have two children or more each, as `flashbvh bake` makes them. For two
-/// images and `ranked`, `flashbvh collide --bound` prints the exact number, which is lower.
+/// Returns the most visits of a whole query by any traversal, at any pose, on two meshes with these
+/// numbers of leaves. Nodes must have two children or more, as `flashbvh bake` makes them. For two
+/// images and `ranked`, `flashbvh collide --bound` prints the exact, lower number.
 constexpr uint64_t most_visits(uint32_t leaves_a, uint32_t leaves_b) {
   return 2 * static_cast<uint64_t>(leaves_a) * leaves_b - 1;
 }
 
-/// Returns the most work of a whole query in one run, for numbers of visits and of leaves whose
-/// planes are prepared: all boxes overlap, and all pairs of triangles are tested.
+/// Returns the most work of a whole query in one run: all boxes overlap, and all pairs of triangles
+/// are tested. `shapes`: the number of times that a leaf's planes are prepared.
 constexpr uint64_t most_work(const TreeSize& a, const TreeSize& b, uint64_t visits,
                              uint64_t shapes) {
   const uint64_t shape = detail::kShapeWork - 1 + detail::most_leaf_triangles(a, b);

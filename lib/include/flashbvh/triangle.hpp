@@ -34,11 +34,10 @@ enum class ContactKind : uint8_t {
 /// Returns the common part of `a` and `b`, which intersect.
 ///
 /// The order of corners and of arguments changes only the normals, as their definition says.
-/// Translating both triangles by whole cells translates the ends equally. Preconditions, not
-/// checked, which every pair that a query reports meets: each triangle spans at most
-/// kMaxContactSpan along each axis, both together at most kMaxContactDistance, and coordinates are
-/// within +-kMaxContactCoordinate. For triangles that do not intersect, the ends are meaningless
-/// and the normals correct.
+/// Translating both triangles by whole cells translates the ends equally. Each triangle spans at
+/// most kMaxContactSpan along each axis, both together at most kMaxContactDistance. Coordinates are
+/// within +-kMaxContactCoordinate. This is not checked; every pair that a query reports complies.
+/// For triangles that do not intersect, the ends are meaningless and the normals correct.
 ///
 /// Cost in instructions on a Cortex-M4 at -O2: 1,800 for two planes that cross, 5,000 on average
 /// and at most 8,500 for coplanar triangles (tests/predicates/contact_cost_test.cpp prints them).
