@@ -1,5 +1,5 @@
-/* Refuses big-endian cores at compile time: images lie in flash as they were baked, little-endian,
-   and packed coordinates rely on where the halves of a word are. C as well as C++. */
+/* Refuses big-endian cores at compile time: images in flash are little-endian, and packed
+ * coordinates rely on the order of a word's halves. For C and C++. */
 #ifndef FLASHBVH_PLAIN_BYTE_ORDER_H
 #define FLASHBVH_PLAIN_BYTE_ORDER_H
 

@@ -1,13 +1,13 @@
-/* What differs between the two languages that read the headers of C. */
+/* Differences between the two languages that read the C headers. */
 #ifndef FLASHBVH_PLAIN_LANGUAGE_H
 #define FLASHBVH_PLAIN_LANGUAGE_H
 
 #include <stdbool.h> /* freestanding in C99; C++ callers see their own bool */
 #include <stdint.h>
 
-/* FLASHBVH_BYTE(Name) is the type of a field that holds an enumeration in one byte: in C++
- * flashbvh::Name, in C a number, one of the constants that the field's comment names.
- * FLASHBVH_KEEP marks a struct that C++ callers of a function must not drop. */
+/* FLASHBVH_BYTE(Name) is the type of a field that holds an enumeration in one byte: flashbvh::Name
+ * in C++; in C a number, one of the constants that the field's comment names. FLASHBVH_KEEP marks a
+ * struct that C++ callers of a function must not drop. */
 #ifdef __cplusplus
 namespace flashbvh {
 enum class ContactKind : uint8_t;
@@ -21,14 +21,14 @@ enum class [[nodiscard]] Status : uint8_t;
 #define FLASHBVH_KEEP
 #endif
 
-/* A function whose result must not be dropped. */
+/* Marks a function whose result must not be dropped. */
 #if defined(__GNUC__)
 #define FLASHBVH_NODISCARD __attribute__((warn_unused_result))
 #else
 #define FLASHBVH_NODISCARD
 #endif
 
-/* Memory for an object of C++: so many pointers and other bytes, as aligned as a `Word`. */
+/* Memory for a C++ object: a number of pointers and other bytes, aligned like a `Word`. */
 #define FLASHBVH_OPAQUE(name, pointers, others, Word)             \
   typedef struct name {                                           \
     union {                                                       \

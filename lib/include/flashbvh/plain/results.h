@@ -1,43 +1,43 @@
-/* What queries find and do, and how large a tree is. */
+/* Results of queries, and the size of a tree. */
 #ifndef FLASHBVH_PLAIN_RESULTS_H
 #define FLASHBVH_PLAIN_RESULTS_H
 
 #include "flashbvh/plain/language.h"
 
-/** Two triangles that intersect, by their ids: their numbers in the source meshes. */
+/** Two triangles that a query reports, by their ids: their numbers in the source meshes. */
 typedef struct flashbvh_pair {
   uint16_t a;
   uint16_t b;
 } flashbvh_pair;
 
-/** What a run of a query gave. */
+/** The result of a query's run. */
 typedef struct FLASHBVH_KEEP flashbvh_run_result {
   FLASHBVH_BYTE(Status) status; /**< a flashbvh_status */
-  uint32_t count; /**< pairs written to the caller's array, or handed to its visitor */
-  uint32_t work;  /**< spent of the granted work; 0 if UINT32_MAX was granted */
+  uint32_t count; /**< pairs written to the caller's array, or passed to its visitor */
+  uint32_t work;  /**< work spent; 0 if UINT32_MAX was granted */
 } flashbvh_run_result;
 
-/** Where a query of any kind stands between runs: all there is to keep with its meshes and its
- * pose. May be stored for any time, as bytes too. */
+/** A cursor of a query of any kind between runs: with its meshes and its pose all that is needed to
+ * resume. May be stored for any time, as bytes too. */
 typedef struct flashbvh_cursor {
   uint16_t a; /**< a node of A */
   uint16_t b;
-  uint16_t untested;               /**< pairs of triangles that the pair of leaves still has */
-  FLASHBVH_BYTE(QueryState) state; /**< not the caller's to read */
-  uint8_t has_witness; /**< of a distance: not 0 where `witness_a` and `witness_b` are triangles */
-  uint16_t witness_a;  /**< the nearest triangle so far, by its slot; before, a node */
+  uint16_t untested;               /**< pairs of triangles left in the pair of leaves */
+  FLASHBVH_BYTE(QueryState) state; /**< internal */
+  uint8_t has_witness; /**< of a distance: not 0 if `witness_a` and `witness_b` are triangles */
+  uint16_t witness_a;  /**< slot of the nearest triangle so far; before, a node */
   uint16_t witness_b;
 } flashbvh_cursor;
 
-/** What a query did since it was started: the columns of the paper's tables. */
+/** The counts of a query since its start: the columns of the paper's tables. */
 typedef struct flashbvh_stats {
   uint32_t visits;         /**< pairs of boxes tested ("iterations") */
-  uint32_t overlaps;       /**< of these, pairs that may matter */
+  uint32_t overlaps;       /**< of these, pairs that were not rejected */
   uint32_t leaf_pairs;     /**< of these, pairs of leaves ("leaf overlaps") */
   uint32_t triangle_pairs; /**< pairs of triangles that intersect ("geometry overlaps") */
 } flashbvh_stats;
 
-/** How large a baked mesh's tree is: what time bounds are made of. */
+/** The size of a baked mesh's tree: the input of time bounds. */
 typedef struct flashbvh_tree_size {
   uint32_t depth;     /**< of the deepest leaf; 0 for a root that is a leaf */
   uint32_t arity;     /**< most children of a node */
@@ -46,16 +46,16 @@ typedef struct flashbvh_tree_size {
   uint32_t triangle_count;
 } flashbvh_tree_size;
 
-/** The most instructions that the parts of a run take on some core, with GCC 12 at -O2. */
+/** The most instructions of the parts of a run on one core, with GCC 12 at -O2. */
 typedef struct flashbvh_run_costs {
   uint32_t start;         /**< once */
   uint32_t ascent;        /**< once for each level of both trees */
-  uint32_t later_sibling; /**< each sibling after the node where a walk goes on */
-  uint32_t leaf_triangle; /**< once for each triangle of a leaf after the first */
+  uint32_t later_sibling; /**< each sibling after the node from which a walk continues */
+  uint32_t leaf_triangle; /**< each triangle of a leaf after the first */
   uint32_t work;          /**< each unit of work */
 } flashbvh_run_costs;
 
-/** The most cycles that the parts of a run take on some core. */
+/** The most cycles of the parts of a run on one core. */
 typedef struct flashbvh_run_cycles {
   flashbvh_run_costs cycles; /**< in memory without wait states */
   flashbvh_run_costs reads;  /**< reads of flash, each of which takes its wait states */

@@ -1,5 +1,5 @@
-/* Each core's names in C++, in C and in documents, and its RunCosts: written by tools/figures.sh,
- * proven by proofs/time for GCC 12 at -O2. */
+/* Each core's names in C++, C and documents, and its RunCosts: tools/figures.sh writes them, and
+ * proofs/time proves them for GCC 12 at -O2. */
 #ifndef FLASHBVH_PLAIN_RUN_COSTS_H
 #define FLASHBVH_PLAIN_RUN_COSTS_H
 

@@ -1,5 +1,5 @@
-/* Each core's names as in run_costs.h, and its RunCycles: cycles, then reads of flash; proven by
- * proofs/time for GCC 12 at -O2, written by tools/figures.sh. */
+/* Each core's names as in run_costs.h, and its RunCycles: cycles, then reads of flash.
+ * tools/figures.sh writes them, and proofs/time proves them for GCC 12 at -O2. */
 #ifndef FLASHBVH_PLAIN_RUN_CYCLES_H
 #define FLASHBVH_PLAIN_RUN_CYCLES_H
 
