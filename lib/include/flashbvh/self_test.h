@@ -1,4 +1,4 @@
-/* flashbvh for C: self-tests of firmware. self_test.hpp says more. */
+/* flashbvh for C: self-tests of firmware. See self_test.hpp. */
 #ifndef FLASHBVH_SELF_TEST_H
 #define FLASHBVH_SELF_TEST_H
 
@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/** test_known_pairs(). DONE or SELF_TEST_FAILED, as of all tests. */
+/** test_known_pairs(). DONE or SELF_TEST_FAILED, as from all tests. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_pairs(void);
 /** test_known_distances(). */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_distances(void);
@@ -20,21 +20,21 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_rays(void);
 /** region_of(). */
 void flashbvh_region_of(const void* begin, size_t size, flashbvh_memory_region* region);
 
-/** sealed_regions(): FLASHBVH_SEALED_REGIONS of them. */
+/** sealed_regions(): FLASHBVH_SEALED_REGIONS regions. */
 const flashbvh_memory_region* flashbvh_sealed_regions(void);
 
 /** RegionTest. */
 FLASHBVH_OPAQUE(flashbvh_region_test, 3, 16, void*);
 
-/** `regions`: `count` of them, which outlive the test. */
+/** `regions`: `count` regions, which must outlive the test. */
 void flashbvh_region_test_init(flashbvh_region_test* test, const flashbvh_memory_region* regions,
                                uint32_t count);
 
-/** RegionTest::run(): so many bytes more; SIZE_MAX: all. SUSPENDED; DONE; SELF_TEST_FAILED. */
+/** RegionTest::run(): `bytes` more at most; SIZE_MAX: all. SUSPENDED; DONE; SELF_TEST_FAILED. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_region_test_run(flashbvh_region_test* test,
                                                             size_t bytes);
 
-/** RegionTest::region(): that is being checked, or that has failed. */
+/** RegionTest::region(): the number of the region that is being checked, or that has failed. */
 uint32_t flashbvh_region_test_region(const flashbvh_region_test* test);
 
 #ifdef __cplusplus

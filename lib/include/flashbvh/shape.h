@@ -1,16 +1,14 @@
 /* flashbvh for C: points, segments, triangles and boxes made at run time, in the caller's memory. A
- * sphere is a point and a distance, a capsule a segment and a distance: shape.hpp says more.
+ * sphere is a point and a distance, a capsule a segment and a distance: see shape.hpp.
  *
- * A shape's `mesh` is a mesh of one leaf, which every call takes as it takes an opened one:
+ * A shape's `mesh` is a mesh of one leaf, for every call that takes an opened mesh:
  *     flashbvh_closer_than(&part, &capsule.mesh, &pose, radius, &yes)
  *
- * A shape points into itself. It is not copied, by assignment neither, and stays where it was made
- * while queries use it. It is moved by a pose, or made again in place, which no query
- * on it outlives.
+ * A shape points into itself. It must not be copied, not even by assignment, and must not move
+ * while queries use it. To move it, use a pose, or make it again in place, which ends its queries.
  *
- * Coordinates are cells of the shape's own frame. Stack on Cortex-M3 to M55 at -O2: 352 bytes
- * (proofs/stack).
- */
+ * Coordinates are in cells of the shape's own frame. Stack on Cortex-M3 to M55 at -O2: 352 bytes
+ * (proofs/stack). */
 #ifndef FLASHBVH_SHAPE_H
 #define FLASHBVH_SHAPE_H
 
@@ -22,29 +20,29 @@ extern "C" {
 
 /** A point. 104 bytes on a 32-bit core, 128 on a 64-bit one. */
 typedef struct flashbvh_point_shape {
-  flashbvh_mesh mesh; /**< what queries take */
+  flashbvh_mesh mesh; /**< for queries */
   unsigned char opaque[40];
 } flashbvh_point_shape;
 
 /** A segment. 112 bytes on a 32-bit core, 136 on a 64-bit one. */
 typedef struct flashbvh_segment_shape {
-  flashbvh_mesh mesh; /**< what queries take */
+  flashbvh_mesh mesh; /**< for queries */
   unsigned char opaque[48];
 } flashbvh_segment_shape;
 
 /** A triangle. 120 bytes on a 32-bit core, 144 on a 64-bit one. */
 typedef struct flashbvh_triangle_shape {
-  flashbvh_mesh mesh; /**< what queries take */
+  flashbvh_mesh mesh; /**< for queries */
   unsigned char opaque[56];
 } flashbvh_triangle_shape;
 
 /** A closed box. 232 bytes on a 32-bit core, 256 on a 64-bit one. */
 typedef struct flashbvh_box_shape {
-  flashbvh_mesh mesh; /**< what queries take */
+  flashbvh_mesh mesh; /**< for queries */
   unsigned char opaque[168];
 } flashbvh_box_shape;
 
-/** Makes a PointShape, again if need be. It has the cell and the unit of `like`, which need not
+/** PointShape: makes it, or makes it again. Takes the cell and the unit of `like`, which need not
  * outlive it. SHAPE_TOO_LARGE: queries of the shape and a mesh then end with CELL_MISMATCH. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_point_shape_make(flashbvh_point_shape* shape,
                                                              const flashbvh_mesh* like,
@@ -61,7 +59,7 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_triangle_shape_make(flashbvh_triangl
                                                                 const flashbvh_mesh* like,
                                                                 const flashbvh_triangle* triangle);
 
-/** BoxShape: `lower` along each axis not above `upper`. */
+/** BoxShape: `lower` must not exceed `upper` along any axis. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_box_shape_make(flashbvh_box_shape* shape,
                                                            const flashbvh_mesh* like,
                                                            const flashbvh_point* lower,

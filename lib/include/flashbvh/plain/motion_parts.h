@@ -1,5 +1,4 @@
-/* Motions of a body with a free pose and their results. For C and C++: `Move` is `flashbvh_move`.
- */
+/* Motions of a body with a free pose. For C and C++: `Move` is `flashbvh_move`. */
 #ifndef FLASHBVH_PLAIN_MOTION_PARTS_H
 #define FLASHBVH_PLAIN_MOTION_PARTS_H
 

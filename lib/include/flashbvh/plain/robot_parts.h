@@ -39,7 +39,8 @@ typedef enum flashbvh_verdict {
   FLASHBVH_VERDICT_WARN = 1, /**< all are farther apart than their stop distance; some maybe not
                                 than the warn distance */
   FLASHBVH_VERDICT_NOT_YET_KNOWN = 2, /**< the work budget was too small */
-  FLASHBVH_VERDICT_STOP = 3,          /**< a pair may not be farther apart than its stop distance */
+  FLASHBVH_VERDICT_STOP = 3, /**< a pair is not farther apart than its stop distance, or this is not
+                                decidable */
   FLASHBVH_VERDICT_REFUSED = 4 /**< the values were rejected and nothing changed: the status says
                                   why */
 } flashbvh_verdict;
