@@ -1,26 +1,26 @@
-// The guard takes a robot's joint values each period and reports whether any two of its links are,
-// or may have been on the way, too near to each other.
+// The guard takes a robot's joint values each period. It reports if any two of its links are too
+// near to each other, or may have been during the period.
 //
-// What is promised. A period runs from the last values to these. If the verdict is `free` or
+// Guarantee. A period runs from the last values to the current ones. If the verdict is `free` or
 // `warn`, every pair of links that can collide stayed farther apart than its stop distance at every
-// moment of the period, under exact kinematics, as long as each joint moved monotonically between
-// the two values, however unevenly. The links are those of the URDF, unrounded: Robot::slack, what
-// rounding vertices to the lattice and arithmetic can be wrong by, is in it. What is the user's:
-// braking distance, encoder error and flex go into the stop distance; the verdicts don't latch and
-// have no hysteresis.
+// moment of the period. This holds under exact kinematics, if each joint moved monotonically
+// between the two values, at any speed. The links are those of the URDF, unrounded: Robot::slack
+// covers the errors of rounding vertices to the lattice and of arithmetic. The user adds braking
+// distance, encoder error and flex to the stop distance. Verdicts do not latch and have no
+// hysteresis.
 //
-// How. A certificate of a pair is a distance, and the coordinates at which it was measured. As long
-// as the joints between the two links have not moved them nearer by more than what the distance has
-// over the stop distance (a joint moves a point by at most its reach times its angle), the pair is
-// free and nothing is looked at; not even a pose is made. Certificates that are about to run out
-// are measured again, those that run out first before the others, in slices of work: a budget too
-// small shows as `not_yet_known`, which a caller treats as `stop`. It never shows as `free`. The
-// sum over joints is that of Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking"
-// (2005), with the farther of the two values of each joint, and what joints move the links where
-// they stood. Where a period begins and ends, two distances are known: between them a pair loses
-// half of the period's motion at most (lib/docs/derivations.md, "Levers", "Both ends of a period").
+// Method. A certificate of a pair is a distance and the coordinates at which it was measured. A
+// joint moves a point by at most its reach times its angle. The pair is free while the joints
+// between its links move them nearer by at most the certificate's excess over the stop distance.
+// Then the guard tests nothing and makes no pose. It measures expiring certificates again in slices
+// of work, the first to expire first. If the budget is too small, the verdict is `not_yet_known`,
+// never `free`; the caller treats it as `stop`. The sum over joints is that of Schwarzer, Saha and
+// Latombe, "Adaptive Dynamic Collision Checking" (2005). It uses the farther of each joint's two
+// values, and lever arms at the measured pose. Distances are known at both ends of a period; in
+// between, a pair loses at most half of the period's motion (lib/docs/derivations.md, "Levers",
+// "Both ends of a period").
 //
-// Surfaces are guarded: a link wholly inside another one is as far from it as from its wall.
+// The guard tests surfaces: a link inside another one is as far from it as from its wall.
 //
 // Stack of update() on Cortex-M3 to M55 at -O2: 1,136 bytes.
 #ifndef FLASHBVH_ROBOT_GUARD_HPP
@@ -36,7 +36,7 @@
 
 namespace flashbvh {
 
-/// From the best to the worst.
+/// Verdicts, from the best to the worst.
 enum class Verdict : uint8_t {
   free = FLASHBVH_VERDICT_FREE,
   warn = FLASHBVH_VERDICT_WARN,
@@ -45,49 +45,49 @@ enum class Verdict : uint8_t {
   refused = FLASHBVH_VERDICT_REFUSED,
 };
 
-/// No pair: every one is free.
+/// No pair: all pairs are free.
 constexpr uint16_t kNoPair = 0xFFFF;
 
 using GuardAnswer = flashbvh_guard_answer;
 
-/// What is known of a pair. 16 bytes, and 5 for each joint between its links.
+/// A pair's certificate. 16 bytes, and 5 for each joint between its links.
 struct GuardPair {
-  uint32_t lower;             ///< the distance then, in 1/256 cell, rounded down; 0: not known
-  uint32_t upper;             ///< rounded up; UINT32_MAX: not known
-  uint32_t began;             ///< where the period began they were so far apart or farther
-  Witness<uint16_t> witness;  ///< where they were nearest
+  uint32_t lower;             ///< the measured distance, in 1/256 cell, rounded down; 0: unknown
+  uint32_t upper;             ///< rounded up; UINT32_MAX: unknown
+  uint32_t began;             ///< lower bound of the distance at the period's start
+  Witness<uint16_t> witness;  ///< the nearest triangles
 };
 
-/// The state of a guard in addition to its arrays.
+/// A guard's state in addition to its arrays.
 struct GuardCore {
   uint32_t version;
   uint32_t robot_hash;
   uint32_t checksum;     ///< of the rest of the state, by Guard::seal()
-  uint16_t walked_pair;  ///< that is being measured, or kNoPair
-  uint8_t has_values;    ///< 0 or not: of a state that was damaged, no bool
+  uint16_t walked_pair;  ///< the pair that is being measured, or kNoPair
+  uint8_t has_values;    ///< 0 or not; no bool, since a damaged state may hold any value
   uint8_t has_frames;
-  uint32_t asked;    ///< of the pair: whether it is within this, in 1/256 cell
-  uint32_t nearest;  ///< the distance of its witness there, rounded up
+  uint32_t asked;    ///< distance tested in the measurement, in 1/256 cell
+  uint32_t nearest;  ///< distance of `witness`, rounded up
   Witness<uint16_t> witness;
   QueryCursor<uint16_t> cursor;
   Pose pose = Pose::translated(0, 0, 0);
 };
 
-/// In place of a variable's number: none.
+/// In place of a variable's number: no variable.
 constexpr uint8_t kNoVariable = 0xFF;
 
-/// Where two links are near each other, and which way is out.
+/// The nearest points of two links, and the direction that separates them.
 struct [[nodiscard]] PairDetail {
   /// `done`; `guard_state_invalid`: there was no period yet, or no such pair; or a query's error.
   Status status;
-  /// Of the two triangles that were nearest when they were last looked at, where they are at the
-  /// end of the period, in the base's frame. The links may be nearer elsewhere: distance(), with
-  /// `witness` as its hint, measures them.
+  /// Nearest points of the two triangles that the last measurement found nearest, at the end of the
+  /// period, in the base's frame. The links may be nearer elsewhere: distance(), with `witness` as
+  /// its hint, measures that.
   NearestPoints nearest;
   TrianglePair<uint16_t> triangles;  ///< by their ids
   Witness<uint16_t> witness;
-  /// The one that has most to do with it: that brought the two points nearer by most in this
-  /// period; where none did, the one with the greatest share in `changes`. Or kNoVariable.
+  /// The variable that brought these points nearer by most in this period. If none did, the one
+  /// with the largest magnitude in `changes`; or kNoVariable.
   uint8_t variable;
 };
 
@@ -97,30 +97,30 @@ constexpr uint32_t at_least_one(uint32_t count) {
 }
 }  // namespace detail
 
-/// All memory of a guard: plain data without pointers, which may be copied, stored and taken up
-/// again (Guard::resume()). A robot's header has the counts.
+/// All memory of a guard: plain data without pointers. It may be copied, stored and resumed
+/// (Guard::resume()). A robot's header has the counts.
 template <uint32_t joint_count, uint32_t pair_count, uint32_t pair_joint_count>
 struct GuardStateOf {
   static constexpr uint32_t kJoints = detail::at_least_one(joint_count);
 
   GuardCore core;
-  JointCoordinate before[kJoints];  ///< the values of the last period
-  JointCoordinate step[kJoints];    ///< from there to those of this one
-  JointCoordinate next[kJoints];    ///< for frames, and until values are accepted
-  JointCoordinate walked[kJoints];  ///< where the measurement began
+  JointCoordinate before[kJoints];  ///< coordinates at the start of the period
+  JointCoordinate step[kJoints];    ///< change of the coordinates in the period
+  JointCoordinate next[kJoints];    ///< new coordinates until they are accepted; also for frames
+  JointCoordinate walked[kJoints];  ///< coordinates at the start of the measurement
   Frame frames[kJoints];
   GuardPair pairs[detail::at_least_one(pair_count)];
   JointCoordinate certified[detail::at_least_one(
       pair_joint_count)];  ///< of all joints between, pair after pair
-  /// What they move the links where they stood, in (share + 1) / 256 of their reaches (levers.hpp).
+  /// Lever arms at the certificate, as (share + 1) / 256 of the joints' reaches (levers.hpp).
   uint8_t shares[detail::at_least_one(pair_joint_count)];
-  uint8_t walked_shares[kJoints];  ///< the same of the pair that is being measured
+  uint8_t walked_shares[kJoints];  ///< for the pair that is being measured
 };
 
-/// Of one robot; what it knows lies in the state.
+/// The guard of one robot. All its certificates are in the state.
 class Guard {
  public:
-  /// Knows nothing yet. `robot` and `state` outlive it; the state is written.
+  /// Starts without certificates. `robot` and `state` must outlive it; the state is written.
   template <uint32_t joint_count, uint32_t pair_count, uint32_t pair_joint_count>
   Guard(const Robot& robot, GuardStateOf<joint_count, pair_count, pair_joint_count>& state)
       : robot_(&robot),
@@ -139,7 +139,7 @@ class Guard {
     forget();
   }
 
-  /// The same in `size` bytes, as a GuardStateOf of the robot's own counts lies in them.
+  /// Takes `size` bytes instead, with the layout of a GuardStateOf of the robot's own counts.
   Guard(const Robot& robot, void* memory, size_t size)
       : robot_(&robot),
         core_(static_cast<GuardCore*>(memory)),
@@ -158,47 +158,48 @@ class Guard {
     forget();
   }
 
-  /// Whether the memory is enough for the robot.
+  /// True if the memory is large enough for the robot.
   bool fits() const { return fits_ != 0; }
 
-  /// Forgets all certificates and where the robot was.
+  /// Discards all certificates and the last values.
   void forget();
 
-  /// Takes the state as it was copied back into its place, and goes on. `guard_state_invalid`, and
-  /// all is forgotten, if it is not one of this robot's.
+  /// Resumes with a stored state that was copied back into its place. `guard_state_invalid`, and
+  /// the guard forgets all, if it is not one of this robot's.
   Status resume();
 
   /// Stores checksums of the guard, of the robot's view, of its meshes' views and of the whole
-  /// state for verify(): after each update() or go_on(), and after the robot's view or a mesh's
-  /// changes.
+  /// state for verify(). Call it after each update() or go_on(), and after the robot's view or a
+  /// mesh's changes.
   void seal();
 
   /// `done`: nothing changed since seal(). `guard_state_invalid`: memory is damaged, or was not
-  /// sealed; neither guard nor robot is to be used. Any change within one aligned word of 32 bits
-  /// is found, others but for a chance of 2^-32. No pointer is followed before its checksum holds.
-  /// The state's checksum has no addresses: of a guard that was sealed before a stored, sealed
-  /// state was copied into its place, verify() checks that state.
+  /// sealed; do not use guard or robot. Detects every change within one aligned 32-bit word, and
+  /// others except with probability 2^-32. Follows no pointer before its checksum holds. The
+  /// state's checksum has no addresses: if a stored, sealed state is copied into the place of a
+  /// sealed guard's state, verify() checks that copy.
   ///
-  /// Arrays that the views point to are not read: images in flash and a workcell's memory are for
-  /// RegionTest (self_test.hpp). On a Cortex-M4F at -O2 both take some 4 instructions
-  /// a word, 1,500 for a KUKA KR5 of 6 joints; 96 bytes of stack.
+  /// Does not read the views' arrays: RegionTest (self_test.hpp) checks images in flash and a
+  /// workcell's memory. On a Cortex-M4F at -O2 both take about 4 instructions a word, 1,500 for a
+  /// KUKA KR5 of 6 joints; 96 bytes of stack.
   Status verify() const;
 
-  /// A period: from the last values to these. `values`: variable_count of them. `work`: what may be
-  /// spent on measuring, as of queries (query.hpp); it is overdrawn by one step at most, and
-  /// looking at all pairs comes on top.
+  /// Runs a period from the last values to these. `values`: variable_count values. `work`: the
+  /// budget for measuring, as in queries (query.hpp), overdrawn by one step at most. The test of
+  /// all certificates is extra.
   GuardAnswer update(const JointCoordinate* values, uint32_t work);
 
-  /// The same period, with more work.
+  /// Continues the current period with more work.
   GuardAnswer go_on(uint32_t work);
 
-  /// Of a pair, at the end of the period. `changes`: variable_count of them: how the distance
-  /// changes with a unit of each variable, in 2^-kReachBits of 1/256 cell, as reaches are. It grows
-  /// where the joint goes up if that is positive. All 0 if the triangles intersect. Changes
-  /// nothing; linked only if it is called.
+  /// Explains a pair's distance at the end of the period. `changes`: variable_count derivatives of
+  /// the distance by each variable, in 2^-kReachBits of 1/256 cell, as reaches are; positive if the
+  /// distance grows with the joint. All are 0 if the triangles intersect. Changes no state. Linked
+  /// only if called.
   PairDetail explain(uint16_t pair, int32_t* changes);
 
-  /// All certificates, whatever they take: at start-up, before the first period. The robot stands.
+  /// Measures all certificates without a budget, at start-up before the first period. The robot
+  /// stands still.
   GuardAnswer prime(const JointCoordinate* values) {
     forget();
     return update(values, UINT32_MAX);
@@ -260,10 +261,10 @@ class Guard {
   JointCoordinate* certified_;
   uint8_t* shares_;
   uint8_t* walked_shares_;
-  uint32_t fits_;  ///< 0 or not: checksums are of words without padding
+  uint32_t fits_;  ///< 0 or not; a word, since checksums read words without padding
   uint32_t robot_seal_ = 0;
   uint32_t meshes_seal_ = 0;
-  uint32_t seal_ = 0;  ///< of all words before it
+  uint32_t seal_ = 0;  ///< checksum of all words before it
 };
 
 }  // namespace flashbvh

@@ -1,9 +1,9 @@
-// Certified motions: whether a robot that goes straight from one set of joint values to another
-// one, all joints in proportion, is free at every moment.
+// Certified motions: whether a robot is free at every moment of a straight motion between two sets
+// of joint values, all joints in proportion.
 //
-// The motion is bisected. In the middle of an interval each pair of links is tested whether it is
-// within what the joints move it until the ends of the interval, and Robot::slack; if not, it is
-// free in all of the interval. If it is, and does not intersect there, the interval is cut in two.
+// The query bisects the motion. In an interval's middle it tests if each pair of links is within
+// the distance that the joints move it until the ends, plus Robot::slack. If not, the pair is free
+// in all of the interval. If so, and if it does not intersect there, the query splits the interval.
 // Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005).
 //
 // Stack of run() on Cortex-M3 to M55 at -O2: 1,120 bytes.
@@ -20,7 +20,7 @@
 
 namespace flashbvh {
 
-/// Of a motion.
+/// Outcomes of a motion.
 enum class MotionOutcome : uint8_t {
   free = FLASHBVH_MOTION_FREE,
   hit = FLASHBVH_MOTION_HIT,
@@ -29,7 +29,7 @@ enum class MotionOutcome : uint8_t {
 
 using MotionAnswer = flashbvh_motion_answer;
 
-/// The state of a query in addition to its arrays.
+/// A query's state in addition to its arrays.
 struct MotionCore {
   uint32_t robot_hash;
   Status status;
@@ -37,28 +37,28 @@ struct MotionCore {
   uint8_t level;
   uint8_t phase;
   uint16_t pair;
-  uint32_t interval;  ///< from interval / 2^level on
+  uint32_t interval;  ///< starts at interval / 2^level
   TrianglePair<uint16_t> triangles;
   QueryCursor<uint16_t> cursor;
-  uint32_t within;  ///< in 1/256 cell
+  uint32_t within;  ///< tested distance, in 1/256 cell
   Pose pose = Pose::translated(0, 0, 0);
 };
 
-/// All memory of a query: plain data without pointers. A robot's header has its own as MotionState.
+/// All memory of a query: plain data without pointers. A robot's header has a MotionState.
 template <uint32_t variable_count, uint32_t joint_count>
 struct MotionStateOf {
   MotionCore core;
   JointCoordinate from[variable_count];
   JointCoordinate to[variable_count];
   JointCoordinate values[variable_count];
-  JointCoordinate coordinates[joint_count];  ///< in an interval's middle
+  JointCoordinate coordinates[joint_count];  ///< in the middle of an interval
   Frame frames[joint_count];
 };
 
-/// Of one motion at a time; where it stands lies in the state.
+/// A query of one motion at a time. Its cursor is in the state.
 class MotionQuery {
  public:
-  /// `robot` and `state` outlive it; the state is written by start() and run().
+  /// `robot` and `state` must outlive it; start() and run() write the state.
   template <uint32_t variable_count, uint32_t joint_count>
   MotionQuery(const Robot& robot, MotionStateOf<variable_count, joint_count>& state)
       : robot_(&robot),
@@ -70,7 +70,7 @@ class MotionQuery {
         frames_(state.frames),
         fits_(variable_count >= robot.variable_count && joint_count >= robot.joint_count) {}
 
-  /// The same in `size` bytes, as a MotionStateOf of the robot's own counts lies in them.
+  /// Takes `size` bytes instead, with the layout of a MotionStateOf of the robot's own counts.
   MotionQuery(const Robot& robot, void* memory, size_t size)
       : robot_(&robot),
         core_(static_cast<MotionCore*>(memory)),
@@ -84,18 +84,17 @@ class MotionQuery {
     fits_ = begin % alignof(MotionCore) == 0 && end - begin <= size;
   }
 
-  /// Whether the memory is enough for the robot.
+  /// True if the memory is large enough for the robot.
   bool fits() const { return fits_; }
 
-  /// A motion from these values to those: variable_count each. A joint without limits goes as far
-  /// as the numbers say. Both ends must be within the limits: statuses as those of
-  /// set_coordinates().
+  /// Starts a motion between two arrays of variable_count values. A joint without limits moves as
+  /// far as the numbers differ. Both ends must be within the limits: statuses of set_coordinates().
   Status start(const JointCoordinate* from, const JointCoordinate* to);
 
-  /// Does at most `work` (query.hpp), overdrawn by one step. UINT32_MAX: all there is to do.
+  /// Does at most `work` (query.hpp), overdrawn by one step; UINT32_MAX: no limit.
   MotionAnswer run(uint32_t work);
 
-  /// The joints' values at numerator / 2^level of the way, rounded to the nearest; level to 30.
+  /// Writes the values at numerator / 2^level of the motion, rounded to the nearest; level to 30.
   void set_values(uint32_t numerator, uint8_t level, JointCoordinate* values) const;
 
  private:

@@ -1,5 +1,4 @@
-// What a guard's periods can cost at worst, for static_assert: lib/docs/bounded_time.md has the
-// proof.
+// Worst-case time of a guard's periods, for static_assert: lib/docs/bounded_time.md has the proof.
 //
 //     constexpr flashbvh::GuardSize kArm = {6, 15, 62, 4, 20, 2};
 //     static_assert(flashbvh::most_instructions(flashbvh::kGuardOnCortexM4F, kArm, 100) < 2000000);
@@ -17,51 +16,51 @@
 
 namespace flashbvh {
 
-/// The most instructions that the parts of a guard's period take on some core, with GCC 12 at -O2.
+/// The most instructions of the parts of a guard's period on one core, with GCC 12 at -O2.
 struct GuardCosts {
   uint32_t start;    ///< once
   uint32_t joint;    ///< kinematics of a joint
-  uint32_t turn;     ///< a turn of a loop over joints or pairs that does next to nothing
-  uint32_t pair;     ///< a look at a pair
-  uint32_t between;  ///< a joint between two links, each look
-  uint32_t table;    ///< a pair's or an axis's part in a look into a distance table
-  uint32_t measure;  ///< a pair that is measured, beyond what its work pays for
+  uint32_t turn;     ///< an iteration of a loop over joints or pairs that does almost nothing
+  uint32_t pair;     ///< a test of a pair's certificate
+  uint32_t between;  ///< a joint between two links, each test
+  uint32_t table;    ///< a pair's or an axis's part in a lookup in a distance table
+  uint32_t measure;  ///< a measured pair, beyond what its work pays for
   uint32_t ascent;   ///< once for each level of two trees
-  uint32_t within;   ///< the exact test of two triangles
+  uint32_t within;   ///< an exact test of two triangles
   uint32_t work;     ///< each unit of work
 };
 
-/// kGuardOnCortexM0 to kGuardOnRV32IMAC.
+/// Defines kGuardOnCortexM0 to kGuardOnRV32IMAC.
 #define FLASHBVH_CONSTANT(core, c_name, text, ...) \
   constexpr GuardCosts kGuardOn##core = {__VA_ARGS__};
 FLASHBVH_FOR_EACH_GUARD_CORE(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
 
-/// The most cycles that they take.
+/// The most cycles of these parts.
 struct GuardCycles {
   GuardCosts cycles;  ///< in memory without wait states
   GuardCosts reads;   ///< reads of flash, each of which takes its wait states
 };
 
-/// kGuardCyclesOnCortexM0 to kGuardCyclesOnCortexM4F, as RunCycles.
+/// Defines kGuardCyclesOnCortexM0 to kGuardCyclesOnCortexM4F, as RunCycles.
 #define FLASHBVH_CONSTANT(core, c_name, text, ...) \
   constexpr GuardCycles kGuardCyclesOn##core = {__VA_ARGS__};
 FLASHBVH_FOR_EACH_GUARD_CORE_IN_CYCLES(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
 
-/// What of a robot a period's bound depends on. No node has more than kMostBoundedArity children,
-/// as `flashbvh robot` bakes trees.
+/// The properties of a robot that bound a period. No node may have more than kMostBoundedArity
+/// children, as `flashbvh robot` bakes trees.
 struct GuardSize {
   uint32_t joints;
   uint32_t pairs;
-  uint32_t pair_joints;   ///< between the links of all pairs
-  uint32_t tabled_pairs;  ///< pairs that have one or two joints between
-  uint32_t depth;         ///< of the deepest two trees together
+  uint32_t pair_joints;   ///< sum over all pairs of the joints between their links
+  uint32_t tabled_pairs;  ///< pairs with one or two joints between their links
+  uint32_t depth;         ///< sum of the depths of the two deepest trees
   uint32_t leaf_size;     ///< triangles in the largest leaf, at most kMostBoundedLeaf
 };
 
 constexpr uint32_t kMostBoundedArity = 4;
-/// What resumes inside larger leaves is not in the bound.
+/// The bound does not cover runs that resume inside larger leaves.
 constexpr uint32_t kMostBoundedLeaf = 7;
 
 /// `depth`, `leaf_size`: as in GuardSize.
@@ -77,7 +76,7 @@ constexpr GuardSize guard_size_of(const Robot& robot, uint32_t depth, uint32_t l
 
 namespace detail {
 
-/// What is in cycles where a read of flash takes so many wait states.
+/// Returns the costs in cycles if each read of flash takes this many wait states.
 constexpr GuardCosts with_waits(const GuardCycles& core, uint32_t wait_states) {
   const auto cost = [&](uint32_t GuardCosts::*of) {
     return core.cycles.*of + wait_states * core.reads.*of;
@@ -88,15 +87,15 @@ constexpr GuardCosts with_waits(const GuardCycles& core, uint32_t wait_states) {
           cost(&GuardCosts::work)};
 }
 
-/// As in guard_measure.cpp: what it takes to begin to measure a pair, and to measure its witness.
+/// As in guard_measure.cpp: work to start measuring a pair, and to measure its witness.
 constexpr uint32_t kBeginWork = 16;
 constexpr uint32_t kWitnessWork = 56;
-/// The least work after which a witness is measured that is nearer than the limit.
+/// The least work before the measurement of a witness that is nearer than the limit.
 constexpr uint32_t kNearerWork = kAlongPairWork + kPlacedPairWork + kExactPairWork + kWitnessWork;
-/// The most pairs of leaves whose tests a period may overdraw by.
+/// The most pairs of leaves whose tests a period may overdraw.
 constexpr uint32_t kBatchedLeafPairs = 4;
 
-/// A look at all pairs: each may be looked up in its distance table, too.
+/// A test of all pairs, each with a lookup in its distance table.
 constexpr uint64_t instructions_of_look(const GuardCosts& costs, const GuardSize& size) {
   const uint64_t turns = size.joints + uint64_t{size.pairs} * size.joints;
   const uint64_t tables = uint64_t{size.tabled_pairs} * 2 * (size.pairs + size.tabled_pairs + 2);
@@ -106,8 +105,8 @@ constexpr uint64_t instructions_of_look(const GuardCosts& costs, const GuardSize
 
 }  // namespace detail
 
-/// The most instructions of Guard::update(values, work), from `update` called to returned, whatever
-/// the values, of a checked robot and any state that Guard::resume() takes. Not of UINT32_MAX,
+/// Returns the most instructions of Guard::update(values, work), from call to return, for any
+/// values, a checked robot and any state that Guard::resume() takes. Not valid for UINT32_MAX,
 /// which is no limit.
 constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& size,
                                      uint32_t work) {
@@ -127,15 +126,15 @@ constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& s
          (uint64_t{work} + detail::kBeginWork + detail::kWitnessWork + joints - 1) * of_work;
 }
 
-/// As most_instructions(), in cycles. `wait_states`: at most 1000, of each read of the memory that
-/// code and robot lie in; 0 of RAM. No cache is trusted.
+/// As most_instructions(), in cycles. `wait_states`: at most 1000, for each read of the memory of
+/// code and robot; 0 for RAM. Assumes no cache hits.
 constexpr uint64_t most_cycles(const GuardCycles& core, uint32_t wait_states, const GuardSize& size,
                                uint32_t work) {
   return most_instructions(detail::with_waits(core, wait_states), size, work);
 }
 
-/// The most work for which a period stays within so many instructions; 0 if none does, and never
-/// UINT32_MAX.
+/// Returns the most work with which a period takes at most this many instructions; 0 if there is
+/// none, and never UINT32_MAX.
 constexpr uint32_t work_within(uint64_t instructions, const GuardCosts& costs,
                                const GuardSize& size) {
   uint32_t work = 0;
@@ -145,7 +144,7 @@ constexpr uint32_t work_within(uint64_t instructions, const GuardCosts& costs,
   }
   return work;
 }
-/// Within so many cycles; arguments as of most_cycles().
+/// Within this many cycles; arguments as for most_cycles().
 constexpr uint32_t work_within(uint64_t cycles, const GuardCycles& core, uint32_t wait_states,
                                const GuardSize& size) {
   return work_within(cycles, detail::with_waits(core, wait_states), size);

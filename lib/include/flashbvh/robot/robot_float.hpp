@@ -1,7 +1,6 @@
-// Joints' coordinates from floats, as encoders' drivers and trajectories give them, and frames.
+// Converts floats of encoder drivers and trajectories to joint coordinates and frames.
 //
-// Optional, as float.hpp, and like it without float arithmetic: a coordinate is the same on
-// every core.
+// Optional, as float.hpp, and also without float arithmetic: a coordinate is equal on every core.
 #ifndef FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
 #define FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
 
@@ -12,8 +11,8 @@
 
 namespace flashbvh {
 
-/// Of an angle in radians, rounded to 2^-28 of a turn (23 nanoradians). kNoCoordinate for what is
-/// no number, or 8 turns or more: those of joints without limits are reduced by the caller.
+/// Converts an angle in radians, rounded to 2^-28 of a turn (23 nanoradians). Returns kNoCoordinate
+/// if it is not a number, or 8 turns or more: the caller reduces angles of joints without limits.
 inline JointCoordinate angle_coordinate(float radians) {
   constexpr uint64_t per_radian = 0xA2F9836E4E44152Au;  // 2^28 / (2 pi), in 2^-38
   constexpr int bits = 38;
@@ -32,8 +31,8 @@ inline JointCoordinate angle_coordinate(float radians) {
                                                         : static_cast<int64_t>(units));
 }
 
-/// Of a length in the robot's unit, metres, rounded to 1/2,048 cell. kNoCoordinate for what is no
-/// number, or 2^19 cells or more.
+/// Converts a length in the robot's unit, metres, rounded to 1/2,048 cell. Returns kNoCoordinate if
+/// it is not a number, or 2^19 cells or more.
 inline JointCoordinate slide_coordinate(float length, float cells_per_unit) {
   constexpr int dropped = 16 - kFrameBits;
   const int64_t units =
@@ -57,8 +56,8 @@ inline Status set_translation(const Robot& robot, const float (&metres)[3], Fram
 
 }  // namespace detail
 
-/// A frame from a matrix, row by row, and metres. `translation_out_of_range`; whether the matrix is
-/// a rotation is tested where the frame is used.
+/// Makes a frame from a matrix, row by row, and metres. `translation_out_of_range`. Functions that
+/// use the frame test if the matrix is a rotation.
 inline Status set_frame(const Robot& robot, const float (&rotation)[3][3], const float (&metres)[3],
                         Frame& frame) {
   for (int i = 0; i < 3; ++i) {
@@ -69,16 +68,16 @@ inline Status set_frame(const Robot& robot, const float (&rotation)[3][3], const
   return detail::set_translation(robot, metres, frame);
 }
 
-/// The same from a unit quaternion (float.hpp).
+/// Makes a frame from a unit quaternion (float.hpp) and metres.
 inline Status set_frame(const Robot& robot, const UnitQuaternion& rotation,
                         const float (&metres)[3], Frame& frame) {
   detail::set_rotation(rotation, frame.rotation);
   return detail::set_translation(robot, metres, frame);
 }
 
-/// All values of a robot: radians, and metres of joints that slide. `floats` and `values`:
-/// variable_count each. What a float can't be shows as `not_a_coordinate` where the values are
-/// used.
+/// Converts all values of a robot: radians, and metres for prismatic joints. `floats` and `values`:
+/// variable_count each. For a float that is no valid coordinate, functions that use the values
+/// return `not_a_coordinate`.
 inline void set_values(const Robot& robot, const float* floats, JointCoordinate* values) {
   const float cells = cells_per_unit(robot.cell_bits);
   for (uint32_t i = 0; i < robot.joint_count; ++i) {

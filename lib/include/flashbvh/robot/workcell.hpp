@@ -1,15 +1,14 @@
-// What is added to a robot at run time: tools mounted on it, obstacles that stand in the base's
+// Adds bodies to a robot at run time: tools mounted on it, and obstacles that stand in the base's
 // frame or that the caller moves.
 //
-// A workcell is a robot in RAM: a copy of the baked one's arrays, to which bodies and pairs are
-// added. Guards and motion queries take it as they take the baked one; what is mounted is one of
-// its links. To change tools, make the workcell again and prime the guard.
+// A workcell is a robot in RAM: a copy of the baked robot's arrays, to which bodies and pairs are
+// added. Guards and motion queries take it like a baked robot; added bodies are its links. To
+// change tools, make the workcell again and prime the guard.
 //
-// What is promised of a tool is what is promised of a link: how far each joint moves it is bounded
-// by the sphere round it, swept over all settings of the joints, so a long thin tool is measured
-// more often than a baked link of its shape would be. Tools and obstacles are guarded as they were
-// drawn, before baking rounded their vertices. What is promised of an obstacle hangs on what
-// the caller says of its way.
+// The guarantee for a tool is that for a link. A tool's reaches come from its bounding sphere,
+// swept over all joint values. So guards measure a long thin tool more often than a baked link of
+// its shape. Guards check tools and obstacles unrounded, as in their source. The guarantee for an
+// obstacle depends on the path length that the caller states.
 //
 // Stack of its functions on Cortex-M3 to M55 at -O2: 400 bytes at most.
 #ifndef FLASHBVH_ROBOT_WORKCELL_HPP
@@ -24,9 +23,8 @@
 
 namespace flashbvh {
 
-/// All memory of a workcell. At least as many of each as the robot has; each body takes a joint, a
-/// link and, on its way to the base, a reach for each joint; each pair that is to be guarded a
-/// pair.
+/// All memory of a workcell, including the robot's own parts. Each body takes a joint, a link and a
+/// reach for each joint between it and the base; each guarded pair takes a pair.
 template <uint32_t joint_count, uint32_t link_count, uint32_t pair_count, uint32_t reach_count>
 struct alignas(8) WorkcellOf {
   RobotJoint joints[joint_count];
@@ -36,12 +34,13 @@ struct alignas(8) WorkcellOf {
   uint32_t reaches[reach_count];
 };
 
-/// Of one robot; not copied, as its robot() is a view of `memory`.
+/// The workcell of one robot. It is not copied, since its robot() is a view of `memory`.
 class Workcell {
  public:
   using Room = flashbvh_workcell_room;
 
-  /// The robot alone. Its meshes outlive the workcell; `memory` is written, and outlives it.
+  /// Starts with the robot only. The robot's meshes must outlive the workcell. `memory` is written
+  /// and must outlive it.
   template <uint32_t joint_count, uint32_t link_count, uint32_t pair_count, uint32_t reach_count>
   Workcell(const Robot& robot, WorkcellOf<joint_count, link_count, pair_count, reach_count>& memory)
       : robot_(robot),
@@ -54,7 +53,7 @@ class Workcell {
         own_joints_(robot.joint_count) {
     copy();
   }
-  /// The same in `size` bytes, as a WorkcellOf of `room` lies in them.
+  /// Takes `size` bytes instead, with the layout of a WorkcellOf with the counts of `room`.
   Workcell(const Robot& robot, void* memory, size_t size, const Room& room)
       : robot_(robot),
         joints_(static_cast<RobotJoint*>(memory)),
@@ -76,33 +75,32 @@ class Workcell {
   Workcell(const Workcell&) = delete;
   Workcell& operator=(const Workcell&) = delete;
 
-  /// Whether the memory is enough for the robot.
+  /// True if the memory is large enough for the robot.
   bool fits() const { return room_.links != 0; }
 
-  /// With all that was added; a guard is made of it afterwards.
+  /// Returns the robot with all added bodies; make guards of it after adding.
   const Robot& robot() const { return robot_; }
 
-  /// A tool that hangs on a joint, or an obstacle that stands in the base's frame (kBase); `link`
-  /// is its number. Its mesh lies in the mount's frame. `workcell_full`: the memory holds no more,
-  /// or not even the robot; `cell_mismatch`: the mesh was baked with another cell than the links;
-  /// `link_invalid`: there is no such joint; `not_a_rotation`; `translation_out_of_range`: it may
-  /// come 2^19 cells from a joint of its branch or more.
-  /// Takes time linear in vertices and triangles: all are looked at, for the sphere and the hash.
+  /// Adds a tool on a joint, or an obstacle in the base's frame (kBase); `link` gets its number.
+  /// Its mesh is in the mount's frame. `workcell_full`: the memory has no capacity left, or not
+  /// even for the robot; `cell_mismatch`: the mesh's cell differs from the links'; `link_invalid`:
+  /// there is no such joint; `not_a_rotation`; `translation_out_of_range`: it may come 2^19 cells
+  /// or more from a joint of its branch. Time is linear in all vertices and triangles, for the
+  /// sphere and the hash.
   Status add(const Mesh& mesh, const Mount& mount, uint8_t& link);
 
-  /// That two links are to be kept apart: distances in 1/256 cell, `warn` at least `stop`.
-  /// `workcell_full`; `link_invalid`: there are no two such links, or no joint between them;
-  /// `distance_out_of_range`: `warn` is beyond kMaxGuardDistance or below `stop`, or the joints
-  /// move the two too far for a guard's sums.
+  /// Makes guards keep two links apart. `stop`, `warn`: distances in 1/256 cell, `warn` at least
+  /// `stop`. `workcell_full`; `link_invalid`: there are no two such links, or no joint between
+  /// them; `distance_out_of_range`: `warn` is beyond kMaxGuardDistance or below `stop`, or the
+  /// joints move the two too far for a guard's sums.
   Status keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn);
 
-  /// The obstacle is in that frame from the next period on, which begins with Guard::update().
-  /// `moved`: no point's way there is longer, in 1/256 cell. What was moved for a
-  /// period that is refused counts in the next one.
-  /// Not between update() and go_on(), nor while a MotionQuery is under way: what they answer holds
-  /// for an obstacle that stands meanwhile.
-  /// `link_invalid`: it is no obstacle that was added; `distance_out_of_range`: `moved` is 2^28 or
-  /// more; `not_a_rotation` and `translation_out_of_range` as of add(). It then stays where it was.
+  /// Moves an obstacle to a frame, from the next period on, which begins with Guard::update().
+  /// `moved`: upper bound of each point's path length, in 1/256 cell; a rejected period's motion
+  /// counts in the next one. Do not call it between update() and go_on(), nor while a MotionQuery
+  /// runs: their results assume that obstacles stand still. `link_invalid`: it is no added
+  /// obstacle; `distance_out_of_range`: `moved` is 2^28 or more; `not_a_rotation` and
+  /// `translation_out_of_range` as in add(). It then stays where it was.
   Status move(uint8_t link, const Frame& frame, uint32_t moved);
 
  private:
@@ -119,7 +117,7 @@ class Workcell {
   RobotPair* pairs_;
   uint32_t* reaches_;
   Room room_;
-  uint8_t own_joints_;  ///< the robot's
+  uint8_t own_joints_;  ///< joints of the baked robot
 };
 
 }  // namespace flashbvh
