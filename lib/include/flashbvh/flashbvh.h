@@ -30,7 +30,7 @@
 #include "flashbvh/plain/run_costs.h"
 #include "flashbvh/plain/run_cycles.h"
 #include "flashbvh/status.h"
-#include "flashbvh/version.hpp" /* macros alone: C as well as C++ */
+#include "flashbvh/version.hpp" /* macros only, for C and C++ */
 
 #ifdef __cplusplus
 extern "C" {

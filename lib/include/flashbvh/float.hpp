@@ -3,7 +3,7 @@
 //
 // Optional: firmware that does not include this header links no float code. The header itself uses
 // no float arithmetic: it splits a float into its bits and calculates in integers. So no conversion
-// is out of range, and NaN and infinity are detected by their bits (whatever -ffast-math assumes).
+// is out of range, and NaN and infinity are detected by their bits (despite -ffast-math).
 // Results are equal on every core: without an FPU, with fused multiplication, with subnormals
 // flushed to zero.
 //

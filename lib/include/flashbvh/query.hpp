@@ -80,7 +80,7 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
     return {end, count, work - left};
   }
 
-  /// Runs into an array of known length.
+  /// Runs with an array of fixed length.
   template <uint32_t capacity>
   FLASHBVH_INLINE RunResult run(uint32_t work, Pair (&found)[capacity]) {
     return run(work, found, capacity);

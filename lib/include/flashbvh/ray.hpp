@@ -26,7 +26,7 @@
 
 namespace flashbvh {
 
-/// A ray's hit. `along`: its fraction of the segment's length, exact.
+/// A ray's hit. `along`: its fraction of the segment, exact, from 0 to 1.
 template <class Index>
 struct RayHit {
   Index triangle;  ///< its id
