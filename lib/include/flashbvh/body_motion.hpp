@@ -1,8 +1,8 @@
 // Motions of a body with a free pose: B's pose in A's frame at each moment.
 //
 // A motion is a start pose and moves. Each move turns the body about an axis and translates it with
-// the axis: a straight path, a screw, or a chain of joints. The moves before it carry each move, as
-// a parent carries its joint. All start and end together and run at constant speed.
+// the axis: a straight path, a screw, or a chain of joints. Each move is relative to the moves
+// before it, like a joint to its parent. All start and end together and run at constant speed.
 #ifndef FLASHBVH_BODY_MOTION_HPP
 #define FLASHBVH_BODY_MOTION_HPP
 
@@ -35,8 +35,7 @@ class BodyMotion {
 
   /// Makes a motion of `count` moves, which must outlive it, from the outermost to the innermost:
   /// for a chain of joints, from the base to the body. If an arm carries A, A's moves come before
-  /// B's, in reverse order and with reverse signs. `not_a_rotation`: an axis does not have length
-  /// 1.
+  /// B's, in reverse order and with reverse signs. `not_a_rotation`: an axis' length is not 1.
   BodyMotion(const Pose& from, const Move* moves, uint32_t count);
 
   /// `done`, or the error that queries return; for poses, their own. `motion_out_of_range`: B's

@@ -181,8 +181,8 @@ class BasicClearanceQuery
 using ClearanceQuery = BasicClearanceQuery<Mesh>;
 using ClearanceQuery32 = BasicClearanceQuery<Mesh32>;
 
-/// Returns the distance in one call, which ends when the answer is complete. ClearanceQuery has
-/// slices and the errors.
+/// Returns the distance in one call, which ends when the answer is complete. Errors are those of
+/// ClearanceQuery, which also runs in slices.
 template <class Index>
 Clearance<Index> distance(const BasicMesh<Index, Layout::post_indexed>& a,
                           const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,

@@ -14,7 +14,6 @@
 // Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005). The nearest
 // triangles of the last interval choose the next interval: lib/docs/derivations.md, "Motions of two
 // bodies".
-// two bodies".
 #ifndef FLASHBVH_FIRST_CONTACT_HPP
 #define FLASHBVH_FIRST_CONTACT_HPP
 

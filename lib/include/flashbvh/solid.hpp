@@ -4,8 +4,8 @@
 // has an integer winding number around each point. It is the number of triangles above the point,
 // each counted by the side that faces the point. The point is moved infinitesimally off edges and
 // corners right above it, always to one side. So no crossing is lost or counted twice: exact,
-// without retries. Inside means a winding number other than 0. So an inside-out mesh has an equal
-// inside, and points in two shells are inside.
+// without retries. Inside means a winding number other than 0. Turning a mesh inside out does not
+// change its inside, and points in two shells are inside.
 //
 // Source: Edelsbrunner and Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9(1),
 // 1990.
