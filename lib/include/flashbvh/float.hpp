@@ -3,9 +3,9 @@
 //
 // Optional: firmware that does not include this header links no float code. The header itself uses
 // no float arithmetic: it splits a float into its bits and calculates in integers. So no conversion
-// is out of range, and NaN and infinity are detected by their bits (despite -ffast-math).
-// Results are equal on every core: without an FPU, with fused multiplication, with subnormals
-// flushed to zero.
+// is out of range, and NaN and infinity are detected by their bits (despite -ffast-math). Results
+// are equal on every core: without an FPU, with fused multiplication, with subnormals flushed to
+// zero.
 //
 // A pose's status has the error if an input is not finite or too large: `not_a_rotation` for a
 // rotation, `translation_out_of_range` for a translation. A `cells_per_unit` that is not positive

@@ -10,7 +10,6 @@
 // A query writes only to itself and to the caller's array. So any number of queries, in tasks and
 // in interrupts, may share meshes and poses. A query has one caller at a time: an interrupt of its
 // run must not touch it.
-// run of it may not touch it.
 #ifndef FLASHBVH_QUERY_HPP
 #define FLASHBVH_QUERY_HPP
 
