@@ -1,4 +1,4 @@
-// What the forms in assembly of the rotated box test take the layout of its objects to be.
+// The object layout on which the assembly forms of the rotated box test rely.
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_LAYOUT_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_LAYOUT_HPP
 
@@ -6,8 +6,8 @@
 
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
-/// Of a function that assembly calls by its name: no optimiser may drop it, rename it or, at link
-/// time, hide it from the caller's part of the program.
+/// Attributes of a function that assembly calls by name: no optimiser may drop or rename it, or
+/// hide it at link time from the caller's part of the program.
 #if defined(__clang__)
 #define FLASHBVH_CALLED_BY_NAME gnu::naked, gnu::used, gnu::visibility("hidden")
 #else

@@ -1,12 +1,12 @@
-// The rotated box test with Helium, the vector extension of Cortex-M55. A row of the matrix lies as
-// a box does, so a bound of a rotated box is one dot product of eight halves (VMLADAVA).
+// The rotated box test with Helium, the vector extension of Cortex-M55. A row of the matrix has a
+// box's layout, so a bound of a rotated box is one dot product of eight halves (VMLADAVA).
 //
-// A rotated box is kept lower bounds first, so that its sums with another box need no exchange. Its
-// answers are those of box_rotated.cpp, bit by bit: whole cells above 32,767 stay what they are, up
-// to 65,535, but the sum with another bound, which is at least 1, saturates and reaches the bias.
+// A rotated box stores lower bounds first, so that sums with another box need no exchange. Answers
+// equal those of box_rotated.cpp, bit for bit. Whole cells from 32,768 to 65,535 are not clamped,
+// but their sum with another bound, which is at least 1, saturates and reaches the bias.
 //
-// By LLVM's model of the core a rotated box takes a fifth fewer cycles than with SMLAD, and it
-// takes a quarter fewer instructions (lib/docs/decisions/0008-helium.md).
+// By LLVM's model of the core a rotated box takes a fifth fewer cycles than with SMLAD, and a
+// quarter fewer instructions (lib/docs/decisions/0008-helium.md).
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_MVE_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_MVE_HPP
 
@@ -15,7 +15,7 @@
 
 namespace flashbvh::detail {
 
-// The sums of q0, a rotated box, and q1, a box: not 0 in `to` if one is below the bias.
+// Adds q0, a rotated box, and q1, a box; `to` is not 0 if a sum is below the bias.
 #define FLASHBVH_COMPARE(to) \
   "vqadd.u16 q1, q1, q0\n\t" \
   "vcmp.s16 ge, q1, zr\n\t"  \
@@ -23,11 +23,11 @@ namespace flashbvh::detail {
   ", p0\n\t"                 \
   "lsls " to ", " to ", #20\n\t"
 
-/// Rotates `box` and keeps it; 0 if it overlaps `other`. 38 instructions.
+/// Rotates `box` and stores it in `rotated`; 0 if it overlaps `other`. 38 instructions.
 ///
 /// r0 rotated, r1 box, r2 other. q0 is the box, q1 the box with upper and lower exchanged, q2 and
-/// q3 rows; r5 rows, r3 starts; r4, r6, r8, r10, r12, lr the sums. Each vector of a box, and of a
-/// row, has a fourth word: what comes after it, read and not used.
+/// q3 rows; r5 rows, r3 starts; r4, r6, r8, r10, r12, lr the sums. Vectors of a box or a row also
+/// load the word after it, which is not used.
 extern "C" [[FLASHBVH_CALLED_BY_NAME]] uint32_t flashbvh_rotate_and_compare(
     RotatedBox& /*rotated*/, const PackedBox& /*box*/, const PackedBox& /*other*/) {
   __asm__(

@@ -1,5 +1,5 @@
-// The inner step of the rotated box test with SSE2: all three axes at once, two products a lane
-// (PMADDWD). The arithmetic is that of box_rotated.cpp, bit for bit: halves are below 2^15, and no
+// The inner step of the rotated box test with SSE2: three axes at once, two products per lane
+// (PMADDWD). Results equal those of box_rotated.cpp, bit for bit: halves are below 2^15, and no
 // sum leaves 32 bits.
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_SSE2_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_SSE2_HPP
@@ -11,8 +11,8 @@
 
 namespace flashbvh::detail {
 
-/// A box of sums, with kSplitBits of fraction: whole cells from 0 to 32,767, beyond which lies no
-/// box.
+/// Packs sums, which have kSplitBits fraction bits, into a box. Whole cells are clamped to 0 to
+/// 32,767, beyond which no box lies.
 inline PackedBox box_of_sums(__m128i upper, __m128i lower) {
   upper = _mm_srai_epi32(upper, kSplitBits);
   lower = _mm_srai_epi32(lower, kSplitBits);

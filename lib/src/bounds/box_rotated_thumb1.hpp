@@ -1,7 +1,7 @@
 // The inner step of the rotated box test for Armv6-M and Armv8-M Baseline cores (Cortex-M0, M0+,
 // M23): the arithmetic of box_rotated_plain.hpp in the eight registers that Thumb-1 computes in.
-// The box's bounds are loaded for each product: that takes no more instructions than getting them
-// from a high register, and nothing is spilled, which compilers do not find.
+// The box's bounds are loaded for each product: this takes no more instructions than a copy from a
+// high register and needs no spill. Compilers do not find this form.
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_THUMB1_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_THUMB1_HPP
 
@@ -10,7 +10,7 @@
 
 namespace flashbvh::detail {
 
-/// Clamps the sums r4 and r5 so that whole cells are 0 to 32,767. Changes r6.
+/// Clamps the sums in r4 and r5, so that whole cells are 0 to 32,767. Changes r6.
 extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
   __asm__(R"(
     .syntax unified  @ compilers set the older one for Thumb-1
@@ -31,11 +31,11 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
   )");
 }
 
-/// Rotates `box` and keeps it; 0 if it overlaps `other`. 136 instructions, and some 10 for each
-/// axis with a bound outside the lattice.
+/// Rotates `box` and stores it in `rotated`; 0 if it overlaps `other`. 136 instructions, and some
+/// 10 for each axis with a bound outside the lattice.
 ///
-/// r0 rotated, r1 box, then rows, r2 other, then box, r3 starts; r4, r5 upper and lower bound at
-/// hand; r6 an entry; r7 a product; r12 other.
+/// r0 rotated, r1 box, then rows, r2 other, then box, r3 starts; r4, r5 current upper and lower
+/// bound; r6 an entry; r7 a product; r12 other.
 [[gnu::naked, gnu::noinline]] static uint32_t rotate_and_compare(RotatedBox& /*rotated*/,
                                                                  const PackedBox& /*box*/,
                                                                  const PackedBox& /*other*/) {

@@ -1,16 +1,16 @@
-// Where predicates of distance see a B that lies kMaxOffset cells off or farther.
+// Places a B that lies kMaxOffset cells off or farther, for distance predicates.
 #include "flashbvh/detail/bounds/transform.hpp"
 
 namespace flashbvh::detail {
 namespace {
 
-/// Of a B that is translated, so that one way serves both.
+/// Identity for a B that is only translated, so that one code path serves both.
 constexpr RotationMatrix kUnrotated = {
     {{SplitRow::of(kSplitOne, 0, 0), SplitRow::of(0, kSplitOne, 0), SplitRow::of(0, 0, kSplitOne)}},
     {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
     0};
 
-/// What 14 bits of a rotation lack of 22, on any lattice, and vertices' rounding.
+/// Error of keeping 14 of a rotation's 22 bits, on the largest lattice, and of vertices' rounding.
 constexpr int32_t kMargin = 3 * kMaxCoordinate / 2 + 1 + kSplitOne / 2;
 
 }  // namespace
@@ -33,7 +33,7 @@ void Transform::place_far(const Pose& pose, const int32_t (&origin_a)[3],
     matrix.get_row(i, x, y, z);
     const int64_t cells = int64_t{pose.translation(i)} - origin_a[i];
     const int32_t fraction = rotates ? pose.fraction(i) * (1 << (kRotationBits - 16)) : 0;
-    // As near offsets are rounded (rotated_transform.cpp); below 2^55.
+    // Rounded as near offsets are (rotated_transform.cpp); below 2^55.
     const int64_t sum = fraction + (1 << (kRestBits - 1)) + int64_t{x} * origin_b[0] +
                         int64_t{y} * origin_b[1] + int64_t{z} * origin_b[2] +
                         cells * (1 << kRotationBits);

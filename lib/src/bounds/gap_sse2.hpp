@@ -1,5 +1,5 @@
-// A box seen from the other lattice, with SSE2: all three axes at once, two products a lane
-// (PMADDWD), as in box_rotated_sse2.hpp. The arithmetic is that of gap.cpp, bit for bit.
+// Rotates a box into the other lattice with SSE2: three axes at once, two products per lane
+// (PMADDWD), as in box_rotated_sse2.hpp. Results equal those of gap.cpp, bit for bit.
 #ifndef FLASHBVH_BOUNDS_GAP_SSE2_HPP
 #define FLASHBVH_BOUNDS_GAP_SSE2_HPP
 
@@ -9,23 +9,23 @@
 
 namespace flashbvh::detail {
 
-/// Words of a matrix's rows, an axis a lane; what the fourth lane has is never used.
+/// Words of a matrix's rows, one axis per lane; the fourth lane is unused.
 struct RowLanes {
   __m128i positive_xy;
   __m128i negative_xy;
   __m128i z;
 };
 
-/// Loads what pose_sse2.hpp stored, as it was stored: a load that two stores together wrote waits
-/// until both have left the core, which takes longer than to separate two objects.
+/// Loads the vectors that pose_sse2.hpp stored. A load that spans two stores would wait until both
+/// have left the core, which takes longer than separating two objects.
 inline RowLanes row_lanes(const SplitMatrix& matrix) {
   static_assert(sizeof(matrix.row) == 9 * sizeof(uint32_t), "words without gaps");
   const uint32_t* const words = &matrix.row[0].positive_xy;
   const auto load = [words](int at) {
     return _mm_castsi128_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(words + at)));
   };
-  const __m128 first = load(0);   // the first row, and the second one's first word
-  const __m128 second = load(4);  // its others, and two of the third row
+  const __m128 first = load(0);   // the first row, and the second row's first word
+  const __m128 second = load(4);  // the second row's other words, and two of the third row
   const __m128 last = _mm_castsi128_ps(_mm_cvtsi32_si128(static_cast<int>(words[8])));
   const __m128 negative = _mm_shuffle_ps(first, second, _MM_SHUFFLE(3, 0, 1, 1));
   const __m128 z = _mm_shuffle_ps(first, second, _MM_SHUFFLE(1, 1, 2, 2));
@@ -43,7 +43,7 @@ inline BoxTestLanes start_lanes(const BoxTestStart* starts) {
   return {_mm_unpacklo_epi64(two, third), _mm_unpackhi_epi64(two, _mm_shuffle_epi32(third, 0x50))};
 }
 
-/// Of a rotated box's bounds, with kSplitBits of fraction.
+/// Bounds of a rotated box, with kSplitBits fraction bits.
 inline BoxTestLanes rotated_lanes(const RowLanes& rows, const BoxTestLanes& start,
                                   const PackedBox& box) {
   const auto all = [](uint32_t word) { return _mm_set1_epi32(static_cast<int>(word)); };
@@ -70,7 +70,7 @@ inline void rotate_lanes(const SplitMatrix& matrix, const BoxTestStart* starts, 
   set(seen.lower, sums.lower);
 }
 
-/// What words of a box have to reach: sums from `zero` on, as halves, cut to 16 bits.
+/// Lower limits for a box's packed words: whole cells of `zero` less a sum, saturated to 16 bits.
 inline PackedTriple window_lanes(const BoxTestLanes& sums, int32_t zero) {
   const __m128i half = _mm_set1_epi32(1 << 15);  // so that a signed half saturates
   const auto cells = [&](__m128i sum) {

@@ -1,4 +1,4 @@
-// The directions of leaf planes, for tools.
+// Directions of leaf planes, for tools.
 #include "flashbvh/detail/bounds/slab.hpp"
 #include "flashbvh/triangle.hpp"
 

@@ -5,12 +5,13 @@
 namespace flashbvh::detail {
 namespace {
 
-/// Not below the root of `value`, and above it by at most 2 and one part in 2^30. Below 2^62.
+/// Upper bound on the root of `value`, above it by at most 2 and one part in 2^30. `value`: below
+/// 2^62.
 uint32_t root_above(uint64_t value) {
   if (value == 0) {
     return 0;
   }
-  // Of the leading 31 or 32 bits, and one of Newton's steps, which are never below.
+  // The root of the leading 31 or 32 bits, and one Newton step, which never ends below the root.
   const int zeros = __builtin_clzll(value);
   const int down = zeros < 32 ? (33 - zeros) & ~1 : 0;
   const uint64_t above = uint64_t{short_root(static_cast<uint32_t>(value >> down)) + 1}
@@ -18,7 +19,7 @@ uint32_t root_above(uint64_t value) {
   return static_cast<uint32_t>((above + value / above) / 2 + 1);
 }
 
-/// The direction of a far offset, so that the largest component has 13 bits or fewer.
+/// Direction of a far offset, whose largest component has 13 bits or fewer.
 PackedVector along_offset(const Point& offset) {
   constexpr int down = 8;
   static_assert(kMaxFarOffset >> down < 1 << kDirectionBits, "13 bits");
@@ -55,7 +56,7 @@ SupportGap::SupportGap(const PackedVector& direction, const Transform& transform
   if (limit >= int64_t{1} << 43) {
     return;
   }
-  // Both roots with fractions, so that what rounding adds to them is far below a cell.
+  // Both roots have fraction bits, so that rounding adds far less than a cell.
   const Point& moved = transform.far_offset();
   const uint64_t cells = root_above(static_cast<uint64_t>(limit + 1) << 18);  // 2^9 is a cell
   const uint64_t length = root_above(uint64_t{squared(direction)} << 32);     // 2^16 is a unit
@@ -63,7 +64,7 @@ SupportGap::SupportGap(const PackedVector& direction, const Transform& transform
                        int64_t{of_a_.sum()} * kBoundBias + int64_t{direction.x()} * moved.x +
                        int64_t{direction.y()} * moved.y + int64_t{direction.z} * moved.z -
                        static_cast<int64_t>((cells * length >> 25) + 1);
-  // Ends add up to less than 2^31; some room is for nearly_separates().
+  // Ends add up to less than 2^31; the margin is for nearly_separates().
   constexpr int64_t enough = INT32_MAX - (1 << 20);
   most_ = static_cast<int32_t>(most < kNothing ? kNothing : most > enough ? enough : most);
 }

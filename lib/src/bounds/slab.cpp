@@ -1,4 +1,4 @@
-// Making slabs: directions, and how they look from the other tree.
+// Rotates the directions of slabs into the other tree's lattice.
 #include "flashbvh/detail/bounds/slab.hpp"
 
 namespace flashbvh::detail {
@@ -6,8 +6,8 @@ namespace {
 
 constexpr int32_t kHalfUnit = kSplitOne / 2;
 
-/// A direction in the other lattice. The parts of a row's entries are apart, so it is multiplied by
-/// both signs.
+/// Rotates a direction into the other lattice. Rows store positive and negative parts of entries
+/// apart, so the direction is kept with both signs.
 class Rotate {
  public:
   explicit Rotate(const PackedVector& d)
@@ -36,7 +36,7 @@ inline PackedVector rotated(const SplitMatrix& matrix, const PackedVector& d) {
   return {join_halves(static_cast<uint16_t>(x), static_cast<uint16_t>(y)), along(matrix.row[2])};
 }
 
-/// Where B's origin lies along a direction in A's lattice, to whole cells along each axis.
+/// B's origin along a direction in A's lattice, with coordinates rounded to whole cells.
 inline int32_t origin_along(const PackedVector& d, const RotatedTransform& transform) {
   const auto cells = [&](int i) {
     const BoxTestStart& start = transform.on_a[i];

@@ -1,5 +1,5 @@
-// Where the sums of a rotated box begin, and whether all of B is far from A, with SSE2: an axis a
-// lane, with the arithmetic of rotated_transform.cpp, bit for bit, and one branch for all three.
+// Start values of a rotated box's sums, and the test whether B as a whole is apart from A, with
+// SSE2. One axis per lane, and one branch; equals rotated_transform.cpp bit for bit.
 #ifndef FLASHBVH_BOUNDS_STARTS_SSE2_HPP
 #define FLASHBVH_BOUNDS_STARTS_SSE2_HPP
 
@@ -30,7 +30,7 @@ inline void store_all(const BoxTestLanes& from, BoxTestStart (&starts)[3]) {
                    _mm_unpackhi_epi32(from.upper, from.lower));
 }
 
-/// Whether along one of the axes all of B is beyond A's root box.
+/// Returns whether B's root box, rotated, is apart from A's along one of A's axes.
 inline bool far_apart(const RowLanes& rows, const BoxTestLanes& starts, const PackedBox& root_a,
                       const PackedBox& root_b) {
   const BoxTestLanes sums = rotated_lanes(rows, starts, root_b);

@@ -1,4 +1,4 @@
-// Motions: what they are made of, and where the body is.
+// Construction of body motions, and the body's pose at a time.
 #include "flashbvh/body_motion.hpp"
 
 #include "../lattice/sine.hpp"
@@ -14,11 +14,11 @@ constexpr uint64_t square_of(int32_t value) {
   return static_cast<uint64_t>(int64_t{value} * value);
 }
 
-/// A turn that 30 fraction bits hardly show: 2^-22 radians.
+/// Turns below it count as none, since 30 fraction bits hardly show them: 2^-22 radians.
 constexpr uint32_t kNoTurn = 1 << 7;
 
-/// Twice the angle of which these are the sine and the cosine, both times the same: up to half a
-/// turn. By halving.
+/// Twice the angle whose sine and cosine these are, up to a common factor. At most half a turn.
+/// Found by bisection.
 int32_t twice_angle(uint32_t sine, uint32_t cosine) {
   uint32_t angle = 0;  // in 2^-32 turn
   for (uint32_t bit = 1u << 30; bit != 1; bit >>= 1) {
@@ -29,7 +29,7 @@ int32_t twice_angle(uint32_t sine, uint32_t cosine) {
   return static_cast<int32_t>(angle >> 3);
 }
 
-/// The rotation from one pose to another as a turn: an axis and an angle.
+/// Sets the axis and angle of the rotation from one pose to another.
 void set_turn(const Pose& from, const Pose& to, Move& move) {
   int32_t r[3][3];
   for (int i = 0; i < 3; ++i) {
@@ -41,7 +41,7 @@ void set_turn(const Pose& from, const Pose& to, Move& move) {
       r[i][j] = static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
     }
   }
-  // Its quaternion, from the component that is largest; 4 q_i q_j for each j.
+  // The rotation's quaternion from its largest component i: 4 q_i q_j for each j.
   const int64_t trace = int64_t{r[0][0]} + r[1][1] + r[2][2];
   int largest = 3;
   int64_t most = trace;
@@ -70,7 +70,7 @@ void set_turn(const Pose& from, const Pose& to, Move& move) {
   int32_t v[3];
   uint64_t squared = 0;
   for (int i = 0; i < 3; ++i) {
-    v[i] = static_cast<int32_t>(sign * q[i] >> 2);  // up to 2^30 and a little
+    v[i] = static_cast<int32_t>(sign * q[i] >> 2);  // hardly above 2^30
     squared += square_of(v[i]);
   }
   const uint32_t sine = square_root(squared);

@@ -1,4 +1,4 @@
-// Levers, turns and travels.
+// Bounds on the motion of a body's points, from levers, turns and travel.
 #include "flashbvh/detail/motion/body_reach.hpp"
 
 #include "../lattice/fixed_point.hpp"
@@ -8,26 +8,26 @@
 namespace flashbvh::detail {
 namespace {
 
-/// Of a vertex: 0.51 cells along three axes, and a fraction of a translation.
+/// Rounding of a vertex, in 1/256 cell: 0.51 cells along three axes, and a translation's fraction.
 constexpr uint32_t kVertexRounding = 228;
 
-/// Origins are below it, in cells.
+/// Bound on origins, exclusive, in cells.
 constexpr uint32_t kFarthestOrigin = 1u << 18;
 
-/// What part of a motion moves something by, in 1/2,048 cell, rounded up: of a length; and by a
-/// turn of a point that is so far from the axis.
+/// A part of a move's travel, and of the arc of a point at distance `lever` from the axis; in
+/// 1/2,048 cell, rounded up.
 uint64_t part_of(uint32_t length, uint32_t part) {
   return (uint64_t{length} * part >> 30) + 1;
 }
 uint64_t arc_of(const Move& move, uint32_t part, uint64_t lever) {
-  // By 2 pi in 2^-8, and parts of 2^-28 of a turn.
+  // 2 pi in 2^-8, rounded up; `turned` is in 2^-28 turn.
   constexpr uint32_t full_turn = 1609;
   const uint64_t turned = part_of(magnitude(move.turn), part);
   return ((turned * lever >> 20) * full_turn >> 16) + 1;
 }
 
-/// How far the moves' way ends from where the motion does, at most, in 1/256 cell: of a point that
-/// is so far from the origin of B's frame along each axis, in 1/2,048 cell.
+/// Upper bound on the distance between a point's end by the moves and by the motion's last pose, in
+/// 1/256 cell. `farthest`: the point's largest coordinates in B's frame, in 1/2,048 cell.
 uint32_t end_error(const BodyMotion& motion, const uint64_t (&farthest)[3]) {
   const Frame end = frame_at(motion, kMotionEnd);
   const Frame to = frame_of(motion.to());
@@ -62,7 +62,7 @@ bool BodyReach::set(const BodyMotion& motion, const PackedBox& packed, const int
     extent[i] = magnitude(centre_[i]) + width * (kFrameCell / 2);
     from_origin += magnitude(origin_b[i]);
   }
-  radius_ = square_root(diagonal << 20) + 1;  // half of it
+  radius_ = square_root(diagonal << 20) + 1;  // half the diagonal
   const uint64_t most = farthest(motion, uint64_t{length_of(frame_of(motion.from()).translation)} +
                                              length_of(centre_) + radius_);
   if (most > kMaxFrameTranslation) {
@@ -72,15 +72,15 @@ bool BodyReach::set(const BodyMotion& motion, const PackedBox& packed, const int
   path_error_ =
       motion.move_count() * (static_cast<uint32_t>(most >> 27) + 1) + end_error(motion, extent);
   way_ = 0;
-  if (motion.move_count() == 1) {  // no lever changes
+  if (motion.move_count() == 1) {  // its lever is constant
     const uint64_t way = moved_by(motion.move(0), kMotionEnd, frame_of(motion.from()), 0);
     way_ = way <= UINT32_MAX ? static_cast<uint32_t>(way) : 0;
   }
   return true;
 }
 
-/// By a part of a move, of B whose frame the moves inside of it have carried, and whose points they
-/// may move by so much more.
+/// How far a part of a move moves points of B, in 1/2,048 cell. `frame`: B's after the inner moves,
+/// which may move a point by up to `inside` more.
 uint64_t BodyReach::moved_by(const Move& move, uint32_t part, const Frame& frame,
                              uint64_t inside) const {
   const uint64_t travelled = part_of(length_of(move.travel), part);

@@ -8,10 +8,10 @@ namespace flashbvh::detail {
 namespace {
 
 constexpr uint8_t kFinestBits = 4;
-/// sqrt(3) / 2, which is what rounding moves a point at most, in 1/256.
+/// sqrt(3) / 2 in 1/256: the most that rounding moves a point, in units of the grid.
 constexpr uint32_t kPlacingSteps = 222;
 
-/// The largest difference of coordinates along an axis.
+/// Largest difference of two corners' coordinates along an axis.
 uint32_t span_along(const FinePair& pair, int32_t Point::*axis) {
   const Range a = range_of(pair.a, axis);
   const Range b = range_of(pair.b, axis);
@@ -25,15 +25,15 @@ bool is_fine(const FinePair& pair) {
          span_along(pair, &Point::z) <= most;
 }
 
-/// Small numbers are multiplied in fewer words, and a part of the reach is enough; the
-/// distance fits is_apart().
+/// Fraction bits of the grid: a share of the reach suffices, and small numbers multiply in fewer
+/// words. Keeps is_apart() in range for `distance`.
 uint8_t bits_for(uint32_t distance, uint32_t within) {
   const uint32_t reach = distance - within;
   const uint8_t bits = reach < 2 * kFineOne ? kFinestBits : reach < 16 * kFineOne ? 2 : 0;
   return bits > 2 && distance >= kCoarseDistance / 4 ? 2 : bits;
 }
 
-/// To the nearest 2^-bits cell, in cells of 30 fraction bits.
+/// Rounds `at`, which has 30 fraction bits, to the nearest 2^-bits cell.
 int32_t rounded_to(int64_t at, unsigned bits) {
   return static_cast<int32_t>((at + (int64_t{1} << (29 - bits))) >> (30 - bits));
 }
@@ -108,7 +108,7 @@ bool has_near_corners(const FinePair& pair, uint32_t distance) {
       const int64_t x = int64_t{p.x} - q.x;
       const int64_t y = int64_t{p.y} - q.y;
       const int64_t z = int64_t{p.z} - q.z;
-      // Up to 2^25 each, and 16 bits more of a square cell, less those of the corners.
+      // x, y, z are up to 2^25. `most` has 16 fraction bits, the squares have 2 * bits.
       if (static_cast<uint64_t>(x * x + y * y + z * z) <= most >> (16 - 2 * pair.bits)) {
         return true;
       }

@@ -1,4 +1,4 @@
-// First contacts: which interval comes next, and what is known of it.
+// First contact: chooses intervals of a motion and certifies each one.
 #include "flashbvh/first_contact.hpp"
 
 #include "fine_pair.hpp"
@@ -9,16 +9,16 @@ namespace flashbvh {
 
 namespace {
 
-/// Where bodies come near, intervals move B by at most a quarter of a cell, and four of them end
-/// it: so what is reported is at most a cell of motion.
+/// Where bodies come near, an interval moves B by at most a quarter of a cell, and the search ends
+/// after four of them. So the reported interval is at most a cell of motion.
 constexpr uint32_t kShortestReach = kFineOne / 8;
 constexpr uint8_t kMostNearSteps = 4;
-/// A walk tests the begin only if no so large part of the motion is certified at once.
+/// A walk tests the begin only if no interval down to 1/kLateWalk of the motion is certified.
 constexpr uint32_t kLateWalk = 4;
 
-/// Kinematics, and two triangles (query.hpp).
+/// Work of kinematics and a test of two triangles (query.hpp).
 constexpr uint32_t kProbeWork = 64;
-/// Kinematics, and a query that is made and resumed.
+/// Work of kinematics, and of making and resuming a query.
 constexpr uint32_t kSliceWork = 32;
 
 /// Times are even, so that each interval has a middle.
@@ -42,7 +42,7 @@ BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
   }
 }
 
-/// `suspended`: nothing is wrong.
+/// Returns the error, or `suspended`.
 template <class MeshType>
 Status BasicFirstContact<MeshType>::prepare() {
   if (motion_->status() != Status::done) {
@@ -58,8 +58,8 @@ Status BasicFirstContact<MeshType>::prepare() {
   return Status::suspended;
 }
 
-/// By how much farther the bodies have to be apart in an interval: at an end of the motion, a pose
-/// that is rounded to the lattice is then certified, too.
+/// Extra distance that an interval at an end of the motion must certify, in 1/256 cell. It covers
+/// the pose there, as rounded to the lattice.
 template <class MeshType>
 uint32_t BasicFirstContact<MeshType>::margin_in(uint32_t step) const {
   const bool begins = at_.time == 0 && at_.is_begun == 0;
@@ -67,8 +67,8 @@ uint32_t BasicFirstContact<MeshType>::margin_in(uint32_t step) const {
   return begins || ends ? reach_.rounding() : 0;
 }
 
-/// What B's points move from the middle of an interval until its ends, and what is to be added to
-/// it, in 1/256 cell. `frame`: B's there.
+/// Distance that certifies an interval if the bodies are farther apart in its middle: B's motion
+/// until either end, `within` and margins, in 1/256 cell. `frame`: B's in the middle.
 template <class MeshType>
 uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) const {
   const uint32_t half = step / 2;
@@ -77,15 +77,15 @@ uint32_t BasicFirstContact<MeshType>::distance_in(uint32_t step, Frame& frame) c
   return distance < UINT32_MAX ? static_cast<uint32_t>(distance) : UINT32_MAX;
 }
 
-/// Whether an interval is not to be cut any more.
+/// Returns whether the interval is too short to be halved.
 template <class MeshType>
 bool BasicFirstContact<MeshType>::is_shortest(uint32_t distance) const {
   const uint32_t added = within_ + reach_.path_error() + margin_in(at_.step);
   return at_.step == 2 || distance - added <= kShortestReach;
 }
 
-/// Whether two triangles, with B's frame there, are farther apart than a distance. Apart, so that
-/// no walk has its frame above it.
+/// Returns whether two triangles are farther apart than a distance, with B at `frame`. Not inlined:
+/// keeps this stack frame out of the walk's.
 template <class MeshType>
 FLASHBVH_NOINLINE bool BasicFirstContact<MeshType>::is_apart(const Witness<Index>& slots,
                                                              const Frame& frame,
@@ -95,7 +95,7 @@ FLASHBVH_NOINLINE bool BasicFirstContact<MeshType>::is_apart(const Witness<Index
   return detail::is_apart(pair, distance);
 }
 
-/// Between the hint's triangles; zero without one. Apart, as is_apart().
+/// Direction between the hint's triangles; zero without a hint. Not inlined, as is_apart().
 template <class MeshType>
 FLASHBVH_NOINLINE detail::PackedVector BasicFirstContact<MeshType>::direction_at(
     const Frame& frame) const {
@@ -107,7 +107,7 @@ FLASHBVH_NOINLINE detail::PackedVector BasicFirstContact<MeshType>::direction_at
   return detail::direction_between(pair);
 }
 
-/// Whether the hint's triangles may touch in an interval.
+/// Returns whether the hint's triangles may touch in an interval; false without a hint.
 template <class MeshType>
 bool BasicFirstContact<MeshType>::may_touch(uint32_t step, uint32_t& distance) const {
   Frame frame;
@@ -141,7 +141,8 @@ void BasicFirstContact<MeshType>::lengthen() {
   at_.phase = ContactPhase::walk;
 }
 
-/// They may touch in the interval: it is cut, or passed, and they are compared where it ends.
+/// The bodies may touch in the interval. Halves it; or, if it is too short, passes it and tests the
+/// pose at its end.
 template <class MeshType>
 void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
   at_.walk = {};
@@ -169,7 +170,7 @@ void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
   at_.phase = ContactPhase::at_time;
 }
 
-/// They are apart in all of the interval.
+/// The bodies are apart in the whole interval. Proceeds to the next one.
 template <class MeshType>
 void BasicFirstContact<MeshType>::certify() {
   if (at_.near != Cursor::kNever) {
@@ -186,7 +187,7 @@ void BasicFirstContact<MeshType>::certify() {
   }
 }
 
-/// From `time` on.
+/// Continues from `time`.
 template <class MeshType>
 void BasicFirstContact<MeshType>::go_on() {
   const uint32_t left = kMotionEnd - at_.time;
@@ -203,8 +204,8 @@ void BasicFirstContact<MeshType>::end(ContactOutcome outcome) {
   at_.walk = {};
 }
 
-/// A slice of a query, whose cursor is the walk's. `take(query, slots)`:
-/// whether to go on behind a pair.
+/// Runs a slice of a query from the walk's cursor. `take(query, slots)` returns whether the query
+/// goes on after a pair.
 template <class MeshType>
 template <class Query, class Take>
 Status BasicFirstContact<MeshType>::walk(Query&& query, uint32_t& work, const Take& take) {
@@ -264,7 +265,7 @@ void BasicFirstContact<MeshType>::walk_interval(uint32_t& work) {
   if (status == Status::done) {
     certify();
   } else if (status == Status::full || status == Status::distance_out_of_range) {
-    come_near(distance);  // also where they are too far apart for so large a distance
+    come_near(distance);  // also if the bodies are too far apart for a query with this distance
   } else {
     at_.status = status;
   }
@@ -282,8 +283,8 @@ void BasicFirstContact<MeshType>::step(uint32_t& work) {
   }
 }
 
-/// With unlimited work it ends: each step gets on with a walk, cuts an interval that is not the
-/// shortest, or goes on behind one.
+/// Terminates with unlimited work: each step continues a walk, halves an interval that is not the
+/// shortest, or passes one.
 template <class MeshType>
 typename BasicFirstContact<MeshType>::Answer BasicFirstContact<MeshType>::run(uint32_t work) {
   while (at_.status == Status::suspended && work != 0) {
@@ -315,7 +316,7 @@ void BasicFirstContact<MeshType>::pass() {
 
 template <class MeshType>
 Status BasicFirstContact<MeshType>::resume(const Cursor& at) {
-  // Behind an interval that came near, its length still stands there.
+  // After an interval that came near, `step` still holds its length.
   const bool is_behind = at.phase == ContactPhase::at_time;
   const uint32_t longest = is_behind ? kMotionEnd : kMotionEnd - at.time;
   const bool is_even = ((at.time | at.step) & 1) == 0;

@@ -1,4 +1,4 @@
-// Frames that move, in integers; products have 64 bits.
+// Kinematics of moves, in integers with 64-bit products.
 #include "moved_frame.hpp"
 
 #include "../lattice/fixed_point.hpp"
@@ -8,7 +8,7 @@
 namespace flashbvh::detail {
 namespace {
 
-/// About an axis: R = c + s [u] + (1 - c) u u^T, u normalised by one step of Newton's.
+/// Rotation about an axis: R = c + s [u] + (1 - c) u u^T, with u normalised by one Newton step.
 void set_rotation(const Move& move, uint32_t time, int32_t (&rotation)[3][3]) {
   const auto turned = static_cast<uint32_t>((int64_t{move.turn} * time) >> 26);
   const SineCosine at = sine_cosine(turned);
@@ -107,7 +107,7 @@ uint32_t distance_from_axis(const Move& move, const FramePoint& point) {
     const int64_t across = (move.axis[j] * from[k] - move.axis[k] * from[j]) >> 30;
     squared += static_cast<uint64_t>(across * across);
   }
-  // The axis may be short by 2^-14 of its length; 3 for the components, rounded down, and the root.
+  // The axis may be too short by 2^-14 of its length; 3 covers rounding of components and root.
   const uint32_t length = square_root(squared);
   return length + (length >> 13) + 3;
 }

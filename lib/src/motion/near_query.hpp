@@ -1,4 +1,4 @@
-// Whether two bodies are within a distance, from triangles on that were nearest before.
+// Tests whether two bodies are within a distance, with the last nearest triangles as a hint.
 #ifndef FLASHBVH_MOTION_NEAR_QUERY_HPP
 #define FLASHBVH_MOTION_NEAR_QUERY_HPP
 
@@ -8,13 +8,13 @@
 
 namespace flashbvh::detail {
 
-/// Which triangles may be nearer than a limit that does not change: so leaves are batched.
+/// Predicate for triangles that may be nearer than a fixed limit. As the limit is fixed, leaves are
+/// batched.
 template <class Index>
 struct NearAt : Nearest<Index> {
   static constexpr uint32_t kBatch = 4;
 };
 
-/// As of the nearest.
 template <class Index, class Mesh>
 class TriangleTest<NearAt<Index>, Mesh, false> : public TriangleTest<Nearest<Index>, Mesh, false> {
  public:
@@ -22,9 +22,9 @@ class TriangleTest<NearAt<Index>, Mesh, false> : public TriangleTest<Nearest<Ind
       : TriangleTest<Nearest<Index>, Mesh, false>(predicate, a, b, transform) {}
 };
 
-/// Hands every pair of triangles that may be within a distance to a sink: as a search for the
-/// nearest ones, whose limit is known from the begin on. The direction between the hint's triangles
-/// rejects most boxes and leaves before anything is rotated.
+/// Passes each pair of triangles that may be within a distance to a sink. It is a nearest search
+/// whose limit is known from the start. The direction between the hint's triangles rejects most
+/// boxes and leaves before anything is rotated.
 template <class MeshType>
 class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::Index>> {
   using Base = Query<Ranked<MeshType>, NearAt<typename MeshType::Index>>;
@@ -32,8 +32,8 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
  public:
   using Index = typename MeshType::Index;
 
-  /// `distance`: in 1/256 cell, at most Within::kMostShort. `direction`: between triangles that may
-  /// be nearest, or zero.
+  /// `distance`: in 1/256 cell, at most Within::kMostShort. `direction`: between the hint's
+  /// triangles, from A's to B's; or zero.
   NearQuery(const MeshType& a, const MeshType& b, const Pose& pose, uint32_t distance,
             const PackedVector& direction)
       : Base(a, b, pose), direction_(direction), distance_(distance) {}
@@ -50,8 +50,8 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     return {status, 0, work - left};
   }
 
-  /// Whether the pair that the sink has is within the distance: of pairs beyond it, which ones come
-  /// depends on where a run began. Apart, so that no walk has its frame above it.
+  /// Returns whether the sink's current pair is within the distance. Which pairs beyond it are
+  /// passed depends on where a run began. Not inlined: keeps this frame out of the walk's stack.
   FLASHBVH_NOINLINE bool is_pair_within() const {
     Triangle a;
     Triangle b;
@@ -66,7 +66,7 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     NearestSoFar known(this->transform());
     known.limit = limit();
     known.is_short = true;
-    known.turns = 1;  // a limit that planes have not yet
+    known.turns = 1;  // differs from the leaf planes' count, so that they take the limit
     turn(known);
     this->so_far = &known;
     const Status status = this->run_with(
@@ -75,7 +75,7 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
     this->beyond = 0;
     return status;
   }
-  /// The largest squared gap, in cells, that matters.
+  /// The largest squared gap, in square cells, that is not rejected.
   int64_t limit() const {
     return static_cast<int64_t>(uint64_t{distance_} * distance_ / Within::kStepsSquared);
   }
@@ -83,7 +83,7 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
   FLASHBVH_NOINLINE static bool give(const Sink& sink, const TrianglePair<Index>& pair) {
     return sink(pair);
   }
-  /// Apart, so that no walk has its frame above it.
+  /// Not inlined: keeps this frame out of the walk's stack.
   FLASHBVH_NOINLINE void turn(NearestSoFar& known) const {
     if (direction_.xy == 0 && direction_.z == 0) {
       return;

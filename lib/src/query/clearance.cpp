@@ -1,29 +1,29 @@
-// Queries about distance, compiled once.
+// Distance queries, with their explicit instantiations.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 
 namespace flashbvh {
 namespace {
 
-/// A step takes bounded time: of leaves with more triangles the first ones are taken, of nodes with
-/// more children the first ones are looked at.
+/// Limits that bound the time of a step: more triangles of a leaf, or children of a node, are
+/// skipped.
 constexpr uint32_t kMostTaken = 2;
 constexpr uint32_t kMostChildren = 8;
 
-/// Up to UINT32_MAX.
+/// Clamps to UINT32_MAX.
 uint32_t saturated(uint64_t value) {
   return value < UINT32_MAX ? static_cast<uint32_t>(value) : UINT32_MAX;
 }
 
-/// How far from where it lies a B that is out of range is put, at most: in 1/256 cell, up to
-/// UINT32_MAX (Transform::place_far()).
+/// Upper bound on how far Transform::place_far() moves a B that is out of range; in 1/256 cell,
+/// saturates at UINT32_MAX.
 uint32_t brought_near(const Pose& pose, const int32_t (&origin_a)[3],
                       const int32_t (&origin_b)[3]) {
-  // Fractions, of the offset and of the rounded vertices.
+  // Covers the fractions of the offset and of the rounded vertices.
   const int64_t rounded = pose.is_translation() ? 0 : 3;
   detail::Int128 squared = {0, 0};
   for (int axis = 0; axis < 3; ++axis) {
-    int64_t turned = 0;  // 2^30 is a cell; below 2^60
+    int64_t turned = 0;  // in 2^-30 cell; below 2^60
     for (int column = 0; column < 3; ++column) {
       turned += int64_t{pose.rotation(axis, column)} * origin_b[column];
     }
@@ -75,7 +75,8 @@ bool BasicClearanceQuery<MeshType>::is_stale(int64_t squared_gap) const {
       transform.is_rotated()
           ? detail::RotatedGap(transform.rotated(), any).guess(root_a, root_b)
           : detail::WideGap(transform.translated().offset, any).guess(root_a, root_b);
-  // Guesses count in fours of cells. Parts of the meshes' sizes are for one inside the other.
+  // Guesses are in units of 4 cells. A share of each mesh's size is added because one mesh may lie
+  // inside the other.
   const auto part = [](const PackedBox& root) {
     const uint32_t fours = detail::extent(root) >> 5;
     return int64_t{fours} * fours;

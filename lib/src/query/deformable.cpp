@@ -1,4 +1,4 @@
-// Refits, compiled once.
+// Explicit instantiation of deformable meshes.
 #include "flashbvh/deformable.hpp"
 
 namespace flashbvh {

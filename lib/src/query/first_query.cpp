@@ -1,4 +1,4 @@
-// Searches for one pair, compiled once; apart from pair_query.cpp, as programs seldom need both.
+// Explicit instantiation of searches for one pair; programs seldom need pair_query.cpp, too.
 #include "flashbvh/collide.hpp"
 
 namespace flashbvh {

@@ -8,7 +8,7 @@
 #include "../predicates/orientation.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 
-/// Compiled for it, whatever the rest is compiled for.
+/// Compiles a function for AVX2, whatever the target of other functions.
 #define FLASHBVH_AVX2 [[gnu::target("avx2")]]
 
 namespace flashbvh::detail {
@@ -31,7 +31,7 @@ FLASHBVH_AVX2 inline void store(__m256i from, int64_t (&words)[4]) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(words), from);
 }
 
-/// Its six bytes, as halves.
+/// Loads a vertex's six bytes as three 16-bit lanes.
 FLASHBVH_AVX2 inline __m128i load(const Vertex& v) {
   int32_t xy = 0;
   memcpy(&xy, &v, sizeof xy);
@@ -40,7 +40,7 @@ FLASHBVH_AVX2 inline __m128i load(const Vertex& v) {
 FLASHBVH_AVX2 inline __m128i translated(const VertexTransform& by, const Vertex& v) {
   return _mm_add_epi32(_mm_cvtepi16_epi32(load(v)), all_of(by.offset));
 }
-/// As RotatedTransform::transform(), all three axes at once.
+/// RotatedTransform::transform() on all three axes at once.
 FLASHBVH_AVX2 inline __m128i rotated(const VertexTransform& by, const Vertex& v) {
   const __m128i halves = load(v);
   const __m128i xy = _mm_shuffle_epi32(halves, 0x00);
@@ -54,7 +54,7 @@ FLASHBVH_AVX2 inline __m128i rotated(const VertexTransform& by, const Vertex& v)
       kSplitBits);
 }
 
-/// The cross product of each half, which fits 32 bits.
+/// The cross products of both 128-bit halves; components fit 32 bits.
 FLASHBVH_AVX2 inline __m256i cross(__m256i u, __m256i v) {
   constexpr int yzx = 0xC9;
   constexpr int zxy = 0xD2;
@@ -84,7 +84,7 @@ FLASHBVH_AVX2 inline void take(__m128i p, __m128i q, __m128i r, TriangleLanes& t
   store(_mm256_blend_epi32(normal, _mm256_broadcastq_epi64(height), 0xC0), t.plane);
 }
 
-/// On which sides of the plane of `face` the corners of `t` lie.
+/// The sides of the plane of `face` on which the corners of `t` lie.
 FLASHBVH_AVX2 inline Sides sides_of(const TriangleLanes& face, const TriangleLanes& t) {
   const __m256i x = _mm256_mul_epi32(_mm256_set1_epi64x(face.plane[0]), all_of(t.x));
   const __m256i y = _mm256_mul_epi32(_mm256_set1_epi64x(face.plane[1]), all_of(t.y));
@@ -101,7 +101,8 @@ FLASHBVH_AVX2 inline __m256i join(const int32_t (&low)[4], const int32_t (&high)
   return _mm256_inserti128_si256(_mm256_castsi128_si256(all_of(low)), all_of(high), 1);
 }
 
-/// As in triangle.cpp: both determinants at once, that of the high ends in the lower half.
+/// intervals_overlap() of triangle.cpp with both determinants at once; the lower half holds the
+/// determinant of the high ends.
 FLASHBVH_AVX2 inline bool intervals_overlap(const TriangleLanes& a, Sides of_a,
                                             const TriangleLanes& b, Sides of_b) {
   const Tip at = tip_of(of_a);
@@ -128,7 +129,7 @@ Triangle triangle_of(const TriangleLanes& t) {
   const auto at = [&](int i) { return Point{t.corner[i][0], t.corner[i][1], t.corner[i][2]}; };
   return {{at(0), at(1), at(2)}};
 }
-/// Where one lies in the other's plane or lacks area.
+/// For a triangle that lies in the other's plane or has no area.
 [[gnu::noinline, gnu::cold]] bool flat_intersect(const TriangleLanes& a, const TriangleLanes& b) {
   return triangles_intersect(triangle_of(a), triangle_of(b));
 }

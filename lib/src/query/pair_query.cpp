@@ -1,4 +1,4 @@
-// The default queries, compiled once.
+// Explicit instantiation of the default queries.
 #include "flashbvh/query.hpp"
 
 namespace flashbvh {

@@ -1,4 +1,4 @@
-// Rays: the walk of a segment, and the queries on it.
+// Ray queries, and the walk of a segment through a mesh's tree.
 #include "flashbvh/ray.hpp"
 
 #include "../lattice/mesh_frame.hpp"
@@ -11,7 +11,8 @@ namespace flashbvh {
 namespace detail {
 namespace {
 
-/// The segment from the mesh's origin on; from nowhere to nowhere if it can't be.
+/// Returns the segment relative to the mesh's origin; if it is out of range, sets `status` to
+/// `ray_out_of_range`.
 template <class MeshType>
 Segment segment_from_origin(const MeshType& mesh, const Segment& segment, Status& status) {
   Segment moved = {};

@@ -1,4 +1,4 @@
-// A mesh against itself, compiled once.
+// Explicit instantiation of queries of a mesh against itself.
 #include "flashbvh/self.hpp"
 
 namespace flashbvh {

@@ -1,4 +1,4 @@
-// Winding numbers, along z.
+// Winding numbers, counted along +z.
 #include "flashbvh/solid.hpp"
 
 #include "../lattice/mesh_frame.hpp"
@@ -12,14 +12,14 @@ namespace flashbvh {
 namespace detail {
 namespace {
 
-/// 1 or -1 if a triangle is above the point, as it turns to it; 0 if it isn't. The point is not on
-/// the triangle.
+/// Returns 1 or -1, by the triangle's orientation, if the triangle is above the point; else 0. The
+/// point is not on the triangle.
 int crossing(const Triangle& t, const Point& p) {
   const int side = passage(t, p, {0, 0, 1});
   return side_of_plane(t, p) == -side ? side : 0;
 }
 
-/// A mesh in its own lattice.
+/// Leaves a mesh in its own lattice.
 template <class Mesh>
 class Unmoved {
  public:
@@ -33,7 +33,7 @@ class Unmoved {
   const Mesh& mesh_;
 };
 
-/// B where its pose puts it, in A's lattice.
+/// Places B in A's lattice by its pose.
 template <class Mesh>
 class Moved {
  public:
@@ -53,14 +53,14 @@ class Moved {
   RotatedGap rotated_;
 };
 
-/// Whether a box has the point, or something of it is right above it.
+/// Returns whether a box contains the point or has a point straight above it.
 bool may_be_above(const SeenBox& box, const Point& p) {
   return p.x <= box.upper[0] - kBoundBias && -p.x <= box.lower[0] - kBoundBias &&
          p.y <= box.upper[1] - kBoundBias && -p.y <= box.lower[1] - kBoundBias &&
          p.z <= box.upper[2] - kBoundBias;
 }
 
-/// Coordinates of the point are within +-2^17; the mesh is closed.
+/// `p`: coordinates within +-2^17; the mesh is closed.
 template <class Mesh, class Place>
 PointSide find_side(const Mesh& mesh, Place place, const Point& p, uint32_t& visits) {
   int winding = 0;
@@ -88,7 +88,7 @@ PointSide find_side(const Mesh& mesh, Place place, const Point& p, uint32_t& vis
   return winding != 0 ? PointSide::inside : PointSide::outside;
 }
 
-/// Whether a shell of a mesh has its first vertex, moved by `to_point`, inside another one.
+/// Returns whether the first vertex of any shell, placed by `to_point`, is not outside `other`.
 template <class Mesh, class ToPoint, class Other, class Place>
 bool has_shell_inside(const Mesh& mesh, const ToPoint& to_point, const Other& other,
                       const Place& place) {
@@ -134,7 +134,7 @@ Status solids_error(const MeshType& a, const MeshType& b, const Pose& pose) {
   return a.is_closed && b.is_closed ? Status::done : Status::not_closed;
 }
 
-// The two questions of solids_intersect are apart, so that their stacks don't add up.
+// The two tests of solids_intersect are not inlined, so that their stack frames do not add up.
 
 template <class MeshType>
 [[gnu::noinline]] bool has_one_inside(const MeshType& a, const MeshType& b, const Pose& pose) {

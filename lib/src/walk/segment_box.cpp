@@ -1,4 +1,5 @@
-// A segment against boxes: on the axes of the box, and across the segment in each of its planes.
+// Separating-axis test of a segment and boxes: the box's axes, and in each coordinate plane the
+// normal of the segment.
 #include "../predicates/fine_crossing.hpp"
 #include "flashbvh/detail/walk/segment_walk.hpp"
 
@@ -9,8 +10,8 @@ int32_t span_of(int32_t value) {
   return value < 0 ? -value : value;
 }
 
-/// Whether a line through (0, 0) along `way` meets the rectangle about `middle`, both ends of it
-/// `half` away, in any one measure below 2^22.
+/// Returns whether the line through (0, 0) along `way` meets the rectangle with centre `middle` and
+/// half extents `half`. All arguments are in one unit, below 2^22.
 bool meets(int32_t way_u, int32_t way_v, int32_t middle_u, int32_t middle_v, int32_t half_u,
            int32_t half_v) {
   const int64_t aside = int64_t{way_u} * middle_v - int64_t{way_v} * middle_u;
@@ -37,7 +38,7 @@ bool SegmentInBoxes::may_meet(const PackedBox& box) const {
   const int32_t lower[3] = {-unpack_bound(low_half(box.lower_xy)),
                             -unpack_bound(high_half(box.lower_xy)),
                             -unpack_bound(high_half(box.z))};
-  // Twice the box's middle as seen from the start, and its size.
+  // `middle`: twice the vector from the segment's start to the box's centre.
   int32_t middle[3];
   int32_t size[3];
   for (int i = 0; i < 3; ++i) {
@@ -59,7 +60,7 @@ void SegmentInBoxes::shorten(const SegmentShare& along) {
   set_crossing(segment.from, segment.to, along.above, along.above - along.below, fine);
   const int64_t end[3] = {fine.x, fine.y, fine.z};
   for (int i = 0; i < 3; ++i) {
-    // In whole cells rounded down; `fine` is within a step of the end.
+    // Whole cells, rounded down; `fine` is within 1/256 cell of the end.
     const auto cell = static_cast<int32_t>(end[i] >> 8);
     static_assert(kFineOne == 1 << 8, "a cell's steps");
     if (way_[i] < 0) {
