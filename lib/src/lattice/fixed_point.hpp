@@ -1,4 +1,4 @@
-// Products of rotations in fixed point, where kRotationOne is 1.
+// Products of rotations in fixed point; kRotationOne is 1.
 #ifndef FLASHBVH_LATTICE_FIXED_POINT_HPP
 #define FLASHBVH_LATTICE_FIXED_POINT_HPP
 
@@ -12,7 +12,7 @@ constexpr int64_t fixed_product(int32_t u, int32_t v) {
   return static_cast<int64_t>(u) * v;
 }
 
-/// To the nearest, from twice the fraction bits of a rotation, or those of a rotation more.
+/// Drops the fraction bits of a rotation, 30, from a sum of products; rounds to the nearest.
 constexpr int32_t fixed_rounded(int64_t sum) {
   return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
 }

@@ -18,13 +18,13 @@ constexpr uint64_t aligned(uint64_t offset) {
   return (offset + 3) & ~uint64_t{3};
 }
 
-/// The high word of a binary64 that is finite and has no sign: -0 is none, so that equal lengths
-/// have equal bits.
+/// Tests the high word of a binary64: finite and without a sign. -0 is refused, so that equal
+/// lengths have equal bits.
 bool is_finite_unsigned(uint32_t high_word) {
   return high_word < 0x7FF00000u;
 }
 
-/// A positive, finite, normal binary64.
+/// Tests for a positive, finite, normal binary64.
 bool is_length(const uint32_t (&bits)[2]) {
   return is_finite_unsigned(bits[1]) && bits[1] >= 0x00100000u;
 }
@@ -48,8 +48,8 @@ bool flags_fit(const ImageHeader& header) {
   return (header.flags & ~(kImageHasLevels | kImageIsClosed)) == 0 && (has_levels(header) || !pre);
 }
 
-/// Nothing is cut off when counts become indices, and there is a root. What else the format says of
-/// counts follows from the tree: no tree has no leaf, no leaf no triangle, no triangle no vertex.
+/// Checks that counts fit the index type and that there is a root. The check of the tree proves that
+/// there are leaves, triangles and vertices.
 template <class Index>
 bool counts_fit(const ImageHeader& header) {
   constexpr uint32_t most = static_cast<Index>(~Index{0});
@@ -61,12 +61,12 @@ uint64_t level_count(const ImageHeader& header) {
   return has_levels(header) ? header.node_count : 0;
 }
 
-/// One triangle per leaf needs none.
+/// Number of leaf offsets; 0 if each leaf has one triangle.
 uint64_t leaf_offset_count(const ImageHeader& header) {
   return header.leaf_count == header.triangle_count ? 0 : uint64_t{header.leaf_count} + 1;
 }
 
-/// Whether the bytes from `begin` to the next multiple of 4 are zeros.
+/// Returns whether the bytes from `begin` to the next multiple of 4 are zeros.
 bool gap_is_zero(const void* bytes, uint64_t begin) {
   for (uint64_t i = begin; i < aligned(begin); ++i) {
     if (static_cast<const unsigned char*>(bytes)[i] != 0) {
@@ -89,7 +89,7 @@ bool gap_is_zero(const void* bytes, uint64_t begin) {
          gap_is_zero(bytes, at.name + header.name_size);
 }
 
-/// Text: no byte of it is 0.
+/// Returns whether no byte of a name is 0.
 bool is_name(const unsigned char* name, unsigned size) {
   for (unsigned i = 0; i < size; ++i) {
     if (name[i] == 0) {
@@ -99,7 +99,7 @@ bool is_name(const unsigned char* name, unsigned size) {
   return true;
 }
 
-/// The arrays have the sizes that the header says, and are complete; whatever is in them.
+/// Checks the arrays' sizes against the header, the gaps and the name, but not the arrays' content.
 [[gnu::noinline]] bool arrays_fit(const void* bytes, const ImageHeader& header) {
   const ImageOffsets at = image_offsets(header);
   return at.end == header.byte_count && gaps_are_zeros(bytes, header, at) &&
@@ -138,7 +138,8 @@ template <class Index, Layout layout>
   mesh.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
 }
 
-/// Whether there is a header in its place; the copy is gone when the tree is checked.
+/// Checks alignment and header. A function of its own, so that its copy is gone from the stack when
+/// the tree is checked.
 [[gnu::noinline]] Status check_readable(const void* bytes, size_t size) {
   ImageHeader copy;
   return reinterpret_cast<uintptr_t>(bytes) % 4 != 0 ? Status::image_misaligned
@@ -178,7 +179,7 @@ Status open_any(const void* bytes, size_t size, BasicMesh<Index, layout>& mesh) 
 
 namespace detail {
 
-/// The remainder of each four bits by the reflected polynomial 0xEDB88320.
+/// CRC remainder of each 4-bit value, with the reflected polynomial 0xEDB88320.
 constexpr uint32_t kCrcOfNibble[16] = {
     0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u,
     0x4DB26158u, 0x5005713Cu, 0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,

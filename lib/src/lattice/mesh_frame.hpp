@@ -1,4 +1,4 @@
-// From a mesh's frame to its lattice.
+// Transforms points from a mesh's frame to its lattice.
 #ifndef FLASHBVH_LATTICE_MESH_FRAME_HPP
 #define FLASHBVH_LATTICE_MESH_FRAME_HPP
 
@@ -6,8 +6,8 @@
 
 namespace flashbvh::detail {
 
-/// A point of a mesh's frame, anywhere in 32 bits, from the mesh's origin on; false if that is more
-/// than `most` along an axis.
+/// Sets a point of a mesh's frame, any 32-bit values, relative to the mesh's origin. False if it is
+/// beyond `most` along an axis.
 inline bool get_from_origin(const int32_t (&origin)[3], const Point& p, int32_t most,
                             Point& from_origin) {
   const auto fits = [most](int64_t at) { return at >= -most && at <= most; };

@@ -1,4 +1,4 @@
-// Poses: made, checked, composed, inverted. In integers; products of entries have 64 bits.
+// Makes, checks, composes and inverts poses, in integers with 64-bit products.
 #include "flashbvh/pose.hpp"
 
 #if defined(FLASHBVH_POSE_SSE2)
@@ -10,7 +10,7 @@ namespace {
 
 using detail::kDefectBits;
 
-/// Fraction bits: of a rotation given, of one kept, of a fraction of a cell.
+/// Fraction bits of a given rotation, of a stored rotation and of a fraction of a cell.
 constexpr unsigned kGivenBits = 30;
 constexpr unsigned kKeptBits = detail::kRotationBits;
 constexpr unsigned kCellBits = 16;
@@ -22,18 +22,18 @@ static_assert(kRotationOne == 1 << kGivenBits, "one meaning of one");
 /// The tolerance, in 2^-kDefectBits.
 constexpr uint32_t kMaxEntryDefect = static_cast<uint32_t>(kTolerance) << (kDefectBits - kKeptBits);
 
-/// A product's entries are rounded by 2^-23 each, F. (AB + F)^T (AB + F) - 1 then has F^T A B and
-/// its transpose more, and the norm of F is at most 3 * 2^-23: 6 * 2^-23 times the norms of A and
-/// B, which the tolerance keeps below 1 + 2^-11.
+/// Rounding moves each entry of a product by up to 2^-23; F is the matrix of these errors, with a
+/// norm of at most 3 * 2^-23. It adds F^T A B and its transpose to (AB + F)^T (AB + F) - 1: 6 *
+/// 2^-23 times the norms of A and B, which the tolerance keeps below 1 + 2^-11.
 constexpr uint32_t kRoundingDefect = 13;
 static_assert(kRoundingDefect > (6 << kDefectBits >> 23), "6 * 2^-23 and a little");
-/// The sum of two defects is above this only after many products, or of coarse matrices: a margin
-/// of 3/4 cell at most on the largest lattice.
+/// Only many products or coarse matrices exceed this sum of two defects. It adds a margin of at most
+/// 3/4 cell on the largest lattice.
 constexpr uint32_t kMaxSummedDefect = 1 << (kDefectBits - 16);
 
 using Entries = int32_t[3][3];
 
-/// Ties go up.
+/// Drops `bits` fraction bits; ties go up.
 constexpr int64_t shifted_rounded(int64_t value, unsigned bits) {
   return (value + (int64_t{1} << (bits - 1))) >> bits;
 }
@@ -50,7 +50,7 @@ constexpr int64_t long_product(int32_t u, int32_t v) {
   return long_product(u[0], v[0]) + long_product(u[1], v[1]) + long_product(u[2], v[2]);
 }
 
-/// The magnitude of an entry of R^T R - 1, in 2^-kDefectBits, rounded up. Entries given are below
+/// The magnitude of an entry of R^T R - 1, in 2^-kDefectBits, rounded up. Given entries are below
 /// 2, so it is below 2^28.
 [[gnu::noinline]] uint32_t deviation(const Entries& r, int j, int k) {
   const int64_t one = j == k ? long_product(kOne, kOne) : 0;
@@ -60,8 +60,8 @@ constexpr int64_t long_product(int32_t u, int32_t v) {
   return static_cast<uint32_t>((square + (int64_t{1} << drop) - 1) >> drop);
 }
 
-/// Whether the determinant of an orthogonal matrix is -1 rather than 1: each cofactor is then minus
-/// its entry. Of a row's entries one is at least 0.57 large, so signs decide.
+/// Returns whether the determinant of an orthogonal matrix is -1, not 1: each cofactor is then minus
+/// its entry. One entry of a row is at least 0.57 in magnitude, so signs decide.
 inline bool mirrors(const Entries& r) {
   const int32_t sizes[2] = {r[0][0] < 0 ? -r[0][0] : r[0][0], r[0][1] < 0 ? -r[0][1] : r[0][1]};
   constexpr int32_t half = kOne / 2;
@@ -74,8 +74,8 @@ inline bool mirrors(const Entries& r) {
 
 constexpr uint32_t kNoRotation = UINT32_MAX;
 
-/// A bound on the spectral norm of R^T R - 1, in 2^-kDefectBits: a symmetric matrix's largest sum
-/// of a row's magnitudes is one. kNoRotation if an entry is beyond the tolerance.
+/// Upper bound on the spectral norm of R^T R - 1, in 2^-kDefectBits: the largest sum of a row's
+/// magnitudes, as the matrix is symmetric. kNoRotation if an entry is beyond the tolerance.
 [[gnu::noinline]] uint32_t defect_of(const Entries& r) {
   const auto greater = [](uint32_t u, uint32_t v) { return u > v ? u : v; };
   const uint32_t xy = deviation(r, 0, 1);
@@ -90,7 +90,7 @@ constexpr uint32_t kNoRotation = UINT32_MAX;
   return greater(x + xy + xz, greater(y + xy + yz, z + xz + yz));
 }
 
-/// Whether R is the identity, to the last bit.
+/// Returns whether R is exactly the identity.
 inline bool is_identity(const Entries& r) {
   return ((r[0][0] ^ kOne) | (r[1][1] ^ kOne) | (r[2][2] ^ kOne) | r[0][1] | r[0][2] | r[1][0] |
           r[1][2] | r[2][0] | r[2][1]) == 0;
@@ -121,7 +121,7 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
 
 #else
 
-/// An entry given, to kKeptBits; halves up, in 32 bits.
+/// Rounds a given entry to kKeptBits in 32-bit arithmetic; halves go up.
 constexpr int32_t kept_of(int32_t given) {
   return ((given >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
 }
@@ -210,14 +210,14 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
 [[gnu::noinline]] void Pose::set_translation(const Entries& left, const int32_t (&cells)[3],
                                              const int32_t (&fraction)[3], const Pose* added_to) {
   for (int i = 0; i < 3; ++i) {
-    // Whole cells and fractions apart: together they would take more than 64 bits.
+    // Whole cells and fractions are summed apart: together they would take more than 64 bits.
     int64_t whole = dot(left[i], cells);
     int64_t part = dot(left[i], fraction);
     if (added_to != nullptr) {
       whole += long_product(added_to->cells_[i], kOne);
       part += long_product(added_to->fraction_[i], kOne);
     }
-    // What the cells have beyond whole ones goes to the fractions.
+    // Adds the fraction bits of the cells' sum to the fractions.
     part += (whole & (kOne - 1)) * (1 << kCellBits);
     const int64_t fine_part = shifted_rounded(part, kKeptBits);
     const int64_t carry = shifted_rounded(fine_part, kCellBits);

@@ -1,4 +1,4 @@
-// Poses of floats with SSE2; elsewhere float.hpp makes them of integers alone.
+// Poses from floats with SSE2; without SSE2, float.hpp computes them in integers alone.
 #include "flashbvh/detail/lattice/float_parts.hpp"
 
 #if defined(FLASHBVH_POSE_SSE2)
@@ -8,8 +8,8 @@
 namespace flashbvh::detail {
 namespace {
 
-/// Translates a pose and returns true, unless that is out of range, no number, or of a
-/// `cells_per_unit` so far from 1 that subnormal numbers count, which this core may take for 0.
+/// Translates a pose and returns true. False if the translation is out of range or not a number, or
+/// if `cells_per_unit` is so far from 1 that subnormals matter, which this core may flush to 0.
 FLASHBVH_INLINE inline bool translate(Pose& pose, float x, float y, float z, float cells_per_unit) {
   constexpr uint32_t least = 0x0D800000;  // 2^-100
   constexpr uint32_t most = 0x71800000;   // 2^100
@@ -24,7 +24,7 @@ FLASHBVH_INLINE inline bool translate(Pose& pose, float x, float y, float z, flo
   const __m128d zz = half_added(_mm_mul_pd(_mm_cvtps_pd(_mm_set1_ps(z)), scale));
   // INT64_MIN where it does not fit.
   const auto truncated = [](__m128d v) { return static_cast<uint64_t>(_mm_cvttsd_si64(v)); };
-  // Halves of cells go up; raised, all that is in range is positive.
+  // Half cells round up; after the addition, every value in range is positive.
   constexpr uint64_t raised = (uint64_t{kMaxTranslation} << 16) + 0x8000;
   const uint64_t along_x = truncated(xy) + raised;
   const uint64_t along_y = truncated(_mm_unpackhi_pd(xy, xy)) + raised;
@@ -38,7 +38,7 @@ FLASHBVH_INLINE inline bool translate(Pose& pose, float x, float y, float z, flo
   return true;
 }
 
-// For what is refused above, mostly with an error. Kept out of line: these need registers saved.
+// For input that is refused above, mostly an error. Not inlined: these functions save registers.
 [[gnu::noinline, gnu::cold]] Pose by_parts(const float (&rotation)[3][3],
                                            const float (&translation)[3], float cells_per_unit) {
   return pose_of_parts(rotation, translation, cells_per_unit);
@@ -51,7 +51,7 @@ inline __m128 floats_of(float x, float y, float z) {
   return _mm_set_ps(0, z, y, x);
 }
 
-/// Rotates a pose; false, and nothing is done, if these are no rotation's rows.
+/// Rotates a pose; false, without changing it, if these are not the rows of a rotation.
 FLASHBVH_INLINE inline bool rotate(Pose& pose, __m128 row0, __m128 row1, __m128 row2) {
   const GivenLanes u(row0);
   const GivenLanes v(row1);

@@ -1,10 +1,9 @@
-// Poses made with SSE2: a row of the rotation a register, an entry a lane. Every result is that of
-// pose.cpp's plain form and of float_parts.hpp, bit for bit: in the 53 bits of a lane of 64 all
-// sums and products here are exact, whatever the rounding mode is, and a float is rounded by
-// truncation.
+// Makes poses with SSE2: one row of the rotation per register, one entry per lane. Results equal
+// those of pose.cpp's plain form and of float_parts.hpp, bit for bit: all sums and products are
+// exact in a double's 53 bits, in any rounding mode, and floats are rounded by truncation.
 //
-// What a caller stored is loaded number by number. It was often stored so a moment ago, and a load
-// of more than one store wrote waits until the stores have left the core.
+// The caller's numbers are loaded one by one, as they were probably just stored: a load that spans
+// several stores waits until these have left the core.
 #ifndef FLASHBVH_LATTICE_POSE_SSE2_HPP
 #define FLASHBVH_LATTICE_POSE_SSE2_HPP
 
@@ -15,7 +14,7 @@
 
 namespace flashbvh::detail {
 
-/// The rows of a matrix: x, y, z and 0. No array, which compilers keep in memory.
+/// The rows of a matrix: x, y, z and 0. Not an array, which compilers would keep in memory.
 struct MatrixLanes {
   __m128i row0;
   __m128i row1;
@@ -26,33 +25,33 @@ inline __m128i lanes_of(int32_t x, int32_t y, int32_t z) {
   return _mm_set_epi32(0, z, y, x);
 }
 
-/// Entries with 30 fraction bits, to kRotationBits; halves up.
+/// Rounds entries with 30 fraction bits to kRotationBits; halves go up.
 inline __m128i kept_lanes(__m128i given) {
   constexpr int dropped = 30 - static_cast<int>(kRotationBits);
   return _mm_srai_epi32(_mm_add_epi32(_mm_srai_epi32(given, dropped - 1), _mm_set1_epi32(1)), 1);
 }
 
-/// By bits: to a compiler with -fno-signed-zeros -0.0 may be 0.
+/// Made from bits: with -fno-signed-zeros a compiler may replace -0.0 by 0.
 inline __m128d sign_bits() {
   return _mm_castsi128_pd(_mm_set1_epi64x(INT64_MIN));
 }
 
-/// Two numbers, so that truncating them rounds to the nearest, halves away from zero. Exact but for
-/// numbers so small that they are truncated to 0.
+/// Adds 1/2 to the magnitudes of two numbers, so that truncation rounds to the nearest, halves away
+/// from zero. Exact, except for numbers so small that they are truncated to 0.
 inline __m128d half_added(__m128d value) {
   const __m128d sign = _mm_and_pd(value, sign_bits());
   return _mm_add_pd(value, _mm_or_pd(sign, _mm_set1_pd(0.5)));
 }
 
-/// rotation_entry() of four floats, if they are numbers below 2; else INT32_MIN is in `whole`.
+/// rotation_entry() of four floats below 2 in magnitude; for others `whole` holds INT32_MIN.
 struct GivenLanes {
   __m128i whole;  ///< truncated
   __m128i nearest;
 
   explicit GivenLanes(__m128 row) {
     whole = _mm_cvttps_epi32(_mm_mul_ps(row, _mm_set1_ps(kRotationOne)));
-    // A half or more is left where twice the number is one more than twice the whole. From 1 on,
-    // where twice the number does not fit, nothing is left.
+    // The fraction is 1/2 or more if twice the number, truncated, exceeds twice `whole` by one.
+    // Numbers from 1 on, whose double does not fit, have no fraction.
     const __m128i twice = _mm_cvttps_epi32(_mm_mul_ps(row, _mm_set1_ps(2.0f * kRotationOne)));
     const __m128i fits_not = _mm_cmpeq_epi32(twice, _mm_set1_epi32(INT32_MIN));
     const __m128i left = _mm_sub_epi32(twice, _mm_add_epi32(whole, whole));
@@ -60,11 +59,11 @@ struct GivenLanes {
   }
 };
 
-/// Whether the matrix is the identity, to the last bit, and no lane of `wrong` has a bit.
+/// Returns whether the matrix is exactly the identity and all bits of `wrong` are 0.
 inline bool is_identity(const MatrixLanes& r, __m128i wrong) {
   constexpr int one = 1 << kRotationBits;
   if (_mm_cvtsi128_si32(r.row0) != one) {
-    return false;  // nearly all others
+    return false;  // nearly all matrices
   }
   const __m128i off = _mm_or_si128(_mm_or_si128(_mm_xor_si128(r.row0, lanes_of(one, 0, 0)), wrong),
                                    _mm_or_si128(_mm_xor_si128(r.row1, lanes_of(0, one, 0)),
@@ -72,8 +71,7 @@ inline bool is_identity(const MatrixLanes& r, __m128i wrong) {
   return _mm_movemask_epi8(_mm_cmpeq_epi32(off, _mm_setzero_si128())) == 0xFFFF;
 }
 
-/// The determinant, of rotations about 1 or -1: its sign counts, for which floats do. In the first
-/// lane.
+/// The determinant, in the first lane. It is about 1 or -1 and only its sign counts, so floats do.
 inline __m128i determinant(const MatrixLanes& r) {
   const __m128 row0 = _mm_cvtepi32_ps(r.row0);
   const __m128 row1 = _mm_cvtepi32_ps(r.row1);
@@ -86,8 +84,8 @@ inline __m128i determinant(const MatrixLanes& r) {
   return _mm_castps_si128(_mm_add_ss(xz, _mm_shuffle_ps(terms, terms, 1)));
 }
 
-/// Entries of R^T R - 1, two a register: magnitudes in 2^-kDefectBits, rounded up. `one`: what the
-/// sums have beyond.
+/// Two entries of R^T R - 1: magnitudes in 2^-kDefectBits, rounded up. `one`: subtracted from the
+/// sums.
 inline __m128i deviations(__m128d sums, __m128d one) {
   constexpr int32_t unit = 1 << (2 * kRotationBits - kDefectBits);
   const __m128d size = _mm_andnot_pd(sign_bits(), _mm_sub_pd(sums, one));
@@ -110,10 +108,10 @@ struct RowProducts {
   }
 };
 
-/// A bound on the norm of R^T R - 1, as pose.cpp has it.
+/// Upper bound on the norm of R^T R - 1, as in pose.cpp.
 struct ProofLanes {
-  __m128i defect;  ///< in the first lane, if nothing is over
-  __m128i over;    ///< all bits of each lane that is beyond `most`
+  __m128i defect;  ///< in the first lane; valid if `over` is 0
+  __m128i over;    ///< all bits set in each lane that is beyond `most`
 
   FLASHBVH_INLINE ProofLanes(const MatrixLanes& r, int32_t most) {
     const RowProducts u(r.row0);
@@ -128,10 +126,10 @@ struct ProofLanes {
     const __m128i xy_zz = deviations(sum(u.xy_zz, v.xy_zz, w.xy_zz), _mm_set_pd(one, 0));
     const __m128i xy_xy = _mm_shuffle_epi32(xy_zz, _MM_SHUFFLE(3, 3, 0, 0));
     const __m128i yz_xz = _mm_shuffle_epi32(xz_yz, _MM_SHUFFLE(3, 3, 0, 1));
-    // Rows x and y; and in the second lane row z.
+    // `of_x_y` holds rows x and y; the second lane of `of_z` holds row z.
     const __m128i of_x_y = _mm_add_epi32(_mm_add_epi32(xx_yy, xz_yz), xy_xy);
     const __m128i of_z = _mm_add_epi32(_mm_add_epi32(xz_yz, yz_xz), xy_zz);
-    // 16 bits suffice where nothing is over.
+    // 16 bits suffice if no entry is over.
     const __m128i second = _mm_srli_epi64(_mm_max_epi16(of_x_y, of_z), 32);
     defect = _mm_max_epi16(of_x_y, second);
     over = _mm_or_si128(_mm_cmpgt_epi32(_mm_unpacklo_epi64(xx_yy, xz_yz), _mm_set1_epi32(most)),
@@ -139,7 +137,7 @@ struct ProofLanes {
   }
 };
 
-/// SplitRow::of() of a row's coarse entries, and 0.
+/// SplitRow::of() of a row's coarse entries, followed by 0.
 inline __m128i split_lanes(__m128i row) {
   const __m128i half = _mm_set1_epi32(1 << (kRestBits - 1));
   const __m128i coarse = _mm_srai_epi32(_mm_add_epi32(row, half), kRestBits);
@@ -149,11 +147,11 @@ inline __m128i split_lanes(__m128i row) {
   return _mm_max_epi16(ordered, _mm_setzero_si128());
 }
 
-/// Nine lanes in a row, of three rows of three and a 0.
+/// Nine consecutive words, from three rows of three words and a 0.
 struct NineLanes {
   __m128i first;
   __m128i second;
-  __m128i last;  ///< and three of 0
+  __m128i last;  ///< one word and three zeros
 
   NineLanes(__m128i u, __m128i v, __m128i w)
       : first(_mm_or_si128(u, _mm_slli_si128(v, 12))),
@@ -162,7 +160,7 @@ struct NineLanes {
         last(_mm_srli_si128(w, 8)) {}
 };
 
-/// RotationMatrix::rest, in the first nine bytes: each entry's lowest byte, as it is; 0 after them.
+/// RotationMatrix::rest in the first nine bytes: each entry's lowest byte. Other bytes are 0.
 inline __m128i rest_bytes(const MatrixLanes& r) {
   const NineLanes entries(r.row0, r.row1, r.row2);
   const auto bytes = [](__m128i v) { return _mm_and_si128(v, _mm_set1_epi32(0xFF)); };
@@ -170,8 +168,8 @@ inline __m128i rest_bytes(const MatrixLanes& r) {
                           _mm_packs_epi32(bytes(entries.last), _mm_setzero_si128()));
 }
 
-/// Three whole stores: what loads any member finds it in one of them. The defect, which takes twice
-/// as long to come, is stored apart, so that a query's first test need not wait for it.
+/// Stores the matrix in three vectors, so that each member can be loaded from one of them. The
+/// defect takes twice as long, so it is stored apart: a query's first test need not wait for it.
 FLASHBVH_INLINE inline void store(const MatrixLanes& r, __m128i defect, RotationMatrix& matrix) {
   static_assert(sizeof matrix == 48 && sizeof matrix.rows == 36 && sizeof matrix.rest == 9 &&
                 sizeof matrix.defect == 2);
@@ -183,13 +181,13 @@ FLASHBVH_INLINE inline void store(const MatrixLanes& r, __m128i defect, Rotation
   matrix.defect = static_cast<uint16_t>(_mm_cvtsi128_si32(defect));
 }
 
-/// Makes poses of lanes.
+/// Makes poses from lanes.
 struct PoseOfLanes {
   /// The largest deviation of an entry, in 2^-kDefectBits: pose.cpp's kMaxEntryDefect.
   static constexpr int32_t kMaxDeviation = kRotationTolerance >> (30 - kDefectBits);
 
-  /// Rotates a translation; false, and nothing is done, if it is no rotation, or if a lane of
-  /// `wrong` has a bit. Entries have kRotationBits.
+  /// Adds a rotation to a translation. False, without changing it, if `r` is not a rotation or a bit
+  /// of `wrong` is set. Entries have kRotationBits.
   FLASHBVH_INLINE static bool rotate(Pose& pose, const MatrixLanes& r, __m128i wrong) {
     if (is_identity(r, wrong)) {
       return true;
@@ -204,8 +202,8 @@ struct PoseOfLanes {
     return true;
   }
 
-  /// Translates along an axis, within the range; `raised`: in 1/65,536 cell, from kMaxTranslation
-  /// and a half below 0 on.
+  /// Translates along an axis, within the range. `raised`: in 1/65,536 cell, plus kMaxTranslation
+  /// and half a cell.
   FLASHBVH_INLINE static void translate(Pose& pose, int axis, uint64_t raised) {
     pose.cells_[axis] = static_cast<int32_t>(raised >> 16) - kMaxTranslation;
     pose.fraction_[axis] = static_cast<int16_t>(raised - 0x8000);

@@ -1,5 +1,4 @@
-// What the check of a mesh learns of its triangles: the longest edge, and whether the surface is
-// closed.
+// Measures a mesh's triangles for its check: the longest edge, and whether the surface is closed.
 #ifndef FLASHBVH_LATTICE_SURFACE_HPP
 #define FLASHBVH_LATTICE_SURFACE_HPP
 
@@ -9,14 +8,14 @@
 
 namespace flashbvh::detail {
 
-/// A surface is closed if each edge is run through as often one way as the other: then a point's
-/// winding number is the same along every ray. Decided by a sum over all edges (u, v) of
-/// g(u) h(v) - g(v) h(u), where g and h make numbers of vertices that look random: 0 if it is
-/// closed, and otherwise, short of bad intent, by a chance below 2^-26: of numbers that are random
-/// the sum is linear in one vertex's g, whose factor is a multiple of 2^k by a chance of 2^-k.
+/// A surface is closed if each edge runs as often in either direction: then a point's winding number
+/// is equal along every ray. The test sums g(u) h(v) - g(v) h(u) over all edges (u, v), with g and h
+/// hashes of vertices. The sum is 0 if the surface is closed. Otherwise it is 0 with a chance below
+/// 2^-26, short of bad intent: for random hashes the sum is linear in one vertex's g, whose factor
+/// is a multiple of 2^k with a chance of 2^-k.
 class Surface {
  public:
-  /// A triangle: the vertices p, q and r, and their indices.
+  /// Adds a triangle with vertices p, q, r, whose indices are u, v, w.
   void add(uint32_t u, uint32_t v, uint32_t w, const Vertex& p, const Vertex& q, const Vertex& r) {
     measure(p, q);
     measure(q, r);
@@ -29,7 +28,7 @@ class Surface {
 
   bool is_closed() const { return sum_ == 0; }
 
-  /// In cells, rounded up: at most 2 * kMaxCoordinate * sqrt(3).
+  /// The longest edge in cells, rounded up; at most 2 * kMaxCoordinate * sqrt(3).
   uint32_t longest_edge() const {
     uint32_t root = 0;
     for (uint32_t bit = 1u << 15; bit != 0; bit >>= 1) {
@@ -40,7 +39,7 @@ class Surface {
   }
 
  private:
-  /// Of a vertex.
+  /// Two hashes of a vertex's index.
   struct Numbers {
     uint32_t g;
     uint32_t h;
@@ -59,7 +58,7 @@ class Surface {
     longest_squared_ = squared > longest_squared_ ? squared : longest_squared_;
   }
 
-  /// Three of them stay below 2^32: 3 * (2 * kMaxCoordinate)^2.
+  /// Three squares add up to less than 2^32: 3 * (2 * kMaxCoordinate)^2.
   static uint32_t square(int32_t difference) {
     return static_cast<uint32_t>(difference) * static_cast<uint32_t>(difference);
   }

@@ -1,13 +1,13 @@
-// The proof that queries on a tree stay in bounds and end.
+// Checks that queries on a tree stay in bounds and terminate.
 //
-// Nodes are taken in array order, in which a node stands before its subtree. After an internal node
-// comes its child (the first in a pre-indexed tree, the last in a post-indexed one); after a leaf
-// comes a sibling of the leaf or of one of its ancestors, found by climbing. Each node is entered
-// once and left once, so the pass is linear; all that it reads was checked before, so it is safe on
-// any bytes; and it keeps a few words of state.
+// The check visits nodes in array order, in which a node precedes its subtree. After an internal
+// node comes its child (the first in a pre-indexed tree, the last in a post-indexed one). After a
+// leaf comes a sibling of the leaf or of an ancestor, found by climbing. Each node is entered and
+// left once, so the pass is linear. It reads only checked values, so it is safe on any bytes; it
+// keeps a few words of state.
 //
-// Of a post-indexed tree the links alone say all: the sibling that a node follows in array order is
-// its link. A pre-indexed tree is climbed by its parents.
+// A post-indexed tree needs only its links: a node's link is the sibling that precedes it in array
+// order. A pre-indexed tree is climbed by its parents.
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "surface.hpp"
@@ -15,13 +15,13 @@
 namespace flashbvh::detail {
 namespace {
 
-/// No bound beyond the lattice. That bounds are no zeros, and lower ones not above upper ones,
-/// follows: each box is a leaf's or contains a child's, and leaves' boxes contain triangles.
+/// True if no bound lies beyond the lattice. Bounds are then not 0, and lower bounds not above upper
+/// bounds, because leaves' boxes contain triangles and other boxes contain a child's box.
 bool is_on_lattice(const PackedBox& box) {
   return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
 }
 
-/// Of boxes on the lattice, whose halves have a spare bit that no difference needs.
+/// For boxes on the lattice: their halves have a spare bit, so packed differences do not borrow.
 bool is_inside(const PackedBox& inner, const PackedBox& outer) {
   constexpr uint32_t spare = 0x80008000u;
   const uint32_t reach = ((outer.upper_xy | spare) - inner.upper_xy) &
@@ -35,7 +35,7 @@ class Checker {
   static constexpr bool kPre = layout == Layout::pre_indexed;
 
  public:
-  /// `shape` is written as the check goes on.
+  /// The check writes to `shape` while it runs.
   Checker(const BasicMesh<Index, layout>& tree, const ImageLevels<Index>& levels, TreeShape& shape)
       : tree_(tree), levels_(levels), leaves_(0), shape_(shape) {
     shape = {0, 0, 0, 0, 0, false};
@@ -84,7 +84,7 @@ class Checker {
     return node.link == tree_.node_count && rank && levels;
   }
 
-  /// There is one at least, and each has a triangle of its own, which is not looked for.
+  /// Checks that there is a shell, and that their vertices ascend. Does not search their triangles.
   FLASHBVH_NOINLINE bool shells() const {
     if (tree_.shell_count == 0) {
       return false;
@@ -103,19 +103,19 @@ class Checker {
   /// Pre-indexed: the parent; post-indexed: the right child level.
   uint32_t climb(uint32_t node) const { return levels_.climb[node]; }
 
-  /// What can be checked of a node by itself.
+  /// Checks a node by itself, without its parent.
   bool node(uint32_t i) {
     const Node<Index>& node = tree_.nodes[i];
     return is_on_lattice(node.box) && (node.is_leaf() ? leaf(node) : has_ranks(node));
   }
 
-  /// Two ranks and nothing between them.
+  /// Checks that a node's data holds two ranks, with zeros between them.
   static bool has_ranks(const Node<Index>& node) {
     constexpr Index ends = static_cast<Index>((Index{0xFF} << (Node<Index>::kBits - 8)) | 0xFF);
     return node.rank() >= 1 && node.rank() <= kMaxRank && (node.data & ends) == node.data;
   }
 
-  /// Leaves count up in array order; so do their triangles, which lie in the leaf's box.
+  /// Checks that leaves and their triangles ascend in array order, and that the box contains them.
   bool leaf(const Node<Index>& node) {
     if (node.leaf() != leaves_ || leaves_ == tree_.leaf_count) {
       return false;
@@ -176,10 +176,9 @@ class Checker {
     }
   }
 
-  /// Climbs from `node` to its ancestor at `place`, a level of a pre-indexed tree, an index of a
-  /// post-indexed one, checking each parent on the way once all its children are done. `next` is
-  /// the node that follows in array order: what a pre-indexed tree's links of all nodes that are
-  /// left must be, so that is where each link is checked.
+  /// Climbs from `node` to its ancestor at `place`: a level of a pre-indexed tree, an index of a
+  /// post-indexed one. Checks each parent on the way, whose children are then complete. `next` is
+  /// the next node in array order: in a pre-indexed tree, all nodes that are left must link to it.
   bool leave_to(uint32_t& node, uint32_t place, uint32_t next) const {
     if (kPre && tree_.nodes[node].link != next) {
       return false;
@@ -230,7 +229,7 @@ class Checker {
     }
   }
 
-  /// Depth, stack need and arity. Only on a tree whose links are proven.
+  /// Measures depth, stack need and arity. The tree's links must be checked.
   FLASHBVH_NOINLINE void measure_children() {
     uint32_t pending = 0;
     uint32_t depth = 0;
@@ -253,14 +252,14 @@ class Checker {
     }
   }
 
-  /// Of a node, and one above the leaf before it, or that leaf.
+  /// `above`: the leaf before `node`, or an ancestor of that leaf.
   bool are_siblings(uint32_t above, uint32_t node) const {
     return kPre ? level(above) == level(node) : tree_.nodes[node].link == above;
   }
 
   static uint32_t greater(uint32_t u, uint32_t v) { return u > v ? u : v; }
 
-  /// Children of a node, less one.
+  /// Number of a node's children, less one.
   uint32_t later_siblings(uint32_t parent) const {
     uint32_t count = 0;
     for (uint32_t child = tree_.first_child(parent); !tree_.is_last_child(parent, child);
@@ -280,8 +279,8 @@ class Checker {
 
   const BasicMesh<Index, layout>& tree_;
   const ImageLevels<Index>& levels_;
-  uint32_t leaves_;  ///< passed so far
-  Surface surface_;  ///< of their triangles
+  uint32_t leaves_;  ///< number of leaves checked
+  Surface surface_;  ///< of these leaves' triangles
   TreeShape& shape_;
 };
 

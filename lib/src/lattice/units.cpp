@@ -1,4 +1,4 @@
-// Products of a number of cells and the cell's length, exact in 128 bits, rounded once.
+// Multiplies a number of cells by the cell's length, exactly in 128 bits, and rounds once.
 #include "flashbvh/units.hpp"
 
 namespace flashbvh {
@@ -11,7 +11,7 @@ struct Wide {
   int32_t exponent;
 };
 
-/// digits * 2^exponent; 53 digits, the first of them 1.
+/// digits * 2^exponent; 53 bits, the first of them 1.
 struct Cell {
   uint64_t digits;
   int32_t exponent;
@@ -32,7 +32,7 @@ void multiply(Wide& wide, uint32_t factor) {
   wide.low = (middle << 32) | (low & UINT32_MAX);
 }
 
-/// |fine| cells of this length; below 2^92.
+/// |fine| / 256 cells of this length; the two words are below 2^92.
 Wide wide_product(int64_t fine, uint64_t cell_bits) {
   const uint64_t size = static_cast<uint64_t>(fine < 0 ? -fine : fine);
   const Cell cell = cell_of(cell_bits);
@@ -45,7 +45,8 @@ Wide wide_product(int64_t fine, uint64_t cell_bits) {
   return wide;
 }
 
-/// Of the two words, down by `bits`, to the nearest, ties to even. The result has 64 bits at most.
+/// Shifts the two words down by `bits`; rounds to the nearest, ties to even. The result must fit 64
+/// bits.
 uint64_t shifted_down(const Wide& wide, int32_t bits) {
   if (bits <= 0 || bits > 127) {
     return bits <= 0 ? wide.low : 0;
@@ -56,7 +57,7 @@ uint64_t shifted_down(const Wide& wide, int32_t bits) {
   const int32_t down = by_word ? bits - 64 : bits;  // 1 to 64
   const int32_t up = 64 - down;
   const uint64_t kept = up == 0 ? high : high << up | low >> down;
-  const uint64_t cut = low << up;  // from the half on
+  const uint64_t cut = low << up;  // the dropped bits; the top one is a half
   const bool more = (cut << 1) != 0 || (by_word && wide.low != 0) || (kept & 1) != 0;
   return kept + ((cut >> 63) != 0 && more ? 1 : 0);
 }
@@ -70,7 +71,7 @@ int32_t leading_bit(const Wide& wide) {
   return bit;
 }
 
-/// The bits of the nearest binary32; infinity beyond them.
+/// The bits of the nearest binary32; infinity on overflow.
 uint32_t float_bits(const Wide& wide) {
   if ((wide.high | wide.low) == 0) {
     return 0;
@@ -107,8 +108,7 @@ uint32_t length_bits(int64_t fine, uint64_t cell_bits) {
   return float_bits(wide_product(fine, cell_bits)) | (fine < 0 ? 0x80000000u : 0u);
 }
 
-/// By restoring division: 2^84 / digits has 32 or 33 bits, and the remainder shows that there is no
-/// tie.
+/// Restoring division: 2^84 / digits has 32 or 33 bits; the remainder excludes a tie.
 uint32_t cells_per_unit_bits(uint64_t cell_bits) {
   constexpr unsigned kQuotientBits = 32;
   const Cell cell = cell_of(cell_bits);

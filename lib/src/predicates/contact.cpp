@@ -1,16 +1,15 @@
-// Where two triangles intersect.
+// The contact of two triangles that intersect.
 //
 // General case: each triangle intersects the plane of the other one, and so the line common to both
 // planes, in an interval that ends on two of its edges (triangle.cpp). The common part runs from
-// the later one of the two lower ends to the earlier one of the two upper ends. Which these are is
-// decided by the signs of determinants; only their coordinates are rounded.
+// the later of the two lower ends to the earlier of the two upper ends. Signs of determinants
+// decide which ends these are; only coordinates are rounded.
 //
-// The rest, as in triangle.cpp, is decided by the sides of the planes alone: a segment that
-// crosses the plane of a triangle does so in one point; all else lies in one plane
-// (contact_flat.hpp).
+// Degenerate cases, as in triangle.cpp, are told apart by the sides of the planes. A segment
+// crosses the plane of a triangle in one point; all else lies in one plane (contact_flat.hpp).
 //
-// Invariant: only differences of corners are multiplied, so the place never matters, and each value
-// is exact up to fine_crossing.hpp.
+// Invariant: only differences of corners are multiplied, so their position never matters. Each
+// value is exact up to fine_crossing.hpp.
 #include "flashbvh/triangle.hpp"
 
 #include "contact_flat.hpp"
@@ -30,7 +29,7 @@ static_assert(INT64_MAX / kFarthest / kFarthest / kFarthest >= 6,
   return detail::normal_of<Normal>(t);
 }
 
-/// Of a point above a plane through `base`, times the length of the normal.
+/// Height of a point above the plane through `base`, times the length of the normal.
 [[gnu::noinline]] int64_t height_of(const Point& p, const Point& base, const Normal& normal) {
   return dot(normal, difference(p, base));
 }
@@ -60,16 +59,16 @@ struct Edge {
   bool of_b;
 };
 
-/// Of two edges that intersect the common line in one point, neither argument's comes first.
+/// Chooses between two edges that meet the common line in one point, whatever the arguments' order.
 inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, const Point* of_b) {
   return edge_before(*tip_b, *of_b, *tip_a, *of_a) ? Edge{tip_b, of_b, true}
                                                    : Edge{tip_a, of_a, false};
 }
 
-/// Sets the edges that have the two ends of the common part, of intervals that overlap.
+/// Sets the edges on which the common part of two overlapping intervals ends.
 ///
-/// The volume of an edge of `a` and one of `b` is positive where the first one intersects the line
-/// before the second one does.
+/// The volume of an edge of `a` and an edge of `b` is positive if the edge of `a` intersects the
+/// line first.
 [[gnu::noinline]] void choose(const Interval& a, const Interval& b, Edge (&edges)[2]) {
   for (unsigned high = 0; high < 2; ++high) {
     const Point* const of_a = high != 0 ? a.high : a.low;
@@ -86,7 +85,7 @@ inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, co
   }
 }
 
-/// Each triangle is mirrored where the other one's tip is below, which orders both intervals alike.
+/// Mirrors a triangle if the other one's tip is below, which orders both intervals alike.
 [[gnu::noinline]] void choose_edges(const Triangle& a, Sides sides_a, const Triangle& b,
                                     Sides sides_b, Edge (&edges)[2]) {
   const Tip tip_a = tip_of(sides_a);
@@ -94,7 +93,7 @@ inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, co
   choose(interval_of(a, tip_a.corner, !tip_b.up), interval_of(b, tip_b.corner, tip_a.up), edges);
 }
 
-/// Where an edge intersects a plane that it doesn't lie in.
+/// Sets the point in which an edge intersects a plane that does not contain it.
 [[gnu::noinline]] void set_piercing_point(const Point& p, const Point& q, const Point& base,
                                           const Normal& normal, FinePoint& point) {
   const int64_t height = height_of(p, base, normal);
@@ -113,7 +112,7 @@ inline Edge either(const Point* tip_a, const Point* of_a, const Point* tip_b, co
   }
 }
 
-/// A triangle without area and a plane that doesn't contain it.
+/// Sets the ends for a triangle without area and a plane that does not contain it.
 [[gnu::noinline]] void set_piercing_ends(const Triangle& thin, const Point& base,
                                          const Normal& normal, FinePoint (&ends)[2]) {
   const Outline segment = outline_of(thin, false);

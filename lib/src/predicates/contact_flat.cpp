@@ -1,13 +1,12 @@
-// The corners of the common part of two coplanar outlines, and of these two that are farthest
-// apart.
+// The corners of the common part of two coplanar outlines, and the outermost two along its longest
+// axis.
 //
-// A corner of the common part is a corner of one outline inside the other one, or a point where two
-// edges cross properly. Invariant: which points these are is decided by signs of exact 2x2
-// determinants in a projection that is one-to-one on the plane, so no point comes twice with
-// different rounding.
+// A corner of the common part is a corner of one outline inside the other one, or a proper crossing
+// of two edges. Invariant: signs of exact 2x2 determinants decide which points these are, in a
+// projection that is one-to-one on the plane. So no point comes twice with different rounding.
 //
-// They are enumerated again where the common part turns out to be longest along y or z: keeping the
-// outermost points of all three axes would take 48 bytes more of the stack.
+// The corners are enumerated again if the common part is longest along y or z: keeping the
+// outermost points of all three axes would take 48 more bytes of stack.
 #include "contact_flat.hpp"
 
 #include "fine_crossing.hpp"
@@ -37,7 +36,7 @@ struct Flat {
     left |= side > 0;
     right |= side < 0;
   }
-  // Next to a segment, which is an edge there and one back, a point is both left and right.
+  // A segment consists of an edge and its reverse, so a point beside it is both left and right.
   return !(left && right) && (!outline.is_segment() || (!comes_before(p, *outline.corner[0]) &&
                                                         !comes_before(*outline.corner[1], p)));
 }
@@ -46,14 +45,14 @@ inline bool opposite(int64_t u, int64_t v) {
   return (u > 0 && v < 0) || (u < 0 && v > 0);
 }
 
-/// Whether the insides of two edges cross, and where.
+/// Returns whether the interiors of two edges cross; if so, sets the point.
 [[gnu::noinline]] bool edges_cross(const Flat& flat, unsigned edge_a, unsigned edge_b,
                                    FinePoint& point) {
   const Point* p = flat.a.corner[edge_a];
   const Point* q = flat.a.corner[next(edge_a)];
   const Point* r = flat.b.corner[edge_b];
   const Point* s = flat.b.corner[next(edge_b)];
-  // Either edge gives the point, and rounding may decide which: not the order of arguments.
+  // Rounding depends on the edge that gives the point; the order of arguments must not choose it.
   if (edge_before(*r, *s, *p, *q)) {
     const Point* const start = p;
     const Point* const end = q;
@@ -81,21 +80,21 @@ inline bool opposite(int64_t u, int64_t v) {
   return contains(flat, in, p);
 }
 
-/// What is known of the common part: its box, and its outermost points along one axis. Of equally
-/// outer points the first and the last, so that the order of corners has no influence.
+/// The box of all points found, and the outermost points along one axis. Ties go to the first and
+/// the last point, so that the order of corners has no influence.
 ///
-/// Of the box the low words alone: all points are within 2^26 steps of each other.
+/// The box stores only low words: all points are within 2^26 steps of each other.
 struct Found {
   uint32_t least[3];
   uint32_t most[3];
   int64_t FinePoint::*axis;
   FinePoint* ends;
 
-  /// No point yet: a box that ends before it begins.
+  /// True if no point is found: the box ends before it begins.
   bool is_empty() const { return most[0] + 1 == least[0]; }
 };
 
-/// Where there are no points, the answer must only not overflow.
+/// If there are no points, the result is arbitrary but must not overflow.
 [[gnu::noinline]] void clear(Found& found) {
   for (int i = 0; i < 3; ++i) {
     found.least[i] = 1;
@@ -154,7 +153,7 @@ inline void take(Found& found, int axis, int64_t coordinate) {
   }
 }
 
-/// Of equal ones the first.
+/// The longest axis of the box; the first one on a tie.
 inline int longest_axis(const Found& found) {
   const uint32_t x = found.most[0] - found.least[0];
   const uint32_t y = found.most[1] - found.least[1];
@@ -162,13 +161,13 @@ inline int longest_axis(const Found& found) {
   return z > x && z > y ? 2 : y > x ? 1 : 0;
 }
 
-/// The normal of the plane through two segments: zero on one line.
+/// The normal of the plane through two segments; zero if they lie on one line.
 inline Normal plane_through(const Outline& a, const Outline& b) {
   return cross<Normal>(difference(*a.corner[1], *a.corner[0]),
                        difference(*b.corner[1], *b.corner[0]));
 }
 
-/// Any projection that is one-to-one on the plane of both; on a line, any at all.
+/// Sets a projection that is one-to-one on the common plane; for outlines on a line, any one.
 [[gnu::noinline]] void set_projection(Flat& flat, const Contact& contact) {
   const Normal plane = !is_zero(contact.normal_a)   ? contact.normal_a
                        : !is_zero(contact.normal_b) ? contact.normal_b

@@ -1,4 +1,4 @@
-// The common part of two triangles in one plane, or without area.
+// The common part of two triangles that lie in one plane or have no area.
 #ifndef FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
 #define FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
 
@@ -6,19 +6,19 @@
 
 namespace flashbvh::detail {
 
-/// A triangle, or, of one without area, the segment between its outermost corners, which may be one
-/// point: then corner[0] comes first, and corner[1] and corner[2] are the same, that comes last.
+/// A triangle; or, if it has no area, the segment between its outermost corners, which may be one
+/// point. Of a segment corner[0] comes first; corner[1] and corner[2] both are the last corner.
 struct Outline {
   const Point* corner[3];
 
   bool is_segment() const { return corner[1] == corner[2]; }
 };
 
-/// Points into the triangle.
+/// The outline holds pointers into `t`.
 Outline outline_of(const Triangle& t, bool has_area);
 
-/// Sets the ends of the common part of two triangles that intersect, and lie in one plane or both
-/// lack area. The contact's normals are set.
+/// Sets the ends of the common part of two intersecting triangles, which lie in one plane or both
+/// have no area. The contact's normals are already set.
 void set_flat_ends(const Triangle& a, const Triangle& b, Contact& contact);
 
 }  // namespace flashbvh::detail

@@ -1,8 +1,8 @@
-// The one division of a contact.
+// The only division of a contact.
 //
-// Error, in steps of 1/256 cell: a fraction of at most 1/2 is cut to 31 bits after both of its
-// terms were cut to 31 bits, so it is off by less than 2^-30 + 2^-31. An edge has at most 256 *
-// 57,000 steps, which makes 0.021, and rounding adds a half.
+// Error, in steps of 1/256 cell: a fraction of at most 1/2 and both of its terms are cut to 31
+// bits, so it is off by less than 2^-30 + 2^-31. An edge has at most 256 * 57,000 steps, which
+// makes 0.021, and rounding adds a half.
 #include "fine_crossing.hpp"
 #include "flashbvh/lattice.hpp"
 
@@ -13,7 +13,7 @@ constexpr unsigned kFractionBits = 31;
 
 /// part / whole in 31 fraction bits; part <= whole / 2, whole < 2^63.
 ///
-/// By restoring division, a bit at a time: libgcc's 64-bit division is larger than all of this, and
+/// Restoring division, one bit per step: libgcc's 64-bit division has more code than this file, and
 /// the Cortex-M0 has no other.
 [[gnu::noinline]] int32_t fraction(uint64_t part, uint64_t whole) {
   unsigned surplus = 0;
@@ -38,9 +38,9 @@ inline uint64_t fine_magnitude(int64_t value) {
   return static_cast<uint64_t>(value < 0 ? -value : value);
 }
 
-/// `share` in 31 fraction bits.
+/// Interpolates between two cells; the result is in 1/256 cell. `share`: in 31 fraction bits.
 #if defined(__ARM_FEATURE_MVE)
-[[gnu::noinline]]  // three of it in one function take 24 bytes more of stack there
+[[gnu::noinline]]  // three inlined copies take 24 more bytes of stack there
 #endif
 int64_t
 between(int32_t from, int32_t to, int32_t share) {
@@ -53,8 +53,8 @@ between(int32_t from, int32_t to, int32_t share) {
 
 [[gnu::noinline]] void set_crossing(const Point& p, const Point& q, int64_t height_p,
                                     int64_t height_q, FinePoint& point) {
-  // From the nearer end, whichever of the two it is: the fraction is at most 1/2, and at 1/2 both
-  // ways round to the same, because the middle of an edge is a whole number of steps.
+  // Counts from the nearer end, so that the fraction is at most 1/2. At 1/2 both ends give an equal
+  // point, because the middle of an edge is a whole number of steps.
   const uint64_t of_p = fine_magnitude(height_p);
   const uint64_t of_q = fine_magnitude(height_q);
   const bool p_is_nearer = of_p <= of_q;

@@ -1,5 +1,5 @@
-// What the parts of a contact share: orders, and the point where an edge crosses a
-// plane or a line.
+// Shared by the parts of a contact: orders of points and edges, and the point in which an edge
+// crosses a plane or a line.
 #ifndef FLASHBVH_PREDICATES_FINE_CROSSING_HPP
 #define FLASHBVH_PREDICATES_FINE_CROSSING_HPP
 
@@ -8,13 +8,13 @@
 
 namespace flashbvh::detail {
 
-/// Of two coordinates of one contact, whose low words decide: they are within 2^26 steps.
+/// Difference of two coordinates of one contact, by low words: it is within 2^26 steps.
 template <class Fine>
 inline int32_t fine_difference(Fine u, Fine v) {
   return static_cast<int32_t>(static_cast<uint32_t>(u) - static_cast<uint32_t>(v));
 }
 
-/// By x, then y, then z. On a line that is the order along it.
+/// Orders points by x, then y, then z. On a line this is the order along it.
 inline bool comes_before(const Point& p, const Point& q) {
   return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
 }
@@ -24,8 +24,8 @@ inline bool comes_before(const FinePoint& p, const FinePoint& q) {
   return x != 0 ? x < 0 : y != 0 ? y < 0 : fine_difference(p.z, q.z) < 0;
 }
 
-/// An order of edges that does not depend on the direction in which they are given. Edges that
-/// start in the same corner are equal.
+/// Orders edges independently of their direction, by their first ends. Edges with one first end are
+/// equal.
 inline bool edge_before(const Point& p, const Point& q, const Point& r, const Point& s) {
   return comes_before(comes_before(p, q) ? p : q, comes_before(r, s) ? r : s);
 }
@@ -34,11 +34,11 @@ inline bool is_zero(const Normal& n) {
   return (n.x | n.y | n.z) == 0;
 }
 
-/// Sets `point` to that of the edge p, q of height zero, where the ends have these heights, of
-/// opposite signs or one of them zero: p + (q - p) * height_p / (height_p - height_q).
+/// Sets `point` to the point of the edge p, q at height zero:
+/// p + (q - p) * height_p / (height_p - height_q). Heights have opposite signs, or one is zero.
 ///
-/// Heights: below 2^62. Each coordinate is off by at most 0.53 steps. Swapping the ends, or the
-/// signs of both heights, changes nothing.
+/// Heights: below 2^62. Each coordinate is off by at most 0.53 steps of 1/256 cell. Swapping the
+/// ends, or the signs of both heights, changes nothing.
 void set_crossing(const Point& p, const Point& q, int64_t height_p, int64_t height_q,
                   FinePoint& point);
 

@@ -1,4 +1,4 @@
-// Arithmetic of 128 bits, and of 256 where two fractions are nearly equal.
+// 128-bit arithmetic, and 256-bit comparison of fractions that are nearly equal.
 #include "flashbvh/detail/predicates/fraction.hpp"
 
 #include "long_division.hpp"
@@ -7,7 +7,7 @@
 namespace flashbvh::detail {
 namespace {
 
-/// From the lowest; no core is big-endian (plain/byte_order.h).
+/// Word i of a number, counted from the lowest; no core is big-endian (plain/byte_order.h).
 inline uint32_t word_of(const Int128& u, int i) {
   uint32_t word = 0;
   const char* const at = reinterpret_cast<const char*>(&u) + sizeof word * (i ^ 2);
@@ -15,8 +15,8 @@ inline uint32_t word_of(const Int128& u, int i) {
   return word;
 }
 
-/// u v against w x, of numbers that are not negative: the sign of the difference, by columns of 32
-/// bits, so that no product has to be kept.
+/// Sign of u v - w x for numbers that are not negative. Computed by columns of 32 bits, so that no
+/// product is stored.
 [[gnu::noinline]] int compare_products(const Int128& u, const Int128& v, const Int128& w,
                                        const Int128& x) {
   constexpr int kWords = 4;
@@ -44,8 +44,8 @@ inline uint32_t word_of(const Int128& u, int i) {
   return sum >> 32 < 0 ? -1 : any != 0 ? 1 : 0;
 }
 
-/// The leading bits: the number is at least digits * 2^exponent, and below (digits + 1) *
-/// 2^exponent; digits have 31 bits, the first of them 1. Of a number above 0.
+/// The leading bits of a number above 0, which is at least digits * 2^exponent and below (digits +
+/// 1) * 2^exponent; digits have 31 bits, the first of them 1.
 struct Leading {
   [[gnu::noinline]] explicit Leading(const Int128& u) {
     const bool by_word = u.high != 0;
@@ -60,7 +60,7 @@ struct Leading {
   int32_t exponent;
 };
 
-/// As compare(), or 2 if the leading bits don't decide.
+/// compare(), or 2 if the leading bits do not decide.
 [[gnu::noinline]] int compare_leading(const Fraction& x, const Fraction& y) {
   if (is_zero(x.above) || is_zero(y.above)) {
     return sign_of(x.above) - sign_of(y.above);
@@ -81,7 +81,7 @@ struct Leading {
   const auto most = [](const Leading& u, const Leading& v) {
     return (static_cast<uint64_t>(u.digits) + 1) * (static_cast<uint64_t>(v.digits) + 1);
   };
-  // A quarter of each, so that the larger scale still fits.
+  // Products are divided by 4, so that the larger one fits after the shift.
   const int32_t x_up = shift > 0 ? shift : 0;
   const int32_t y_up = shift < 0 ? -shift : 0;
   if (((most(x_above, y_below) >> 2) + 1) << x_up <= (least(y_above, x_below) >> 2) << y_up) {
@@ -120,7 +120,7 @@ Int128 shifted_up(const Int128& u, unsigned bits) noexcept {
     return u;
   }
   return {static_cast<int64_t>(static_cast<uint64_t>(u.high) << bits | u.low >> (64 - bits)),
-          // Unsigned, whatever it was made of.
+          // `low` is unsigned, so the shift is defined.
           // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
           u.low << bits};
 }
@@ -157,7 +157,7 @@ uint32_t square_root(uint64_t u) noexcept {
 }
 
 int compare(const Fraction& x, const Fraction& y) noexcept {
-  // As neighbours share edges, the same fraction often comes twice.
+  // Neighbours share edges, so equal fractions are frequent.
   if (x.above == y.above && x.below == y.below) {
     return 0;
   }
@@ -181,7 +181,7 @@ int64_t rounded_up(const Fraction& x) noexcept {
   }
   const Leading above(x.above);
   const Leading below(x.below);
-  // The quotient of digits, at most 2, with 31 bits after the point, bit by bit.
+  // The quotient of digits, at most 2, with 31 fraction bits, one bit per step.
   uint32_t rest = above.digits + 1;
   uint64_t share = 0;
   for (int bit = 31; bit >= 0; --bit) {

@@ -1,4 +1,4 @@
-// The quotient of numbers of 128 bits where no machine divides them, and roots by quotients.
+// 128-bit quotients for machines that cannot divide such numbers, and roots by quotients.
 #ifndef FLASHBVH_PREDICATES_LONG_DIVISION_HPP
 #define FLASHBVH_PREDICATES_LONG_DIVISION_HPP
 
@@ -8,8 +8,8 @@
 
 namespace flashbvh::detail {
 
-/// As quotient(): 29 bits or more at a time. The leading bits of the rest, divided by those of
-/// `v` and one more, are never more than its share.
+/// quotient(), 29 bits or more per step. A step divides the rest's leading bits by those of `v`
+/// plus 1, so it never subtracts too much.
 inline Int128 long_quotient(const Int128& u, const Int128& v) {
   const auto bits = [](const Int128& x) {
     return x.high != 0 ? 128 - __builtin_clzll(static_cast<uint64_t>(x.high))
@@ -31,7 +31,7 @@ inline Int128 long_quotient(const Int128& u, const Int128& v) {
     const int up = rest_down - down;
     Int128 part = {0, up < 0 ? share >> -up : share};
     part = up > 0 ? shifted_up(part, static_cast<unsigned>(up)) : part;
-    // Where leading bits are too few for v's last time in the rest.
+    // `v` fits once more, which the leading bits are too few to show.
     part.low += is_zero(part) ? 1 : 0;
     rest = rest - low_product(part, v);
     whole = whole + part;
@@ -41,8 +41,8 @@ inline Int128 long_quotient(const Int128& u, const Int128& v) {
 
 /// As square_root(), in fewer steps and with more stack.
 inline uint64_t long_root(const Int128& u) {
-  // From above: the leading bits' root has 15 bits or more, and each of Newton's steps twice as
-  // many.
+  // Converges from above: the leading bits' root has 15 bits or more, and each Newton step doubles
+  // them.
   const int bits = u.high != 0 ? 128 - __builtin_clzll(static_cast<uint64_t>(u.high))
                                : 64 - __builtin_clzll(u.low | 1);
   const int down = bits > 32 ? (bits - 31) & ~1 : 0;

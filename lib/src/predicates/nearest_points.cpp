@@ -1,4 +1,4 @@
-// Where two triangles are nearest, rounded to 1/256 cell.
+// Nearest points of two triangles, rounded to 1/256 cell.
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "flashbvh/triangle.hpp"
@@ -8,7 +8,7 @@ namespace flashbvh {
 namespace detail {
 namespace {
 
-/// Times `below`: a coordinate's way from the place's corner.
+/// Offset of a place from its corner along an axis, times `below`.
 Int128 way_along(const Triangle& t, const PlaceInTriangle& place, int32_t Point::*axis) {
   const unsigned i = place.origin;
   const unsigned j = i == 2 ? 0 : i + 1;
@@ -17,7 +17,7 @@ Int128 way_along(const Triangle& t, const PlaceInTriangle& place, int32_t Point:
          times(place.second, t.corner[k].*axis - t.corner[i].*axis);
 }
 
-/// To the nearest 1/256.
+/// Coordinate of a place, rounded to the nearest 1/256 cell.
 [[gnu::noinline]] int64_t fine_coordinate(const Triangle& t, const PlaceInTriangle& place,
                                           int32_t Point::*axis) {
   const Int128 way = way_along(t, place, axis);
@@ -35,7 +35,8 @@ FinePoint fine_point(const Triangle& t, const PlaceInTriangle& place) {
           fine_coordinate(t, place, &Point::z)};
 }
 
-/// From a place of A to one of B. One of the two is a corner, or both shares have one denominator.
+/// Offset from a place of A to one of B along an axis, times the larger `below`. One place is a
+/// corner, or both have one denominator.
 [[gnu::noinline]] Int128 apart_along(const Triangle& a, const PlaceInTriangle& of_a,
                                      const Triangle& b, const PlaceInTriangle& of_b,
                                      int32_t Point::*axis) {
@@ -51,14 +52,14 @@ int leading_zeros(const Int128& u) {
                          : 128;
 }
 
-/// Of a vector that is not 0.
+/// Normalises a vector that is not 0.
 [[gnu::noinline]] UnitVector unit_vector(const Int128 (&v)[3]) {
   int zeros = 128;
   for (const Int128& component : v) {
     const int own = leading_zeros(component);
     zeros = own < zeros ? own : zeros;
   }
-  // To 61 bits and a sign, of which the root of the sum of squares takes one more at most.
+  // Components get 61 bits and a sign; the root of the sum of squares has at most one bit more.
   int64_t scaled[3];
   Int128 squared = {0, 0};
   for (int i = 0; i < 3; ++i) {
@@ -76,7 +77,7 @@ int leading_zeros(const Int128& u) {
   return {share(scaled[0]), share(scaled[1]), share(scaled[2])};
 }
 
-/// Sets the distance: the root of `squared` in 1/256 cell, down and up.
+/// Sets the distance, the root of `squared`, in 1/256 cell, rounded down and up.
 [[gnu::noinline]] void set_distance(const Fraction& squared, NearestPoints& nearest) {
   constexpr unsigned bits = 16;  // of kFineOne squared
   const Fraction fine = {shifted_up(squared.above, bits), squared.below};
@@ -86,7 +87,7 @@ int leading_zeros(const Int128& u) {
   nearest.upper = nearest.lower + (exact ? 0 : 1);
 }
 
-/// And the vector from one to the other, not to scale.
+/// Sets both nearest points, and the vector from A's to B's, not to scale.
 [[gnu::noinline]] void set_points(const Triangle& a, const Triangle& b, const Features& features,
                                   NearestPoints& nearest, Int128 (&apart)[3]) {
   PlaceInTriangle of_a{};

@@ -1,5 +1,5 @@
-// The orientation predicates of exact tests: only differences of corners are multiplied, so the
-// place never matters, and each value is exact within the ranges that the callers state.
+// Exact orientation predicates: only differences of corners are multiplied, so their position never
+// matters. Each value is exact within the ranges that the callers state.
 #ifndef FLASHBVH_PREDICATES_ORIENTATION_HPP
 #define FLASHBVH_PREDICATES_ORIENTATION_HPP
 
@@ -32,7 +32,7 @@ inline int64_t dot(const Cofactors& n, const Vector& v) {
          static_cast<int64_t>(n.z) * v.z;
 }
 
-/// The normal of p, q, r, twice the area long.
+/// The normal of a triangle; its length is twice the area.
 template <class Cofactors>
 inline Cofactors normal_of(const Triangle& t) {
   return cross<Cofactors>(difference(t.corner[1], t.corner[0]),
@@ -45,8 +45,8 @@ template <class Cofactors>
   return dot(cross<Cofactors>(difference(s, r), difference(q, p)), difference(r, p));
 }
 
-/// Twice the signed area of p, q, r in the projection onto the axes u and v: positive where they
-/// turn left.
+/// Twice the signed area of p, q, r in the projection onto the axes u and v; positive if they turn
+/// left.
 inline int64_t area(int32_t Point::*u, int32_t Point::*v, const Point& p, const Point& q,
                     const Point& r) {
   return static_cast<int64_t>(q.*u - p.*u) * (r.*v - p.*v) -
@@ -55,8 +55,8 @@ inline int64_t area(int32_t Point::*u, int32_t Point::*v, const Point& p, const 
 
 constexpr unsigned kAllCorners = 7;
 
-/// On which sides of a plane the corners of a triangle lie: bit i for corner i strictly above, bit
-/// 3 + i for corner i strictly below.
+/// The sides of a plane on which a triangle's corners lie: bit i if corner i is strictly above, bit
+/// 3 + i if it is strictly below.
 struct Sides {
   unsigned bits;
 
@@ -66,7 +66,7 @@ struct Sides {
   bool all_on_plane() const { return bits == 0; }
 };
 
-/// `height(corner)`: above the plane, in any measure.
+/// `height(corner)`: above the plane, in any unit.
 template <class Height>
 inline Sides sides_of(const Triangle& asked, const Height& height) {
   const auto bits = [&](const Point& corner, unsigned above) {
@@ -76,9 +76,9 @@ inline Sides sides_of(const Triangle& asked, const Height& height) {
   return {bits(asked.corner[0], 1) | bits(asked.corner[1], 2) | bits(asked.corner[2], 4)};
 }
 
-/// The corner alone on its side of a plane, of a triangle on both sides of it or touching it. Both
-/// edges from it end strictly on the other side or, unless it is itself on the plane, on the plane:
-/// each edge intersects the plane in exactly one point.
+/// The corner alone on its side of a plane that the triangle crosses or touches. Both edges from it
+/// end strictly on the other side or, unless it is itself on the plane, on the plane: each edge
+/// intersects the plane in exactly one point.
 struct Tip {
   unsigned corner;
   bool up;

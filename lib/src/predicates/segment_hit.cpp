@@ -18,13 +18,13 @@ int first_sign(const WideVector& v) {
   return v.x != 0 ? sign_of(v.x) : v.y != 0 ? sign_of(v.y) : sign_of(v.z);
 }
 
-/// On which side of the line the edge from u to v passes: six times the volume of way, u and v, as
-/// seen from `from`, below 2^57.
+/// The side of the line on which the edge from u to v passes, as a sign: six times the volume of
+/// `way`, u and v relative to `from`, below 2^57.
 int64_t turn(const Point& from, const Vector& way, const Point& u, const Point& v) {
   return dot(cross<WideVector>(difference(u, from), difference(v, u)), way);
 }
 
-/// Whether a line that is not parallel to a triangle has a point of it.
+/// Returns whether a line meets a triangle that is not parallel to it.
 bool meets(const Triangle& t, const Point& from, const Vector& way, bool along_normal) {
   for (unsigned i = 0; i < 3; ++i) {
     const int64_t side = turn(from, way, t.corner[i], t.corner[next(i)]);
@@ -35,13 +35,13 @@ bool meets(const Triangle& t, const Point& from, const Vector& way, bool along_n
   return true;
 }
 
-/// above / below with any signs, if it is from 0 to 1.
+/// Sets `share` to above / below, with any signs; returns whether it is from 0 to 1.
 bool get_share(int64_t above, int64_t below, SegmentShare& share) {
   share = below < 0 ? SegmentShare{-above, -below} : SegmentShare{above, below};
   return share.above >= 0 && share.above <= share.below;
 }
 
-/// Of two vectors, one a multiple of the other, which is not zero: how many times.
+/// get_share() of part / whole for parallel vectors, of which `whole` is not zero.
 bool get_ratio(const WideVector& part, const WideVector& whole, SegmentShare& share) {
   return whole.x != 0   ? get_share(part.x, whole.x, share)
          : whole.y != 0 ? get_share(part.y, whole.y, share)
@@ -52,7 +52,7 @@ WideVector widened(const Vector& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Where the segment first has a point of the edge from u to v: of edges along it, of u.
+/// Sets the share at which the segment meets the edge from u to v, or u if the edge is along it.
 bool get_share_of_edge(const Point& from, const Vector& way, const Point& u, const Point& v,
                        SegmentShare& share) {
   const Vector edge = difference(v, u);
@@ -67,13 +67,13 @@ bool get_share_of_edge(const Point& from, const Vector& way, const Point& u, con
          get_ratio(cross<WideVector>(to_edge, edge), both, share);
 }
 
-// The rare case's parts are not inlined, so that their frames follow each other.
+// The parts of this rare case are not inlined, so that their stack frames do not add up.
 
 [[gnu::noinline]] bool has_segment_point(const Triangle& t, const Point& from, const Point& to) {
   return triangles_intersect(t, {{from, to, to}});
 }
 
-/// Of a segment that meets a triangle in an edge first, if not only in its end.
+/// Sets the first share at which the segment meets an edge of the triangle; else 1, its end.
 [[gnu::noinline]] void get_first_of_edges(const Segment& segment, const Triangle& t,
                                           SegmentShare& first) {
   first = {1, 1};
@@ -87,8 +87,8 @@ bool get_share_of_edge(const Point& from, const Vector& way, const Point& u, con
   }
 }
 
-/// Where a segment in the plane of a triangle, or a triangle without area, first meet: in the
-/// segment's start or on an edge.
+/// Sets the first share at which a segment in the triangle's plane, or a segment and a triangle
+/// without area, meet: 0 or on an edge. Returns whether they meet.
 [[gnu::noinline]] bool meet_in_plane(const Segment& segment, const Triangle& t,
                                      SegmentShare& along) {
   if (!has_segment_point(t, segment.from, segment.to)) {
@@ -124,7 +124,7 @@ int passage(const Triangle& t, const Point& from, const Vector& way) noexcept {
     const Point& u = t.corner[i];
     const Point& v = t.corner[next(i)];
     const int64_t volume = turn(from, way, u, v);
-    // Its change with the line's place is way x (v - u); an edge along the line turns to no side.
+    // The volume's gradient by the line's place is way x (v - u): 0 if the edge is parallel.
     const int own =
         volume != 0 ? sign_of(volume) : first_sign(cross<WideVector>(way, difference(v, u)));
     if (own == 0 || own == -side) {

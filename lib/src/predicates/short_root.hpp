@@ -1,4 +1,4 @@
-// The root of 32 bits, rounded down.
+// Square root of a 32-bit number, rounded down.
 #ifndef FLASHBVH_PREDICATES_SHORT_ROOT_HPP
 #define FLASHBVH_PREDICATES_SHORT_ROOT_HPP
 
@@ -6,7 +6,7 @@
 
 namespace flashbvh::detail {
 
-/// Bit by bit.
+/// Computes one bit per step.
 inline uint32_t short_root(uint32_t value) {
   uint32_t root = 0;
   for (uint32_t bit = 1u << 15; bit != 0; bit >>= 1) {

@@ -1,4 +1,4 @@
-// The planes between which nothing is nearer than two triangles are.
+// Parallel planes through two nearest points: triangles on their outer sides are no nearer.
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "triangle_range.hpp"
@@ -11,7 +11,7 @@ constexpr int kBits = 54;
 constexpr int kLowBits = 26;
 constexpr uint32_t kLow = (1u << kLowBits) - 1;
 
-/// From the line of an edge, times its length squared: within 2^53.
+/// Perpendicular part of `way` from the line of an edge, times its squared length: within 2^53.
 LongVector from_line(const Vector& edge, const Vector& way) {
   const int64_t length = dot<LongVector>({edge.x, edge.y, edge.z}, edge);
   const int64_t along = dot<LongVector>({way.x, way.y, way.z}, edge);
@@ -19,11 +19,11 @@ LongVector from_line(const Vector& edge, const Vector& way) {
           length * way.z - along * edge.z};
 }
 
-/// Between the nearest points, up to its sign and its length. `way`: between corners of the
-/// features.
+/// Direction between the nearest points, up to its sign and its length. `way`: between corners of
+/// the features.
 LongVector normal_between(const Triangle& a, const Triangle& b, const Features& features,
                           const Vector& way) {
-  // A table of jumps would be an indirect one, and no bound of stack sees through those.
+  // No switch: the proof of the stack bound cannot follow the indirect jump of a jump table.
   const FeatureKind kind = features.kind;
   if (kind == FeatureKind::corners) {
     return {way.x, way.y, way.z};
@@ -87,7 +87,7 @@ bool SupportPlanes::separates(const Triangle& a, const Triangle& b) const noexce
   if (!is_any_) {
     return false;
   }
-  // The high parts decide but where the low ones, if there are any, can add the rest.
+  // The high parts decide, except within `rest`, the most that the low parts can add.
   const int64_t rest = uint32_t{rest_} << 16;
   const Point& from = a.corner[0];
   const int64_t of_b = least(least(high_along(b.corner[0], from), high_along(b.corner[1], from)),
@@ -102,7 +102,7 @@ bool SupportPlanes::separates_exactly(const Triangle& a, const Triangle& b) cons
   const Point& from = a.corner[0];
   const Along of_b =
       nearer(nearer(along(b.corner[0], from), along(b.corner[1], from)), along(b.corner[2], from));
-  // Whether B is as far beyond a corner of A as the planes are apart.
+  // Whether B lies at least the distance of the planes beyond a corner of A.
   const auto is_beyond = [&](const Along& of_a) {
     const uint32_t low = of_a.low + low_apart_;
     return !(of_b < Along{of_a.high + high_apart_ + (low >> kLowBits), low & kLow});

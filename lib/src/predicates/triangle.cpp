@@ -9,8 +9,8 @@
 // - all six corners in one plane, or both triangles without area: separating axes in projections
 // - a segment that crosses the plane of a triangle: the signs of its line about the three edges
 //
-// Invariant: only differences of corners are multiplied, so positions never matter, and each value
-// whose sign is taken is exact.
+// Invariant: only differences of corners are multiplied, so their position never matters. Each
+// value whose sign is taken is exact.
 #include "flashbvh/detail/predicates/triangle.hpp"
 
 #include "flashbvh/detail/arch/inline.hpp"
@@ -28,14 +28,14 @@ static_assert(INT32_MAX / kMaxNarrow / kMaxNarrow >= 2, "a cofactor is a sum of 
 
 /// A cross product of differences up to kMaxNarrow.
 using Narrow = PlaneNormal;
-/// The same up to kMaxDifference.
+/// A cross product of differences up to kMaxDifference.
 struct Wide {
   int64_t x;
   int64_t y;
   int64_t z;
 };
 
-/// Six times the volume of p, q, r, s: in place where edges are narrow, as nearly all are.
+/// Six times the volume of p, q, r, s. Inlined for narrow edges, as nearly all are.
 FLASHBVH_INLINE inline int64_t volume_of(Narrow, const Point& p, const Point& q, const Point& r,
                                          const Point& s) {
   return dot(cross<Narrow>(difference(s, r), difference(q, p)), difference(r, p));
@@ -44,13 +44,13 @@ inline int64_t volume_of(Wide, const Point& p, const Point& q, const Point& r, c
   return volume<Wide>(p, q, r, s);
 }
 
-/// Which corners of a triangle are above a plane: bit i for corner i. With all corners on the plane
-/// none is, and all are where it separates, with every corner strictly on one side of it. Else some
-/// are and some are not: a corner on the plane is above it if one is below.
+/// Corners of a triangle above a plane: bit i for corner i. No bit is set if all corners lie on the
+/// plane; all bits are set if all corners lie strictly on one side. Otherwise a corner on the plane
+/// counts as above it if one is below.
 using Upper = unsigned;
 constexpr Upper kSeparated = kAllCorners;
 
-/// Of the corners' heights, in any measure.
+/// `height`: of the corners, in any unit.
 FLASHBVH_INLINE_FOR_SPEED inline Upper upper_of(const int64_t (&height)[3]) {
   const auto bits = [](bool first, bool second, bool third) {
     return (first ? 1u : 0u) | (second ? 2u : 0u) | (third ? 4u : 0u);
@@ -67,7 +67,7 @@ inline Upper upper_of_normal(const Narrow& normal, const Point& origin, const Tr
   const auto height = [&](const Point& corner) { return dot(normal, difference(corner, origin)); };
   return upper_of({height(asked.corner[0]), height(asked.corner[1]), height(asked.corner[2])});
 }
-/// One height at a time: three of 64 bits would take more stack than all else.
+/// Computes one height at a time: three of 64 bits would take more stack than everything else.
 template <class Height>
 inline Upper upper_of(const Height& height, const Triangle& asked) {
   unsigned below = 0;
@@ -84,7 +84,7 @@ template <class Cofactors>
 [[gnu::noinline]] Upper upper_of_plane(const Triangle& plane, const Triangle& asked) {
   return upper_of_normal(normal_of<Cofactors>(plane), plane.corner[0], asked);
 }
-/// Where size counts, with no code but that of volumes: wide triangles are rare.
+/// If optimised for size, reuses the code of volumes: wide triangles are rare.
 template <>
 [[gnu::noinline]] Upper upper_of_plane<Wide>(const Triangle& plane, const Triangle& asked) {
   const Point(&p)[3] = plane.corner;
@@ -101,7 +101,7 @@ inline Upper upper_of(bool narrow, const Triangle& plane, const Triangle& asked)
   return narrow ? upper_of_plane<Narrow>(plane, asked) : upper_of_plane<Wide>(plane, asked);
 }
 
-/// A corner's place in a triangle, in bytes.
+/// A corner's offset in a triangle, in bytes.
 using Place = uint8_t;
 constexpr Place kFirst = 0;
 constexpr Place kSecond = sizeof(Point);
@@ -111,7 +111,7 @@ inline const Point& corner_at(const Triangle& t, Place place) {
   return *reinterpret_cast<const Point*>(reinterpret_cast<const char*>(t.corner) + place);
 }
 
-/// The tip of a triangle, alone on its side of a plane, by what is above it. Both edges from it end
+/// The tip of a triangle, the corner alone on its side of a plane, by Upper. Both edges from it end
 /// strictly on the other side or, unless it is itself on the plane, on the plane: each edge
 /// intersects the plane in exactly one point.
 struct Fan {
@@ -128,7 +128,7 @@ constexpr Fan kFans[kAllCorners] = {{},
                                     {kFirst, false, {kThird, kSecond, kThird}}};
 
 /// Whether the intervals in which two triangles intersect the common line of their planes overlap.
-/// Each triangle is mirrored where the other's tip is below, which orders both intervals alike.
+/// A triangle is mirrored if the other's tip is below, which orders both intervals alike.
 template <class Cofactors>
 [[gnu::noinline]] bool intervals_overlap(const Triangle& a, const Triangle& b, Upper of_a,
                                          Upper of_b) {
@@ -177,7 +177,7 @@ constexpr Projection kProjections[3] = {
   return twice > 0 ? 1 : twice < 0 ? -1 : 0;
 }
 
-/// The same of a triangle's corners.
+/// turn() of a triangle's corners.
 [[gnu::noinline, gnu::cold]] int turn(const Projection& onto, const Triangle& t) {
   return turn(onto, t.corner[0], t.corner[1], t.corner[2]);
 }
@@ -211,7 +211,7 @@ constexpr Projection kProjections[3] = {
   return true;
 }
 
-/// Whether two triangles with overlapping boxes intersect that lie in one plane or both lack area.
+/// Whether two triangles intersect that lie in one plane or both lack area; their boxes overlap.
 ///
 /// In two dimensions the normals of the edges and the two axes (the boxes) are all the separating
 /// axes of segments, points and triangles. Coplanar triangles intersect exactly if they do so in
@@ -228,8 +228,8 @@ constexpr Projection kProjections[3] = {
   return coplanar(a, b);
 }
 
-/// Whether two triangles with overlapping boxes intersect one of which lies in the other's plane or
-/// lacks area.
+/// Whether two triangles intersect, of which one lies in the other's plane or lacks area; their
+/// boxes overlap.
 [[gnu::noinline, gnu::cold]] bool flat_or_segment_intersect(const Triangle& a, const Triangle& b,
                                                             Upper of_a, Upper of_b) {
   if (of_a != 0) {
@@ -307,7 +307,7 @@ bool wide_triangles_intersect(const Triangle& a, const Triangle& b) noexcept {
   return boxes_overlap(a, b) && intersect(/*narrow=*/false, a, b);
 }
 
-/// One of the box's sides has all three corners beyond it if they do not overlap.
+/// If they do not overlap, all three corners lie beyond one of the box's sides.
 bool box_overlaps(const PackedBox& box, const Triangle& t) noexcept {
   const Point(&p)[3] = t.corner;
   int32_t unbiased = -kBoundBias;

@@ -1,8 +1,8 @@
 // Distances between the features of two triangles.
 //
-// Both a corner r above a face with edges e and f and two edges e, f whose starts are r apart lead
-// to one problem: where is the point of the plane of e and f nearest to r? With a = e.e, b = e.f, c
-// = f.f it is s e + t f with
+// A corner r above a face with edges e and f, and two edges e, f whose starts are r apart, lead to
+// one problem: find the point of the plane of e and f nearest to r. With a = e.e, b = e.f, c = f.f
+// it is s e + t f with
 //     area = a c - b^2,    s area = c (r.e) - b (r.f),    t area = a (r.f) - b (r.e),
 // and its squared distance from r is (r . (e x f))^2 / area.
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
@@ -13,8 +13,8 @@
 namespace flashbvh::detail {
 namespace {
 
-// Products of two dot products, and sums of two of them: in 64 bits where all differences are below
-// 2^14, in 128 bits else.
+// Products of two dot products, and sums of two products: in 64 bits if all differences are below
+// 2^14, else in 128 bits.
 struct In64 {
   using Product = int64_t;
   static Product product(int64_t u, int64_t v) { return u * v; }
@@ -28,22 +28,22 @@ inline Int128 widened(const Int128& u) {
 }
 using detail::widened;
 
-/// What is below a limit, and the least of it; or whether anything is at most a limit.
+/// Searches candidates for the least one below a limit, or for any one that is at most a limit.
 class Search {
  public:
   // The candidate is set before it is considered.
   // NOLINTBEGIN(clang-analyzer-optin.cplusplus.UninitializedObject)
 
-  /// Sets the limit and `features` to the least.
+  /// Sets `limit` and `features` to those of the least candidate below `limit`.
   Search(Fraction& limit, Features& features) : least_(&limit), features_(&features) {}
   explicit Search(const ShortFraction& limit) : closed_limit_(&limit) {}
   // NOLINTEND(clang-analyzer-optin.cplusplus.UninitializedObject)
 
-  /// Whether it is known that there is nothing to look for.
+  /// True if no further candidate can change the result.
   bool is_over() const { return found_ && closed_limit_ != nullptr; }
   bool found() const { return found_; }
 
-  /// What is to be considered next. It lies here, so that the frames of the functions that make it
+  /// The next candidate. It is a member, so that the stack frames of the functions that compute it
   /// are gone when it is compared.
   Fraction candidate;
 
@@ -64,8 +64,8 @@ class Search {
   bool found_ = false;
 };
 
-/// Where the plane of two vectors is nearest to a point, in shares of the vectors: each of them
-/// times the area squared.
+/// The point of the plane of two vectors that is nearest to a given point, as shares of both
+/// vectors, each times the squared area.
 template <class Width>
 struct Plane {
   using Product = typename Width::Product;
@@ -75,9 +75,9 @@ struct Plane {
 
   Plane(const Vector& e, const Vector& f) : ee(dot(e, e)), ef(dot(e, f)), ff(dot(f, f)) {}
 
-  /// 0 if there is no plane.
+  /// The squared area; 0 if there is no plane.
   Product area() const { return Width::product(ee, ff) - Width::product(ef, ef); }
-  /// Of a point with these products with both vectors.
+  /// Shares for a point whose dot products with the vectors are `re` and `rf`.
   Product first(int64_t re, int64_t rf) const {
     return Width::product(ff, re) - Width::product(ef, rf);
   }
@@ -86,9 +86,8 @@ struct Plane {
   }
 };
 
-/// Whether the plane of `e` and `f` is nearest to the point `r` inside both edges (strictly), or
-/// inside the triangle of both (closed); then `squared_area` is the
-/// square of the plane's.
+/// Returns whether the point of the plane nearest to `r` lies strictly inside both edges (`edges`),
+/// or else in the closed triangle of `e` and `f`. If so, sets `squared_area`.
 template <class Width>
 [[gnu::noinline]] bool is_over_plane(const Vector& e, const Vector& f, const Vector& r, bool edges,
                                      Int128& squared_area) {
@@ -112,7 +111,7 @@ template <class Width>
   return true;
 }
 
-/// The distance between the point and that plane, times the root of its squared area.
+/// Signed distance of `r` from the plane of `e` and `f`, times the root of the squared area.
 [[gnu::noinline]] int64_t height_of(const Vector& e, const Vector& f, const Vector& r) {
   return detail::dot(cross<LongVector>(e, f), r);
 }
@@ -150,8 +149,8 @@ inline bool height_above(const Vector& e, const Vector& f, const Vector& r, bool
   search.consider({FeatureKind::corners, of_a, of_b});
 }
 
-/// The square of the distance between the point `r` and the line of `e`; false if it is not nearest
-/// inside the edge (strictly).
+/// Sets the squared distance of the point `r` from the line of `e`; false if the nearest point does
+/// not lie strictly inside the edge.
 template <class Width>
 [[gnu::noinline]] bool beside(const Vector& e, const Vector& r, Fraction& squared) {
   const int64_t ee = dot(e, e);
@@ -163,7 +162,7 @@ template <class Width>
   return true;
 }
 
-/// Corners of `of` and edges of `other`.
+/// Considers corners of `of` and edges of `other`.
 template <class Width>
 [[gnu::noinline]] void search_beside_edges(const Triangle& of, const Triangle& other, bool swapped,
                                            Search& search) {
@@ -191,7 +190,7 @@ template <class Width>
   }
 }
 
-/// Corners of `of` above the face of `other`.
+/// Considers corners of `of` above the face of `other`.
 template <class Width>
 [[gnu::noinline]] void search_above_face(const Triangle& of, const Triangle& other, bool swapped,
                                          Search& search) {
@@ -270,7 +269,7 @@ int64_t largest_below(const Fraction& squared, uint16_t tolerance) noexcept {
   const int64_t longer = tolerance == 0 ? 1 : (one + tolerance) * (one + tolerance);
   const Int128 shorter = widened(tolerance == 0 ? 1 : one * one);
   int64_t whole = rounded_up(squared);
-  if (whole >= int64_t{1} << 36) {  // far: one part in 2^29 of it would take many steps
+  if (whole >= int64_t{1} << 36) {  // far: an error of one part in 2^29 would take many steps
     whole = static_cast<int64_t>(quotient(squared.above, squared.below).low) + 1;
   }
   if (tolerance != 0) {
@@ -311,7 +310,7 @@ Fraction squared_between(const Triangle& a, const Triangle& b, const Features& f
   const unsigned j = features.of_b;
   const Vector between = difference(b.corner[j], a.corner[i]);
   Fraction squared = kZero;
-  // A table of jumps would be an indirect one, and no bound of stack sees through those.
+  // No switch: the proof of the stack bound cannot follow the indirect jump of a jump table.
   const FeatureKind kind = features.kind;
   if (kind == FeatureKind::corners) {
     squared = {widened(dot(between, between)), widened(1)};
@@ -335,7 +334,7 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
   const auto at_corner = [](unsigned corner) {
     return PlaceInTriangle{static_cast<uint8_t>(corner), {0, 0}, {0, 0}, {0, 1}};
   };
-  // Of the vectors to the next corner and to the one after it.
+  // Shares belong to the vectors to the next corner and to the one after it.
   const auto beside = [](const Triangle& t, unsigned corner, const Point& p) {
     const Vector e = edge_of(t, corner);
     return PlaceInTriangle{static_cast<uint8_t>(corner),

@@ -1,4 +1,4 @@
-// What distances of triangles and the tests for large ones have in common.
+// Shared by the distance of triangles and by the tests that reject distant triangles.
 #ifndef FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
 #define FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
 
@@ -17,12 +17,12 @@ inline Vector negated(const Vector& v) {
   return {-v.x, -v.y, -v.z};
 }
 
-/// From a corner to the next.
+/// The vector from corner i to the next corner.
 inline Vector edge_of(const Triangle& t, unsigned i) {
   return difference(t.corner[next(i)], t.corner[i]);
 }
 
-/// Of the coordinates along one axis.
+/// Range of a triangle's coordinates along one axis.
 struct Range {
   int32_t least;
   int32_t most;

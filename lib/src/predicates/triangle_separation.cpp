@@ -1,4 +1,4 @@
-// Tests whether two triangles are no nearer than a limit, without their distance.
+// Tests whether two triangles are no nearer than a limit, without computing their distance.
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "triangle_range.hpp"
@@ -6,8 +6,8 @@
 namespace flashbvh::detail {
 namespace {
 
-/// Whether the plane of `face` has all of `other` on one side, as far off as a distance whose
-/// square is the whole number above `limit`.
+/// Returns whether all of `other` lies on one side of the plane of `face`, at a squared distance of
+/// at least `limit` + 1.
 [[gnu::noinline]] bool plane_separates(const Triangle& face, const Triangle& other, int64_t limit) {
   const LongVector n = normal_of<LongVector>(face);
   const auto height = [&](int i) {
@@ -22,7 +22,7 @@ namespace {
   const auto size = [](int64_t value) { return static_cast<uint64_t>(value < 0 ? -value : value); };
   const uint64_t first = size(p) < size(q) ? size(p) : size(q);
   const uint64_t least = first < size(r) ? first : size(r);
-  // To 13 bits a component, rounded up, so that squares and the limit's multiples have 64.
+  // 13 bits per component, rounded up, so that squares and products with the limit fit 64 bits.
   const uint64_t all = size(n.x) | size(n.y) | size(n.z) | 1;
   const int bits = 64 - __builtin_clzll(all);
   const int down = bits > 13 ? bits - 13 : 0;
@@ -32,7 +32,7 @@ namespace {
   };
   const uint64_t squared = square(n.x) + square(n.y) + square(n.z);
   const uint64_t distance = least >> down;
-  // On the plane, or where there is none, nothing is decided.
+  // A distance of 0, or a triangle without a plane, decides nothing.
   return distance != 0 && distance * distance >= static_cast<uint64_t>(limit + 1) * squared;
 }
 
@@ -44,7 +44,7 @@ inline int32_t short_dot(const Vector& u, const Vector& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 
-/// The corner that comes first along a direction, `from` counted as 0, and where it lies.
+/// The first corner along a direction, and its position there relative to `from`.
 struct Support {
   unsigned corner;
   int32_t at;
@@ -60,14 +60,14 @@ inline Support first_along(const Vector& direction, const Triangle& t, const Poi
   return first;
 }
 
-/// How far B lies beyond A along a direction, and the corners that face each other.
+/// The gap from A to B along a direction, and the corners that face each other.
 struct GapAlong {
   unsigned of_a;
   unsigned of_b;
   int32_t gap;
   uint32_t squared_length;  ///< the direction's
 
-  /// Whether the square of the distance is above `limit`.
+  /// Returns whether the gap proves a squared distance above `limit`.
   bool is_above(int64_t limit) const {
     return gap > 0 && static_cast<uint64_t>(gap) * static_cast<uint32_t>(gap) >=
                           static_cast<uint64_t>(limit + 1) * squared_length;
@@ -80,7 +80,7 @@ inline GapAlong gap_along(const Vector& direction, const Triangle& a, const Tria
           static_cast<uint32_t>(short_dot(direction, direction))};
 }
 
-/// A direction of 12 bits: sums of its products with differences have 32.
+/// Cuts a direction to 12 bits, so that its dot products with differences fit 32 bits.
 inline Vector direction_of(const Vector& v) {
   const uint32_t all = size_of(v.x) | size_of(v.y) | size_of(v.z) | 1u;
   const int bits = 32 - __builtin_clz(all);
@@ -96,7 +96,7 @@ inline Vector direction_across(const LongVector& v) {
   return {scaled(v.x), scaled(v.y), scaled(v.z)};
 }
 
-/// By the sum of its components, the first of equals.
+/// The edge with the largest sum of components' magnitudes; the first one on a tie.
 inline Vector longest_edge(const Triangle& t) {
   const auto length = [](const Vector& v) { return size_of(v.x) + size_of(v.y) + size_of(v.z); };
   const auto longer = [&](const Vector& u, const Vector& v) {
@@ -107,7 +107,7 @@ inline Vector longest_edge(const Triangle& t) {
   return longer(longer(first, second), difference(t.corner[0], t.corner[2]));
 }
 
-/// From A's box to B's along an axis: negative if B's is below, 0 where they overlap.
+/// Signed gap from A's box to B's along an axis: negative if B's is below, 0 if they overlap.
 inline int32_t box_gap(const Triangle& a, const Triangle& b, int32_t Point::*axis) {
   const Range of_a = range_of(a, axis);
   const Range of_b = range_of(b, axis);
@@ -116,7 +116,7 @@ inline int32_t box_gap(const Triangle& a, const Triangle& b, int32_t Point::*axi
   return above > 0 ? above : below < 0 ? below : 0;
 }
 
-/// The largest component has 9 bits and its sign; not the same direction, as any does.
+/// Packs a direction; its largest component keeps 9 bits and a sign. Any direction is a safe test.
 inline Direction packed(const Vector& v) {
   const uint32_t all = size_of(v.x) | size_of(v.y) | size_of(v.z) | 1u;
   const int top = __builtin_clz(all) - 1;  // bits that are free below the sign
@@ -134,7 +134,7 @@ inline Vector unpacked(const Direction& direction) {
   return {component(22), component(12), component(2)};
 }
 
-/// The point nearest to 0 between `v` and `s`; `v` where that is the one. To whole cells.
+/// The point of the segment from `v` to `s` nearest to 0, cut to whole cells; `v` if that is it.
 inline Vector nearest_between(const Vector& v, const Vector& s) {
   const Vector back = {v.x - s.x, v.y - s.y, v.z - s.z};
   const int64_t part = dot(v, back);
@@ -145,7 +145,7 @@ inline Vector nearest_between(const Vector& v, const Vector& s) {
   if (part >= whole) {
     return s;
   }
-  // The share with 12 bits, of 19.
+  // The share has 12 fraction bits; numerator and denominator are cut to 19 bits.
   const int bits = 64 - __builtin_clzll(static_cast<uint64_t>(whole));
   const int down = bits > 19 ? bits - 19 : 0;
   const auto share = static_cast<int32_t>((static_cast<uint32_t>(part >> down) << 12) /
@@ -176,7 +176,7 @@ bool boxes_separate(const Triangle& a, const Triangle& b, int64_t limit,
 bool directions_separate(const Triangle& a, const Triangle& b, int64_t limit,
                          Direction& first) noexcept {
   constexpr int kMostSteps = 6;
-  // Neighbours often have the same direction between them.
+  // The direction that separated the last pair often separates its neighbours.
   if (gap_along(unpacked(first), a, b).is_above(limit)) {
     return true;
   }

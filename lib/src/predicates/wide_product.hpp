@@ -1,4 +1,4 @@
-// Products of 128 bits, by the machine where it has them.
+// 128-bit products, native if the compiler has 128-bit integers.
 #ifndef FLASHBVH_PREDICATES_WIDE_PRODUCT_HPP
 #define FLASHBVH_PREDICATES_WIDE_PRODUCT_HPP
 
@@ -11,7 +11,7 @@ inline constexpr uint64_t kLowHalf = UINT32_MAX;
 #if defined(__SIZEOF_INT128__) && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_HAS_INT128 1
 
-// Where the machine multiplies 64 bits; the same numbers.
+// For machines that multiply 64 bits; results equal those of the portable form.
 __extension__ using Native = unsigned __int128;
 
 inline Int128 of_native(Native value) {
@@ -34,7 +34,7 @@ inline Int128 unsigned_product(uint64_t u, uint64_t v) {
 
 #endif
 
-/// Without what is above 128 bits.
+/// The low 128 bits of the product.
 inline Int128 low_product(const Int128& u, const Int128& v) {
   Int128 product = unsigned_product(u.low, v.low);
   product.high = static_cast<int64_t>(static_cast<uint64_t>(product.high) +
