@@ -23,7 +23,7 @@ void put(const Coordinates& from, Coordinates& to) {
   to.z = from.z;
 }
 
-/// Number by number, which takes the least stack.
+/// Copies number by number, which takes the least stack.
 void put(const Clearance<uint16_t>& known, flashbvh_clearance* result) {
   put(known.point_a, result->point_a);
   put(known.point_b, result->point_b);

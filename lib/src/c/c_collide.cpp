@@ -1,4 +1,4 @@
-// The C interface's one-call questions.
+// The C interface to one-call queries.
 #include "flashbvh/collide.hpp"
 #include "objects.hpp"
 

@@ -1,6 +1,6 @@
 // The C interface to meshes that bend and to self queries.
 //
-// A C struct begins with the mesh that queries take, as a DeformableMesh does.
+// A C struct begins with the mesh that queries take, as DeformableMesh does.
 #include "flashbvh/deformable.h"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/self.hpp"

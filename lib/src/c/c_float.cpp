@@ -1,4 +1,4 @@
-// The C interface to lengths, rays and contacts of floats: apart, for firmware that has none.
+// The C interface to float lengths, rays and contacts; firmware without floats does not link it.
 #include "flashbvh/clearance.h"
 #include "flashbvh/float.hpp"
 #include "flashbvh/ray.h"

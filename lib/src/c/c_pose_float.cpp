@@ -1,4 +1,4 @@
-// The C interface to poses and points of floats: apart, for firmware that has none.
+// The C interface to float poses and points; firmware without floats does not link it.
 #include "flashbvh/float.hpp"
 #include "objects.hpp"
 

@@ -1,4 +1,4 @@
-// The C interface to what a guard says of a pair: apart, as it is linked only if it is called.
+// The C interface to Guard::explain(), in a file of its own: it is linked only if it is called.
 #include "flashbvh/robot.h"
 #include "flashbvh/robot/guard.hpp"
 #include "objects.hpp"

@@ -1,4 +1,4 @@
-// The C interface to robots' floats: apart, for firmware that has none.
+// The C interface to robots' float values; firmware without floats does not link it.
 #include "flashbvh/robot.h"
 #include "flashbvh/robot/robot_float.hpp"
 #include "objects.hpp"

@@ -5,8 +5,8 @@
 
 using namespace flashbvh;
 
-// Proofs that a flashbvh_mesh and a flashbvh_mesh_view are meshes: an array of one is read as the
-// other. tests/c_api compares the fields, since offsetof() does not know those of a base class.
+// flashbvh_mesh and flashbvh_mesh_view have Mesh's layout: arrays of one are read as the other.
+// tests/c_api compares the fields, since offsetof() is not defined for those of a base class.
 static_assert(sizeof(Mesh) == sizeof(flashbvh_mesh) && sizeof(Mesh) == sizeof(flashbvh_mesh_view) &&
                   alignof(Mesh) == alignof(flashbvh_mesh) &&
                   alignof(Mesh) == alignof(flashbvh_mesh_view),

@@ -1,4 +1,4 @@
-// The C interface to sealed guards: apart, so that who seals no guard links no checksums.
+// The C interface to sealed guards, in a file of its own: other firmware links no checksums.
 #include "flashbvh/robot.h"
 #include "flashbvh/robot/guard.hpp"
 #include "objects.hpp"

@@ -1,6 +1,6 @@
 // The C interface to shapes.
 //
-// A C struct begins with the mesh that its shape shows, since a Shape begins with its mesh.
+// A C struct begins with its shape's mesh, since a Shape begins with its mesh.
 #include "flashbvh/shape.h"
 #include "flashbvh/shape.hpp"
 #include "objects.hpp"

@@ -1,4 +1,4 @@
-// Statuses' names: apart, so that firmware that never prints them does not link their text.
+// Names of statuses, in a file of its own: firmware that never prints them does not link the text.
 #include "flashbvh/status.hpp"
 
 using namespace flashbvh;
@@ -7,7 +7,7 @@ using namespace flashbvh;
   case Status::name:        \
     return #name
 
-// The compiler misses a status that has no name.
+// No default case, so that the compiler reports a status without a name.
 const char* flashbvh_status_name(flashbvh_status status) {
   switch (static_cast<Status>(status)) {
     FLASHBVH_CASE(done);

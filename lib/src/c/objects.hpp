@@ -1,8 +1,8 @@
 // The C++ objects inside the C interface's opaque structs.
 //
-// A struct's bytes are an array of unsigned char, so an object may be made in them, and a copy of
-// the struct is a copy of the object: all are trivially copyable, and none points into itself but
-// those that make_in_place() makes.
+// A struct's bytes are an array of unsigned char, so an object may be constructed in them. A copy
+// of the struct is a copy of the object: all objects are trivially copyable. Only objects that
+// make_in_place() makes may point into themselves.
 #ifndef FLASHBVH_C_OBJECTS_HPP
 #define FLASHBVH_C_OBJECTS_HPP
 
@@ -17,13 +17,12 @@
 
 namespace flashbvh {
 
-/// Memory for `new`. Of our own: <new> is no header of the freestanding kind that C has, and every
-/// firmware.
+/// Memory for placement `new`. Defined here because not every firmware's compiler has <new>.
 struct Storage {
   unsigned char* bytes;
 };
 
-/// Which object lies in a struct.
+/// Maps a C struct to the type of the object in it.
 template <class Struct>
 struct ObjectIn;
 template <>
@@ -54,14 +53,14 @@ inline flashbvh_status c_status(Status status) {
   return static_cast<flashbvh_status>(status);
 }
 
-/// An answer to yes or no, and its status.
+/// Stores a yes-or-no answer and returns its status.
 template <class Answer>
 flashbvh_status put_answer(const Answer& answer, bool* yes) {
   *yes = answer.yes;
   return c_status(answer.status);
 }
 
-/// The caller's numbers, row by row, as an array of C++.
+/// Views the caller's numbers, row by row, as a C++ array.
 template <class Array, class Number>
 const Array& array_in(const Number* numbers) {
   return *reinterpret_cast<const Array*>(numbers);
@@ -75,7 +74,7 @@ const Array& array_in(const Number* numbers) {
 
 namespace flashbvh {
 
-/// An object that its caller does not copy.
+/// Constructs an object in a struct that the caller must not copy.
 template <class Struct, class... Arguments>
 FLASHBVH_INLINE inline Object<Struct>& make_in_place(Struct* object, const Arguments&... with) {
   static_assert(sizeof(Object<Struct>) <= sizeof(Struct), "the struct is too small");
@@ -90,20 +89,20 @@ FLASHBVH_INLINE inline Object<Struct>& make(Struct* object, const Arguments&... 
   return make_in_place(object, with...);
 }
 
-/// Plain data that `give()` returns, made in its place: neither copied nor twice on the stack.
+/// Constructs the result of `give()` in place, without a copy on the stack.
 template <class Plain, class Give>
 FLASHBVH_INLINE inline void put(Plain* plain, Give&& give) {
   new (Storage{reinterpret_cast<unsigned char*>(plain)}) Plain(give());
 }
 
-/// `made` is complete before the first byte of `pose` changes: they may be made of one another.
+/// `made` is complete before the first byte of `pose` changes, so it may be computed from `pose`.
 inline flashbvh_status put_pose(const Pose& made, flashbvh_pose* pose) {
   return c_status(make(pose, made).status());
 }
 
 }  // namespace flashbvh
 
-/// Says in a source file which object lies in a struct.
+/// Declares in a source file which object lies in a struct.
 #define FLASHBVH_HOLDS(Struct, Held)  \
   template <>                         \
   struct flashbvh::ObjectIn<Struct> { \

@@ -48,8 +48,8 @@ bool flags_fit(const ImageHeader& header) {
   return (header.flags & ~(kImageHasLevels | kImageIsClosed)) == 0 && (has_levels(header) || !pre);
 }
 
-/// Checks that counts fit the index type and that there is a root. The check of the tree proves that
-/// there are leaves, triangles and vertices.
+/// Checks that counts fit the index type and that there is a root. The check of the tree proves the
+/// format's other rules: there are leaves, triangles and vertices.
 template <class Index>
 bool counts_fit(const ImageHeader& header) {
   constexpr uint32_t most = static_cast<Index>(~Index{0});

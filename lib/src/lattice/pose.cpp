@@ -27,8 +27,8 @@ constexpr uint32_t kMaxEntryDefect = static_cast<uint32_t>(kTolerance) << (kDefe
 /// 2^-23 times the norms of A and B, which the tolerance keeps below 1 + 2^-11.
 constexpr uint32_t kRoundingDefect = 13;
 static_assert(kRoundingDefect > (6 << kDefectBits >> 23), "6 * 2^-23 and a little");
-/// Only many products or coarse matrices exceed this sum of two defects. It adds a margin of at most
-/// 3/4 cell on the largest lattice.
+/// Only many products or coarse matrices exceed this sum of two defects: a margin of 3/4 cell at
+/// most on the largest lattice.
 constexpr uint32_t kMaxSummedDefect = 1 << (kDefectBits - 16);
 
 using Entries = int32_t[3][3];
@@ -60,7 +60,7 @@ constexpr int64_t long_product(int32_t u, int32_t v) {
   return static_cast<uint32_t>((square + (int64_t{1} << drop) - 1) >> drop);
 }
 
-/// Returns whether the determinant of an orthogonal matrix is -1, not 1: each cofactor is then minus
+/// Returns whether an orthogonal matrix has the determinant -1, not 1: each cofactor is then minus
 /// its entry. One entry of a row is at least 0.57 in magnitude, so signs decide.
 inline bool mirrors(const Entries& r) {
   const int32_t sizes[2] = {r[0][0] < 0 ? -r[0][0] : r[0][0], r[0][1] < 0 ? -r[0][1] : r[0][1]};

@@ -186,8 +186,8 @@ struct PoseOfLanes {
   /// The largest deviation of an entry, in 2^-kDefectBits: pose.cpp's kMaxEntryDefect.
   static constexpr int32_t kMaxDeviation = kRotationTolerance >> (30 - kDefectBits);
 
-  /// Adds a rotation to a translation. False, without changing it, if `r` is not a rotation or a bit
-  /// of `wrong` is set. Entries have kRotationBits.
+  /// Adds a rotation to a translation. False, without changing it, if `r` is not a rotation or
+  /// `wrong` is not 0. Entries have kRotationBits.
   FLASHBVH_INLINE static bool rotate(Pose& pose, const MatrixLanes& r, __m128i wrong) {
     if (is_identity(r, wrong)) {
       return true;

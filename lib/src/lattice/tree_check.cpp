@@ -15,8 +15,8 @@
 namespace flashbvh::detail {
 namespace {
 
-/// True if no bound lies beyond the lattice. Bounds are then not 0, and lower bounds not above upper
-/// bounds, because leaves' boxes contain triangles and other boxes contain a child's box.
+/// True if no bound lies beyond the lattice. Leaves' boxes contain triangles and other boxes a
+/// child's box, so no bound is 0 and no lower bound is above its upper bound.
 bool is_on_lattice(const PackedBox& box) {
   return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
 }

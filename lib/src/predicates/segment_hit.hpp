@@ -7,7 +7,7 @@
 
 namespace flashbvh::detail {
 
-/// A cross product of a triangle's edges, a segment's direction or vectors from the segment's start.
+/// A cross product of a segment's direction, a triangle's edges or vectors from the start.
 struct WideVector {
   int64_t x;
   int64_t y;

@@ -1,4 +1,4 @@
-// The joints between two links, and how far they move one towards the other.
+// The joints between two links, and how far they move the links towards each other.
 #ifndef FLASHBVH_ROBOT_BRANCH_HPP
 #define FLASHBVH_ROBOT_BRANCH_HPP
 
@@ -9,8 +9,8 @@
 
 namespace flashbvh::detail {
 
-/// `visit(joint, reach)` of all joints between the two links: those of a's branch, from its own
-/// inwards, then those of b's. One loop, so that its code is there once.
+/// Calls `visit(joint, reach)` for all joints between two links: a's branch from its own joint
+/// inwards, then b's branch. A single loop, so that the code of `visit` is inlined once.
 template <class Visit>
 FLASHBVH_INLINE inline void for_each_between(const Robot& robot, const RobotPair& pair,
                                              Visit&& visit) {
@@ -37,7 +37,7 @@ inline const Frame& frame_of(const Frame* frames, uint8_t joint) {
   return joint == kBase ? kIdentityFrame : frames[joint];
 }
 
-/// Lengths, up to the largest that 32 bits hold.
+/// Adds lengths; saturates at 32 bits.
 constexpr uint32_t sum_of(uint32_t u, uint32_t v) {
   return u > UINT32_MAX - v ? UINT32_MAX : u + v;
 }
@@ -47,7 +47,7 @@ constexpr Length difference_of(Length u, Length v) {
   return u > v ? u - v : 0;
 }
 
-/// A sum of ways, up to the largest that 64 bits hold: more than any distance.
+/// A sum of motions; saturates at 64 bits, which is more than any distance.
 class Travel {
  public:
   /// `by`: units of the joint's coordinate.
@@ -55,9 +55,9 @@ class Travel {
     const uint64_t way = static_cast<uint64_t>(reach) * by;
     sum_ = way > kMost - sum_ ? kMost : sum_ + way;
   }
-  /// The same where all reaches together fit 32 bits and no way is more than 2^31.
+  /// add() without saturation, if the sum of all reaches fits 32 bits and no `by` is above 2^31.
   void add_short(uint32_t reach, uint32_t by) { sum_ += static_cast<uint64_t>(reach) * by; }
-  /// In 1/256 cell, rounded up.
+  /// The sum in 1/256 cell, rounded up.
   uint32_t fine() const {
     const uint64_t whole = (sum_ + kBelowOne) >> kReachBits;
     return whole > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(whole);

@@ -1,4 +1,4 @@
-// Joints' coordinates.
+// Coordinates of joints.
 #ifndef FLASHBVH_ROBOT_COORDINATE_HPP
 #define FLASHBVH_ROBOT_COORDINATE_HPP
 
@@ -12,17 +12,17 @@ namespace flashbvh::detail {
 constexpr int kTurnBits = 28;
 static_assert(kFullTurn == 1 << kTurnBits, "one meaning of a turn");
 
-/// The same angle, from -1/2 turn to less than 1/2.
+/// Wraps an angle to the range from -1/2 turn to less than 1/2 turn.
 constexpr int32_t wrapped(int32_t angle) {
   return static_cast<int32_t>(static_cast<uint32_t>(angle) << (32 - kTurnBits)) >> (32 - kTurnBits);
 }
 
-/// Differences that 32 bits may not hold: of a state that was damaged while it was stored.
+/// A difference modulo 2^32, as the coordinates of a damaged state may overflow.
 constexpr int32_t difference(int32_t u, int32_t v) {
   return static_cast<int32_t>(static_cast<uint32_t>(u) - static_cast<uint32_t>(v));
 }
 
-/// How far two coordinates are apart.
+/// Absolute difference of two coordinates.
 constexpr uint32_t apart(int32_t u, int32_t v) {
   return u < v ? static_cast<uint32_t>(v) - static_cast<uint32_t>(u)
                : static_cast<uint32_t>(u) - static_cast<uint32_t>(v);
@@ -32,16 +32,15 @@ constexpr uint32_t greater(uint32_t u, uint32_t v) {
   return u > v ? u : v;
 }
 
-/// Whether the guard's joint can stand there. Joints without limits are kept within a turn of 0.
+/// Returns whether a guard's joint can have a coordinate. Joints without limits stay within a turn.
 constexpr bool can_be_at(const RobotJoint& joint, JointCoordinate coordinate) {
   return joint.type == JointType::continuous
              ? coordinate >= -kFullTurn && coordinate <= kFullTurn
              : coordinate >= joint.lower && coordinate <= joint.upper;
 }
 
-/// Where the caller's values put the joint; where that would be beyond 32 bits, limited joints to
-/// the end of the range, others so many turns back. What is fixed has no value: where an obstacle
-/// is moved, its joint counts how far.
+/// A joint's coordinate from the caller's values. Beyond 32 bits it saturates if the joint has
+/// limits, and else wraps. A fixed joint has no value; an obstacle's counts how far it was moved.
 inline JointCoordinate coordinate_of(const RobotJoint& joint, const JointCoordinate* values) {
   if (joint.type == JointType::fixed) {
     return joint.offset;

@@ -10,14 +10,14 @@ constexpr int kAxisCellBits = 5;
 
 }  // namespace
 
-/// Kept out of line: its loop is bounded by the call (proofs/time).
+/// Not inlined: the call bounds its loop (proofs/time).
 FLASHBVH_NOINLINE DistanceTableAxis distance_table_axis(const RobotJoint& joint) {
   const bool is_free = joint.type == JointType::continuous;
   const bool is_empty = joint.lower > joint.upper;
   const uint32_t range = is_free    ? kFullTurn - 1
                          : is_empty ? 0
                                     : detail::apart(joint.lower, joint.upper);
-  // The least that leaves kAxisCellBits, by halves: opening a robot would bring libgcc's clz along.
+  // Smallest shift that leaves kAxisCellBits, by bisection: clz would link libgcc's function.
   uint32_t shift = 0;
   for (uint32_t step = 16; step != 0; step /= 2) {
     shift += range >> (shift + step - 1) >> kAxisCellBits != 0 ? step : 0;

@@ -1,4 +1,4 @@
-// The guard: which certificates still hold. Measuring those that soon won't: guard_measure.cpp.
+// The guard: decides which certificates still hold. guard_measure.cpp renews certificates.
 #include "flashbvh/robot/guard.hpp"
 
 #include "branch.hpp"
@@ -23,7 +23,7 @@ constexpr bool is_unknown(const GuardPair& pair) {
   return pair.lower == 0 && pair.upper == UINT32_MAX;
 }
 
-/// Whether the certificate might run out soon, if all joints went as fast as the fastest.
+/// Returns whether the certificate might expire soon if all joints moved as fast as the fastest.
 bool is_near(uint32_t left, const RobotPair& pair, uint32_t longest_step) {
   const uint64_t most = static_cast<uint64_t>(pair.reach) * longest_step >> kReachBits;
   return left <= (most + 1) * kPeriodsAhead;
@@ -60,7 +60,7 @@ void Guard::forget() {
   }
 }
 
-/// Whether nothing in the state leads out of the robot's arrays, or out of the range of numbers.
+/// Returns whether all indices of the state are in the robot's arrays, and all numbers in range.
 bool Guard::is_possible() const {
   if (!fits() || core_->version != kStateVersion || core_->robot_hash != robot_->hash) {
     return false;
@@ -91,18 +91,18 @@ Status Guard::resume() {
     forget();
     return Status::guard_state_invalid;
   }
-  if (core_->walked_pair != kNoPair) {  // poses are not compared: made again
+  if (core_->walked_pair != kNoPair) {  // the stored pose is not checked but made again
     set_frames(*robot_, walked_, frames_);
     core_->pose = pose_of(robot_->pairs[core_->walked_pair]);
-    // Where an obstacle stands now, it is as near as it was then, less all that it has moved since.
+    // It has obstacles where they stand now; the certificate subtracts all that they moved since.
   }
   core_->has_frames = 0;
   return Status::done;
 }
 
-/// Of the joints between two links, `first` being the first one's number in the arrays of all
-/// pairs': `visit(joint, reach, way)`, the farther of the ways to where the period began and ends.
-/// Whether the certificate is of where it ends.
+/// Calls `visit(joint, reach, way)` for each joint between two links. `way`: the larger travel from
+/// the certificate to the period's begin or end. `first`: index of the pair's first joint in the
+/// arrays of all pairs. Returns whether the certificate was measured where the period ends.
 template <class Visit>
 FLASHBVH_INLINE inline bool Guard::for_each_way(const RobotPair& pair, uint32_t first,
                                                 Visit&& visit) const {
@@ -118,7 +118,7 @@ FLASHBVH_INLINE inline bool Guard::for_each_way(const RobotPair& pair, uint32_t 
   return moved == 0;
 }
 
-/// How far two links may have moved towards each other since their certificate.
+/// Upper bound on how far two links moved towards each other since their certificate, by reaches.
 uint32_t Guard::motion_of(const RobotPair& pair, uint32_t first, bool& is_fresh) const {
   detail::Travel since;
   is_fresh = for_each_way(
@@ -126,7 +126,7 @@ uint32_t Guard::motion_of(const RobotPair& pair, uint32_t first, bool& is_fresh)
   return since.fine();
 }
 
-/// The same, no more, with levers.
+/// motion_of() by levers, which is no larger.
 uint32_t Guard::motion_by_levers(const RobotPair& pair, uint32_t first) const {
   const uint8_t* share = shares_ + first;
   detail::LeverTravel since;
@@ -148,9 +148,8 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
   };
   now.distance = kept(known.lower);
   now.left = difference_of(now.distance, pair.stop);
-  // A joint that returns faster to a pose with a small certificate may need a larger one, if
-  // there is one. What has been measured where the period ends is settled: aim() in
-  // guard_measure.cpp.
+  // A joint that returns faster to a pose with a small certificate may need a larger one, if it can
+  // be had. A pair measured where the period ends is settled: aim() in guard_measure.cpp.
   const uint32_t sought = now.left != 0 ? pair.warn : pair.stop;
   now.is_settled = now.is_current && !is_unknown(known) &&
                    (now.distance > pair.warn || known.lower >= kMaxGuardDistance ||
@@ -158,7 +157,7 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
   return now;
 }
 
-/// How far the joints move the pair in this period, in 1/256 cell.
+/// Upper bound on how far the joints move the pair in this period, in 1/256 cell.
 uint32_t Guard::rate_of(const RobotPair& pair) const {
   detail::Travel rate;
   detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
@@ -167,7 +166,7 @@ uint32_t Guard::rate_of(const RobotPair& pair) const {
   return rate.fine();
 }
 
-/// The longest way of any joint in this period.
+/// The largest step of a joint in this period.
 uint32_t Guard::longest_step() const {
   uint32_t longest = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
@@ -203,7 +202,7 @@ Guard::Found Guard::look() {
     }
     first += pair.joints_a + pair.joints_b;
     if (now.distance == 0 && !now.is_current) {
-      known.lower = 0;  // for good: what an obstacle moved is counted on and on, beyond 32 bits
+      known.lower = 0;  // expired for good: the count of an obstacle's motion wraps at 32 bits
     }
     const bool is_stopped =
         now.left == 0 && (now.is_settled || sum_of(known.upper, now.lost) <= pair.stop);
@@ -231,8 +230,8 @@ int32_t Guard::step_to_next(uint32_t joint) const {
   return is_free(joint) ? detail::wrapped(step) : step;
 }
 
-/// Whether a joint without limits went less than half a turn, so that the shorter arc was its way.
-/// A mimic goes as far as its master takes it.
+/// Returns whether a joint without limits moved by less than half a turn, so that it took the
+/// shorter arc. A mimic's motion follows from its master's.
 bool Guard::has_one_way(uint32_t i) const {
   const RobotJoint& joint = robot_->joints[i];
   if (joint.shift == 0) {
@@ -251,7 +250,7 @@ Status Guard::move_to(const JointCoordinate* values) {
   if (!fits()) {
     return Status::guard_state_invalid;
   }
-  // Refused values change nothing, so the coordinates are made apart from those that count.
+  // Refused values must change nothing, so the new coordinates go to an array of their own.
   core_->has_frames = 0;
   const Status status = set_coordinates(*robot_, values, next_);
   if (status != Status::done) {
@@ -280,9 +279,9 @@ GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
                                 : GuardAnswer{status, Verdict::refused, kNoPair, 0, 0};
 }
 
-/// The loop ends. Each turn but one certifies a pair where the period ends, which settles it: no
-/// pair is due twice. The one may end a walk that began in an earlier period. A walk is given up
-/// for a pair alone that has nothing left and that none is given up for, which is then certified.
+/// The loop terminates. Each iteration certifies a pair where the period ends, which settles it, so
+/// no pair is due twice. One iteration may instead end a walk of an earlier period. A walk is
+/// abandoned only for a pair with nothing left, whose own walk is never abandoned.
 GuardAnswer Guard::go_on(uint32_t work) {
   if (!fits() || core_->has_values == 0) {
     return {Status::guard_state_invalid, Verdict::refused, kNoPair, 0, 0};

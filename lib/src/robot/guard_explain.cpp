@@ -1,4 +1,4 @@
-// The guard: where two links are near each other, and what their joints do about it.
+// The guard: reports where two links are nearest, and each joint's effect on their distance.
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/robot/guard.hpp"
@@ -13,12 +13,12 @@ int64_t rounded(int64_t value, int bits) {
   return (value + (int64_t{1} << (bits - 1))) >> bits;
 }
 
-/// A row of a rotation times a vector of up to 2^31 along each axis.
+/// Product of a rotation's row and a vector with components of up to 2^31.
 int64_t turned(const int32_t (&row)[3], const int64_t (&v)[3]) {
   return rounded(row[0] * v[0], 30) + rounded(row[1] * v[1], 30) + rounded(row[2] * v[2], 30);
 }
 
-/// In 1/256 cell, in the base's frame.
+/// Transforms a point, in 1/256 cell, to the base's frame.
 FinePoint in_base(const Frame& frame, const FinePoint& p) {
   const int64_t v[3] = {p.x, p.y, p.z};
   const auto along = [&](int axis) {
@@ -35,8 +35,8 @@ UnitVector in_base(const Frame& frame, const UnitVector& d) {
   return {along(0), along(1), along(2)};
 }
 
-/// How far a unit of the joint's coordinate moves the point along the direction, in 2^-kReachBits
-/// of 1/256 cell.
+/// Motion of the point along the direction per unit of the joint's coordinate, in 2^-kReachBits of
+/// 1/256 cell.
 int64_t way_along(const RobotJoint& joint, const Frame& frame, const FinePoint& point,
                   const UnitVector& along) {
   const int64_t axis[3] = {frame.rotation[0][2], frame.rotation[1][2], frame.rotation[2][2]};
@@ -109,7 +109,7 @@ PairDetail Guard::explain(uint16_t i, int32_t* changes) {
   return detail;
 }
 
-/// What the variable does to the distance of the two points.
+/// The variable's effect on the distance of the two nearest points.
 Guard::Share Guard::share_of(const RobotPair& pair, uint8_t variable,
                              const NearestPoints& nearest) const {
   int64_t change = 0;

@@ -1,4 +1,4 @@
-// The guard: measuring pairs whose certificates are about to run out.
+// The guard: measures pairs whose certificates are about to expire.
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/detail/query/within_along.hpp"
@@ -17,38 +17,39 @@ using detail::sum_of;
 
 namespace {
 
-/// One by spheres is taken if it lasts so many times longer.
+/// A certificate by spheres is used only if it lasts this many times longer.
 constexpr uint64_t kWorthwhile = 4;
 
 static_assert(kMaxGuardDistance <= detail::Within::kMostShort, "WithinAlong tests short ones");
 
-/// Spheres, and the pose of a pair that is going to be measured, in work (detail/walk/work.hpp).
+/// Work of a pair's spheres and pose (detail/walk/work.hpp).
 constexpr uint32_t kPoseWork = 16;
 
-/// The lever of a joint.
+/// Work of a joint's lever.
 constexpr uint32_t kLeverWork = 1;
 
-/// The distance of two triangles, and the next limit that follows from it.
+/// Work of the distance of two triangles and of the next limit.
 constexpr uint32_t kAimWork = 56;
 
-/// A witness's distance is computed again once the links have moved by one part in so many of its
-/// excess over the distance to keep.
+/// A witness's distance is computed again once the links have moved by 1/kStaleShare of its excess
+/// over the distance to keep.
 constexpr uint32_t kStaleShare = 8;
 
-/// A pair is tested whether it is within a share of its witness's distance over the one to keep, in
-/// 1/16: no triangles are tested for half of it, many for all.
+/// Share of a witness's excess over the distance to keep that is added to the tested distance, in
+/// 1/16. Half of the excess needs no triangle tests, all of it needs many.
 constexpr uint32_t kShare = 9;
 
-/// The same where a period moves it farther than that distance.
+/// The share if a period moves the pair by more than the excess, in 1/16.
 constexpr uint32_t kLastShare = 12;
 
-/// And within what so many periods move it, if that is less; and at least within one part of so
-/// many of the share, since joints speed up.
+/// The share is limited to the motion of this number of periods, but not below 1/kPeriodsAsked of
+/// itself, since joints speed up.
 constexpr uint32_t kPeriodsAsked = 16;
 
 }  // namespace
 
-/// Its triangles in A's frame, in cells. False if B lies so far off that it was put nearer.
+/// Sets the witness's triangles in A's frame, in cells. False if B is out of range, where it is
+/// placed nearer.
 bool Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Pose& pose,
                           Triangle& a, Triangle& b) const {
   const Mesh& mesh_a = robot_->meshes[robot_->pairs[i].a];
@@ -58,7 +59,7 @@ bool Guard::place_witness(uint16_t i, const Witness<uint16_t>& witness, const Po
   return transform.is_near();
 }
 
-/// The number of the pair's first joint between, in the arrays of all pairs'.
+/// Index of the pair's first joint in the arrays of all pairs' joints between.
 uint32_t Guard::first_between(uint16_t i) const {
   uint32_t first = 0;
   for (uint16_t j = 0; j < i; ++j) {
@@ -67,7 +68,7 @@ uint32_t Guard::first_between(uint16_t i) const {
   return first;
 }
 
-/// What is known of the pair's distance where the period began.
+/// Lower bound on the pair's distance at the period's begin, in 1/256 cell.
 uint32_t Guard::distance_where_begun(uint16_t i) const {
   const uint32_t first = first_between(i);
   const JointCoordinate* certified = certified_ + first;
@@ -83,7 +84,8 @@ uint32_t Guard::distance_where_begun(uint16_t i) const {
   return detail::greater(by_certificate, pairs_[i].began);
 }
 
-/// `shares`: of the reaches, at those coordinates; null: all of them.
+/// Stores a certificate. `at`: the coordinates at which it was measured. `shares`: of the reaches
+/// there; null: whole reaches.
 void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate,
                     const uint8_t* shares) {
   const uint32_t began = distance_where_begun(i);
@@ -99,7 +101,7 @@ void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& cert
   });
 }
 
-/// How far the joints move it in this period.
+/// Upper bound on the measured pair's motion in this period, in 1/256 cell.
 uint32_t Guard::moved_in_walk() const {
   const uint8_t* share = walked_shares_;
   detail::LeverTravel moved;
@@ -110,7 +112,7 @@ uint32_t Guard::moved_in_walk() const {
   return moved.fine();
 }
 
-/// To where the period ends: values that were refused may stand there.
+/// Sets `next` to the end of the period, as it may hold values that were refused.
 void Guard::set_next() {
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     next_[i] = detail::difference(before_[i], -step_[i]);
@@ -142,14 +144,14 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   const uint32_t worth = (a.radius >> 7) + (b.radius >> 7);  // a sixteenth of the radii, 1/256 cell
   const bool is_worthwhile = difference_of(known, rate) > pair.warn && left >= worth &&
                              left > uint64_t{rate} * (kPeriodsAhead * kWorthwhile);
-  if (!is_worthwhile && apart < kMaxGuardDistance) {  // farther, triangles show no more
+  if (!is_worthwhile && apart < kMaxGuardDistance) {  // beyond it triangles prove no more
     return false;
   }
   certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness}, nullptr);
   return true;
 }
 
-/// By what is known of where the joints stand, if that lasts: no pose, and no triangles.
+/// Certifies by the distance table, if that lasts; needs no pose and no triangles.
 bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
   set_next();
   const RobotPair& pair = robot_->pairs[i];
@@ -178,13 +180,13 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
   aim(upper == UINT32_MAX || is_stale ? witness_distance(work) : sum_of(upper, since));
 }
 
-/// Which limit a pair that is so near is to be kept beyond, with the slack.
+/// The distance to keep for a pair at distance `nearest`: warn or stop, plus slack.
 uint32_t Guard::limit_for(uint16_t i, uint32_t nearest) const {
   const uint32_t warn = sum_of(robot_->pairs[i].warn, robot_->slack);
   return nearest > warn ? warn : sum_of(robot_->pairs[i].stop, robot_->slack);
 }
 
-/// How far apart the witness is, where the pair is being measured; UINT32_MAX: not known.
+/// Distance of the witness at the measured pair's pose, in 1/256 cell; UINT32_MAX if not known.
 uint32_t Guard::witness_distance(uint32_t& work) const {
   Triangle a;
   Triangle b;
@@ -193,17 +195,17 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
   return is_placed ? detail::distance_above(a, b) : UINT32_MAX;
 }
 
-/// The distance to test: a share of the witness's distance over the one to keep. `nearest`: it
-/// is no farther. Less than `nearest`, so each witness that is found is nearer than the last. A
-/// "no" settles the pair (Left::is_settled): the limit is as far as can be, or beyond what
-/// lasts the period and the warn distance, or the stop distance; else the witness is no farther
-/// than that.
+/// Chooses the distance to test: the distance to keep and a share of the witness's excess over it.
+/// `nearest`: upper bound on the witness's distance. The result is below it, so each witness found
+/// is nearer than the last one. A "no" settles the pair (Left::is_settled). Then the limit is the
+/// largest one, or beyond the distance that lasts for the period over the warn or stop distance, or
+/// the witness is no farther than this distance.
 void Guard::aim(uint32_t nearest) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   const uint32_t kept = limit_for(core_->walked_pair, nearest);
   const uint32_t over = difference_of(nearest, kept);
   const uint32_t most = over / 16 * kShare;
-  // As far as so many periods like this one move the links: farther takes walks of many periods.
+  // Limited to the motion of kPeriodsAsked periods, as larger distances take walks of many periods.
   const uint32_t moved = sum_of(moved_in_walk(), kRateMargin);
   const uint32_t least = most / kPeriodsAsked;
   const uint32_t share = moved >= over    ? difference_of(over, uint32_t{1}) / 16 * kLastShare
@@ -219,8 +221,8 @@ void Guard::aim(uint32_t nearest) {
   core_->cursor = {};
 }
 
-/// One run of the question. `done`: the pair has its certificate; `full`: the witness is nearer
-/// than the limit.
+/// Runs a slice of the measured pair's query. `done`: the pair has its certificate; `full`: the
+/// witness is nearer than the limit.
 Status Guard::walk(uint32_t& work) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   if (core_->nearest <= sum_of(pair.stop, robot_->slack)) {
@@ -246,11 +248,11 @@ Status Guard::walk(uint32_t& work) {
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;
-    core_->nearest = core_->asked;  // too near is reported at worst, and not tested again
+    core_->nearest = core_->asked;  // at worst too small a distance is reported; not tested again
     detail::take_work(work, kPoseWork);
     return Status::suspended;
   }
-  if (status == Status::cursor_invalid) {  // of a state that was taken up
+  if (status == Status::cursor_invalid) {  // of a state that was resumed
     core_->cursor = {};
     return Status::suspended;
   }
@@ -262,9 +264,9 @@ Status Guard::finish(const GuardPair& certificate) {
   return Status::done;
 }
 
-/// Goes on with what is being measured, unless another pair can't wait for it. With unlimited work
-/// it ends: each turn of the loop ends the walk, takes a nearer witness, halves the limit, or
-/// begins a walk of a damaged state again, once.
+/// Continues the current measurement, unless another pair is more urgent. Terminates with unlimited
+/// work: each iteration ends the walk, takes a nearer witness, halves the limit, or restarts a walk
+/// of a damaged state, once.
 Status Guard::measure(const Found& found, uint32_t& work) {
   const bool is_overtaken = found.due != core_->walked_pair && found.due != kNoPair &&
                             found.due_left == 0 && found.walked_left != 0;
@@ -277,13 +279,13 @@ Status Guard::measure(const Found& found, uint32_t& work) {
     begin_walk(found.due, work);
   }
   if (core_->pose.status() == Status::suspended || core_->pose.status() == Status::full) {
-    return Status::guard_state_invalid;  // damaged: no pose ends so, and a walk by it would not end
+    return Status::guard_state_invalid;  // damaged: no pose has such a status; a walk would not end
   }
   Status status = Status::suspended;
   while (status == Status::suspended && work != 0) {
     status = walk(work);
     if (status ==
-        Status::full) {  // apart from the walk, so that their stacks are never needed at once
+        Status::full) {  // outside the walk, so that their stack frames do not add up
       const uint32_t above = witness_distance(work);
       aim(above < core_->asked ? above : core_->asked);
       status = Status::suspended;

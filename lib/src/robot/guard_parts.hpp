@@ -1,4 +1,4 @@
-// What a guard's two halves share: looking at all pairs, measuring one.
+// Shared by the parts of a guard that check all pairs and that measure one pair.
 #ifndef FLASHBVH_ROBOT_GUARD_PARTS_HPP
 #define FLASHBVH_ROBOT_GUARD_PARTS_HPP
 
@@ -8,16 +8,16 @@
 namespace flashbvh {
 namespace detail {
 
-/// A certificate is measured again when it would run out within so many periods like the last one:
-/// a measurement takes several of them.
+/// A certificate is renewed if it would expire within this number of periods like the last one, as
+/// a measurement takes several periods.
 constexpr uint32_t kPeriodsAhead = 5;
 
-/// 1/256 cell that a certificate has to last beyond the period's motion.
+/// Margin of a certificate beyond the period's motion, in 1/256 cell.
 constexpr uint32_t kRateMargin = 2;
 
-/// What is known of a whole period, if the pair is `measured` apart where it ends, and was
-/// `began` or more apart where it began. `lost`: the period's motion and the slack. The way from
-/// either end to any moment adds up to the motion: the two distances may have lost half of it each.
+/// Lower bound on a pair's distance in the whole period, from `measured`, the distance at its end,
+/// and `began`, a lower bound at its begin. `lost`: the period's motion and the slack. The motion
+/// from both ends to any moment adds up to the period's, so each distance loses half of it.
 constexpr uint32_t kept_of(uint32_t measured, uint32_t began, uint32_t lost, uint32_t slack) {
   const uint32_t by_end = difference_of(measured, lost);
   const auto by_both =
@@ -27,8 +27,8 @@ constexpr uint32_t kept_of(uint32_t measured, uint32_t began, uint32_t lost, uin
   return by_end > by_most ? by_end : by_most;
 }
 
-/// How far apart a pair has to be where the period ends, to be farther than the limit at each
-/// moment of it: the inverse of kept_of(). `moved`: in the period, and kRateMargin.
+/// Distance at the period's end that keeps a pair beyond the limit at each moment of the period.
+/// Inverse of kept_of(). `moved`: the period's motion and kRateMargin.
 constexpr uint32_t lasting(uint32_t limit, uint32_t began, uint32_t moved, uint32_t slack) {
   const uint32_t by_end = difference_of(moved, difference_of(began, limit));
   return sum_of(sum_of(limit, slack), by_end > kRateMargin ? by_end : kRateMargin);
@@ -36,31 +36,31 @@ constexpr uint32_t lasting(uint32_t limit, uint32_t began, uint32_t moved, uint3
 
 }  // namespace detail
 
-/// What is left of a pair's certificate, in 1/256 cell, at any moment of this period.
+/// The remaining certificate of a pair, in 1/256 cell, valid at each moment of this period.
 struct Guard::Left {
-  uint32_t lost;      ///< how far the links may have moved towards each other since, and the slack
-  uint32_t distance;  ///< they are farther apart than that
-  uint32_t left;      ///< of it, over the stop distance
-  bool is_current;    ///< the certificate is of where the period ends
-  bool is_settled;    ///< and to measure the pair again would show no more of the period
+  uint32_t lost;      ///< the links' motion towards each other since then, at most, and the slack
+  uint32_t distance;  ///< the links are farther apart than this
+  uint32_t left;      ///< `distance` less the stop distance
+  bool is_current;    ///< the certificate was measured where the period ends
+  bool is_settled;    ///< measuring the pair again would prove no more of the period
 };
 
-/// What one of the caller's variables has to do with a distance.
+/// A variable's effect on a distance.
 struct Guard::Share {
-  int32_t change;  ///< a unit of it, in 2^-kReachBits of 1/256 cell
-  int64_t way;     ///< all that it moved in this period
+  int32_t change;  ///< per unit of the variable, in 2^-kReachBits of 1/256 cell
+  int64_t way;     ///< in this period
 };
 
-/// What looking at all pairs found.
+/// Result of checking all pairs.
 struct Guard::Found {
   Verdict verdict;
   uint16_t pair;
   uint32_t distance;
-  uint16_t due;  ///< to be measured first, or kNoPair
+  uint16_t due;  ///< the pair to measure first, or kNoPair
   uint32_t due_left;
   uint32_t due_rate;
   uint32_t walked_left;
-  uint16_t vague;  ///< whether it is free or warned of is soon not known, or kNoPair
+  uint16_t vague;  ///< pair that soon can't be decided between `free` and `warn`, or kNoPair
   uint32_t vague_left;
   uint32_t vague_rate;
 
@@ -71,7 +71,7 @@ struct Guard::Found {
       distance = known;
     }
   }
-  /// `left`: what it may still move. The one that runs out first is due first.
+  /// `left`: its remaining motion. The pair whose certificate expires first is due first.
   void take_due(uint16_t i, uint32_t left, uint32_t rate) {
     take_first(i, left, rate, due, due_left, due_rate);
   }

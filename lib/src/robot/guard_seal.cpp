@@ -1,4 +1,4 @@
-// The guard: checksums that find damaged memory.
+// The guard: checksums that detect damaged memory.
 #include "flashbvh/detail/lattice/checksum.hpp"
 #include "flashbvh/robot/guard.hpp"
 
@@ -8,7 +8,7 @@ using detail::kNoWords;
 
 namespace {
 
-/// Of whole words, from a checksum on.
+/// Continues a checksum over whole words.
 [[gnu::noinline]] uint32_t checksum_of(const void* begin, const void* end, uint32_t checksum) {
   const auto* const last = static_cast<const unsigned char*>(end);
 #pragma GCC unroll 4
@@ -34,7 +34,7 @@ uint32_t Guard::meshes_checksum() const {
   return checksum_of(robot_->meshes, robot_->meshes + robot_->link_count, kNoWords);
 }
 
-/// Its last word may hold bytes of the state's padding.
+/// The last word may include bytes of the state's padding.
 uint32_t Guard::state_checksum() const {
   return checksum_of(&core_->checksum + 1, walked_shares_ + robot_->joint_count,
                      detail::with_word(core_->version, core_->robot_hash));
@@ -50,7 +50,7 @@ void Guard::seal() {
   seal_ = own_checksum();
 }
 
-/// In an order in which what is read next has been checked.
+/// Checks in an order in which each pointer is checked before it is followed.
 Status Guard::verify() const {
   const bool is_intact = seal_ == own_checksum() && fits() && robot_seal_ == robot_checksum() &&
                          meshes_seal_ == meshes_checksum() && core_->checksum == state_checksum();

@@ -8,7 +8,7 @@ namespace flashbvh::detail {
 
 constexpr uint32_t kNoHash = 2166136261u;
 
-/// FNV-1a over elements without padding, from a hash on.
+/// FNV-1a over elements without padding, continued from `hash`.
 template <class Element>
 [[gnu::noinline]] uint32_t hash_of(const Element* elements, uint32_t count, uint32_t hash) {
   const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(elements);

@@ -17,14 +17,14 @@ static_assert(offsetof(RobotImageHeader, byte_count) == offsetof(ImageHeader, by
                   offsetof(RobotImageHeader, crc) == offsetof(ImageHeader, crc),
               "image_crc() leaves these bytes out");
 
-/// The slack of rounding vertices alone, in 1/256 cell (lib/docs/derivations.md, "Robots").
+/// Slack for rounding vertices alone, in 1/256 cell (lib/docs/derivations.md, "Robots").
 constexpr uint32_t kLeastSlack = 228;
 
 const RobotImageHeader& header_of(const void* image) {
   return *image_part<RobotImageHeader>(image, 0);
 }
 
-/// More than any robot's: what a header says of more does not lead past 32 bits.
+/// More than any robot has; clamps a header's value, so that offsets fit 32 bits.
 constexpr uint32_t kMostTableBytes = 1u << 28;
 
 uint32_t mounts_offset(const RobotImageHeader& header) {
@@ -55,7 +55,7 @@ bool counts_fit(const RobotImageHeader& header) {
          header.slack >= kLeastSlack && header.slack <= kMaxGuardDistance && header.padding == 0;
 }
 
-/// As many names as there have to be, none too long, and zeros from there to the meshes.
+/// Checks the number and the lengths of names, and that zeros follow up to the meshes.
 [[gnu::noinline]] bool names_fit(const void* bytes, const RobotImageHeader& header) {
   const char* const names = image_part<char>(bytes, names_offset(header));
   const uint32_t count = 1u + header.joint_count + header.link_count + header.mount_count;
@@ -76,7 +76,7 @@ bool counts_fit(const RobotImageHeader& header) {
   return ended == count && length == 0 && is_gap_zero;
 }
 
-/// Frames are looked at where they are used.
+/// Checks mounts, but not their frames, which are checked where they are used.
 bool mounts_fit(const void* bytes, const RobotImageHeader& header) {
   const Mount* const mounts = image_part<Mount>(bytes, mounts_offset(header));
   for (uint32_t i = 0; i < header.mount_count; ++i) {
@@ -93,7 +93,7 @@ uint32_t links_of(uint32_t a, uint32_t b) {
   return a << 8 | b;
 }
 
-/// Whether it is the only one between the links.
+/// Returns whether a joint is the only one between two links.
 bool is_joint_between(const Robot& robot, uint32_t joint, uint32_t a, uint32_t b) {
   const uint32_t joint_a = robot.links[a].joint;
   const uint32_t joint_b = robot.links[b].joint;
@@ -102,14 +102,14 @@ bool is_joint_between(const Robot& robot, uint32_t joint, uint32_t a, uint32_t b
           (joint == joint_b && robot.joints[joint].parent == joint_a));
 }
 
-/// With a joint and a radius if it is a zone's, else without.
+/// Checks that a zone has a joint and a radius, and any other pair has none.
 bool zone_fits(const Robot& robot, const RobotUnguarded& pair) {
   return pair.why == WhyUnguarded::zone
              ? pair.radius != 0 && is_joint_between(robot, pair.joint, pair.a, pair.b)
              : pair.why == WhyUnguarded::believed && pair.radius == 0 && pair.joint == kBase;
 }
 
-/// Ascending, of links that a joint moves against each other, and none of them guarded.
+/// Checks that unguarded pairs ascend, are not guarded, and that a joint moves their links.
 [[gnu::noinline]] bool unguarded_fit(const void* bytes, const Robot& robot) {
   const uint32_t count = header_of(bytes).unguarded_count;
   const RobotUnguarded* const unguarded = unguarded_pairs(bytes);
@@ -152,14 +152,14 @@ bool zone_fits(const Robot& robot, const RobotUnguarded& pair) {
   robot.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
 }
 
-/// There is a header in its place; the copy is gone when meshes are opened.
+/// Checks alignment and header; its copy is gone from the stack when meshes are opened.
 [[gnu::noinline]] Status check_robot_readable(const void* bytes, size_t size) {
   RobotImageHeader copy;
   return reinterpret_cast<uintptr_t>(bytes) % 4 != 0 ? Status::image_misaligned
                                                      : read_robot_image_header(bytes, size, copy);
 }
 
-/// One after the other, to the end of the image.
+/// Opens all meshes, which must fill the image to its end.
 [[gnu::noinline]] Status open_meshes(const void* bytes, Mesh* meshes, uint64_t cell_bits) {
   const RobotImageHeader& header = header_of(bytes);
   uint32_t offset = robot_meshes_offset(header);
@@ -167,7 +167,7 @@ bool zone_fits(const Robot& robot, const RobotUnguarded& pair) {
     const void* const image = image_part<unsigned char>(bytes, offset);
     const Status status = open_image(image, header.byte_count - offset, meshes[i]);
     if (status == Status::image_truncated || status == Status::image_not_flashbvh) {
-      return Status::image_corrupt;  // all bytes are there, and so is the robot
+      return Status::image_corrupt;  // not truncated: the robot's bytes are complete
     }
     if (status != Status::done) {
       return status;

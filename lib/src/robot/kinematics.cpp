@@ -1,4 +1,4 @@
-// Forward kinematics, in integers; products have 64 bits.
+// Forward kinematics, in integers with 64-bit products.
 #include "flashbvh/robot/kinematics.hpp"
 
 #include "../lattice/fixed_point.hpp"
@@ -13,7 +13,7 @@ using detail::fixed_rounded;
 using detail::sine_cosine;
 using detail::SineCosine;
 
-/// Turned about its own z axis.
+/// Turns a frame about its own z axis.
 void turn(Frame& frame, JointCoordinate coordinate) {
   const SineCosine at = sine_cosine(static_cast<uint32_t>(coordinate) << (32 - detail::kTurnBits));
   for (auto& row : frame.rotation) {
@@ -24,7 +24,7 @@ void turn(Frame& frame, JointCoordinate coordinate) {
   }
 }
 
-/// Moved along its own z axis.
+/// Moves a frame along its own z axis.
 void slide(Frame& frame, JointCoordinate coordinate) {
   for (int i = 0; i < 3; ++i) {
     frame.translation[i] += fixed_rounded(fixed_product(frame.rotation[i][2], coordinate));

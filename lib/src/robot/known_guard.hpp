@@ -1,4 +1,4 @@
-// The motion of the known-answer test of guards.
+// Motion of the known-answer test of guards.
 #ifndef FLASHBVH_ROBOT_KNOWN_GUARD_HPP
 #define FLASHBVH_ROBOT_KNOWN_GUARD_HPP
 
@@ -8,7 +8,7 @@
 
 namespace flashbvh::detail {
 
-/// Both joints go to the wall at a constant speed.
+/// Both joints move towards the wall at constant speed.
 constexpr JointCoordinate kKnownStart[2] = {-kFullTurn / 6, 2'500'000};
 constexpr JointCoordinate kKnownStep[2] = {kFullTurn / 200, 165'000};
 constexpr int kKnownPeriods = 44;

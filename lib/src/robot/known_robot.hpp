@@ -1,5 +1,5 @@
-// The robot of the known-answer tests: a joint that turns, one that slides, a hand and a wall.
-// The words that `flashbvh` bakes of tests/self_test/known_robot.urdf; a test compares them.
+// The robot of the known-answer tests: a revolute and a prismatic joint, a hand and a wall. These
+// are the words that `flashbvh` bakes from tests/self_test/known_robot.urdf; a test compares them.
 #ifndef FLASHBVH_ROBOT_KNOWN_ROBOT_HPP
 #define FLASHBVH_ROBOT_KNOWN_ROBOT_HPP
 

@@ -5,13 +5,13 @@
 namespace flashbvh::detail {
 namespace {
 
-/// What frames are off by at most, from one end of the range to the other, in 1/2,048 cell.
+/// Largest error of a frame over the whole range, in 1/2,048 cell.
 constexpr uint32_t kFrameError = 32;
 
-/// Farther turns gain nothing by levers, in units of a joint's coordinate.
+/// Beyond this sum of turns levers gain nothing; in units of a joint's coordinate.
 constexpr uint64_t kMostTurned = 1u << 24;
 
-/// How far the sphere reaches from the joint's axis, in 1/2,048 cell.
+/// Largest distance of a point of the link's sphere from the joint's axis, in 1/2,048 cell.
 uint64_t lever_at(const Frame& frame, const RobotLink& link, const Frame& frame_of_link) {
   int64_t from_origin[3];
   for (int i = 0; i < 3; ++i) {
@@ -28,7 +28,7 @@ uint64_t lever_at(const Frame& frame, const RobotLink& link, const Frame& frame_
   return uint64_t{square_root(squared)} + kFrameError + link.radius;
 }
 
-/// Of a joint's reach, where the joint and the link are.
+/// The lever of a link about a joint at their current frames, as a share of the joint's reach.
 uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& link,
                  const Frame& frame_of_link, uint32_t reach) {
   const uint32_t part = reach >> 8;
@@ -59,8 +59,8 @@ void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, 
     innermost = joint;
     innermost_reach = reach;
   });
-  // Where one link carries the other, the innermost joint's axis is fixed to it: what turns about
-  // it may as well be the carrier, and its points are always as far from the axis.
+  // If one link carries the other, the innermost joint's axis is fixed to the carrier. Relative to
+  // the axis, the carrier turns as well, and its points keep their distance from the axis.
   if (pair.joints_a == 0 || pair.joints_b == 0) {
     const RobotLink& carrier = pair.joints_a == 0 ? a : b;
     const uint8_t by_carrier = share_of_link(innermost, carrier, innermost_reach);
@@ -74,7 +74,7 @@ uint32_t LeverTravel::fine() const {
   if (turned_ >= kMostTurned) {
     return most;
   }
-  // A lever grows by what all joints move the link: that, times the turns in radians.
+  // A lever grows by the motion of all joints; this motion, times the turns in radians, is added.
   constexpr uint64_t radians = 25736;  // 2 pi, rounded up, in 2^-12
   const uint64_t grown = (((most * turned_) >> 16) + 1) * radians >> 24;
   const uint64_t sum = by_levers_.fine() + grown + 1;

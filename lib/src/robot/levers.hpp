@@ -1,7 +1,8 @@
-// How far joints move a link where it stands: a reach is that of the most stretched arm.
+// Levers bound how far joints move a link at its current place; a reach is the lever of the most
+// stretched arm.
 //
-// A share of the joint's reach, its lever, is kept with a certificate. While joints move on, a
-// point goes away from an axis by at most what they move it, so levers grow by that.
+// A certificate stores each lever as a share of its joint's reach. A point moves away from an axis
+// by at most what the joints move it, so levers grow by the joints' motion since then.
 //
 // Source: lib/docs/derivations.md, "Levers".
 #ifndef FLASHBVH_ROBOT_LEVERS_HPP
@@ -14,20 +15,20 @@
 
 namespace flashbvh::detail {
 
-/// The share that stands for all of a reach.
+/// The share of a whole reach.
 constexpr uint8_t kWholeReach = 255;
 
-/// At least the lever that the share was made of.
+/// Upper bound on the lever from which the share was made.
 constexpr uint32_t lever_of(uint32_t reach, uint8_t share) {
   return reach - (reach >> 8) * (kWholeReach - share);
 }
 
-/// Of the reaches of all joints between the links, where frames are: `shares` has one for each. All
-/// of it where the joint doesn't turn.
+/// Sets the shares of the reaches of all joints between two links, at `frames`; kWholeReach if the
+/// joint does not turn.
 void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, uint8_t* shares);
 
-/// The ways of all joints between two links, which began or ended where the shares hold. Of a
-/// pair's joints: no way is more than 2^31.
+/// Sum of the motions of a pair's joints, which began or ended where the shares hold. No joint moves
+/// by more than 2^31.
 class LeverTravel {
  public:
   void add(const RobotJoint& joint, uint32_t reach, uint8_t share, uint32_t by) {
@@ -35,7 +36,7 @@ class LeverTravel {
     by_levers_.add_short(lever_of(reach, share), by);
     turned_ += turns(joint) ? by : 0;
   }
-  /// In 1/256 cell, rounded up: by levers, or by reaches if that is less.
+  /// The links' motion in 1/256 cell, rounded up: by levers, or by reaches if that is less.
   uint32_t fine() const;
 
  private:

@@ -1,4 +1,4 @@
-// Bisection of motions.
+// Certifies motions of a robot by bisection.
 #include "flashbvh/robot/motion.hpp"
 
 #include "branch.hpp"
@@ -9,12 +9,12 @@
 namespace flashbvh {
 namespace {
 
-/// An interval of 2^-24 of the way is not cut any more.
+/// An interval of 2^-24 of the motion is not halved.
 constexpr uint8_t kMostLevels = 24;
 
 enum Phase : uint8_t { kNew, kWithin, kIntersects };
 
-/// Kinematics of an interval, its spheres and its pose, in work (detail/walk/work.hpp).
+/// Work of an interval's kinematics, spheres and pose (detail/walk/work.hpp).
 constexpr uint32_t kIntervalWork = 32;
 
 }  // namespace
@@ -51,7 +51,7 @@ void MotionQuery::set_values(uint32_t numerator, uint8_t level, JointCoordinate*
   }
 }
 
-/// Joints in the middle of the interval.
+/// Sets all frames for the middle of the interval.
 void MotionQuery::prepare() {
   set_values(2 * core_->interval + 1, static_cast<uint8_t>(core_->level + 1), values_);
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
@@ -61,7 +61,7 @@ void MotionQuery::prepare() {
   set_frames(*robot_, coordinates_, frames_);
 }
 
-/// How far the joint goes from the middle of the interval to either end, and what rounding adds.
+/// Joint motion from the middle of the interval to either end, rounding included.
 uint32_t MotionQuery::way_of(const RobotJoint& joint) const {
   if (joint.type == JointType::fixed) {
     return 0;
@@ -75,7 +75,7 @@ uint32_t MotionQuery::way_of(const RobotJoint& joint) const {
   return mimicked > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(mimicked);
 }
 
-/// How far the joints move the pair from the middle to either end, in 1/256 cell.
+/// Motion of the pair from the middle of the interval to either end, in 1/256 cell.
 uint32_t MotionQuery::reach_of_interval(uint16_t i) const {
   detail::Travel travel;
   detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
@@ -84,8 +84,8 @@ uint32_t MotionQuery::reach_of_interval(uint16_t i) const {
   return travel.fine();
 }
 
-/// On from an interval in which the pair is free: the next one on this level, or on the lowest
-/// above it that begins where this one ends.
+/// Proceeds after an interval in which the pair is free: to the longest interval of the bisection
+/// that begins where this one ends, or to the next pair.
 void MotionQuery::next_interval() {
   ++core_->interval;
   while (core_->level != 0 && core_->interval % 2 == 0) {
@@ -100,7 +100,7 @@ void MotionQuery::next_interval() {
   core_->phase = kNew;
 }
 
-/// The pair may intersect in the interval, and does not in its middle, as far as is known.
+/// The pair may intersect in the interval; no intersection is known in its middle.
 void MotionQuery::split_or_end() {
   core_->phase = kNew;
   if (core_->within <= 2 * robot_->slack || core_->level == kMostLevels) {
@@ -112,7 +112,7 @@ void MotionQuery::split_or_end() {
   ++core_->level;
 }
 
-/// Kinematics, spheres, pose. Where they don't settle it, the walk of the next phase is ready.
+/// Tests the spheres of an interval; if they do not decide, prepares the walk of the next phase.
 void MotionQuery::begin_interval() {
   prepare();
   const RobotPair& pair = robot_->pairs[core_->pair];
@@ -132,7 +132,7 @@ void MotionQuery::begin_interval() {
   }
 }
 
-/// Tests the pair by the predicate of the phase: `full` if the answer is yes.
+/// Runs a slice of the phase's query; returns `full` if the answer is yes.
 template <class Asked>
 Status MotionQuery::ask(Asked&& query, uint32_t& work) {
   const Status status = query.resume(core_->cursor);
@@ -157,7 +157,7 @@ Status MotionQuery::ask_phase(uint32_t& work) {
              : ask(PairQuery(a, b, core_->pose), work);
 }
 
-/// One interval's beginning, or a slice of one question.
+/// Begins an interval, or runs a slice of a query.
 void MotionQuery::step(uint32_t& work) {
   if (core_->phase == kNew) {
     detail::take_work(work, kIntervalWork);
@@ -168,7 +168,7 @@ void MotionQuery::step(uint32_t& work) {
   if (status == Status::done && core_->phase == kWithin) {
     next_interval();
   } else if (status == Status::done || status == Status::distance_out_of_range) {
-    split_or_end();  // also pairs too far apart for so large a distance
+    split_or_end();  // also if the pair is too far apart for a query with this distance
   } else if (status == Status::full && core_->phase == kWithin) {
     core_->cursor = {};
     core_->phase = kIntersects;
@@ -180,8 +180,8 @@ void MotionQuery::step(uint32_t& work) {
   }
 }
 
-/// With unlimited work it ends: each turn gets on with a question, and each question halves its
-/// interval or goes on to the next one; none is halved more than kMostLevels times.
+/// Terminates with unlimited work: each iteration advances a query, and each query's end halves the
+/// interval or proceeds to the next one. No interval is halved more than kMostLevels times.
 MotionAnswer MotionQuery::run(uint32_t work) {
   if (!fits_ || core_->robot_hash != robot_->hash) {
     return {Status::guard_state_invalid, MotionOutcome::close, 0, {}, 0, 0};

@@ -1,6 +1,5 @@
-// The proof that no number of a robot's leads kinematics, guard or motions out of arrays, out of
-// the range of numbers, or round and round. Each number is read once all that it relies on is
-// proven.
+// Checks that a robot's numbers keep kinematics, guard and motions within arrays and ranges, and
+// that their loops terminate. Each number is read after all numbers on which it relies are checked.
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/clearance.hpp"
@@ -11,28 +10,28 @@
 namespace flashbvh::detail {
 namespace {
 
-/// How far from the base anything of a robot may get, in 1/2,048 cell, by lengths that are rounded
-/// up: what 64 joints round, 2^11, and differences of two such places then fit 32 bits.
+/// Largest distance of a robot's points from the base, in 1/2,048 cell, by lengths rounded up. With
+/// the rounding of 64 joints, 2^11, differences of two places fit 32 bits.
 constexpr uint32_t kMostExtent = kMaxFrameTranslation - (1 << 15);
 
-/// Each entry is off by half of 2^-30, so a product of two rows of length 1 is by 1.74 of these.
+/// Each entry is off by half of 2^-30, so a product of two unit rows is off by 1.74 * 2^-30.
 constexpr int64_t kRotationRounding = 2 * int64_t{kRotationOne};
 
-/// Of rounding vertices when they are placed, in 1/256 cell (lib/docs/derivations.md, "Robots"),
-/// less what rounding up two deviations adds.
+/// Slack for rounding placed vertices, in 1/256 cell (lib/docs/derivations.md, "Robots"), less what
+/// rounding up two deviations adds.
 constexpr uint32_t kPlacingSlack = 226;
 
 constexpr uint8_t kMostShift = 40;
 constexpr int32_t kMostMultiplier = 1 << 30;
 
-/// Of a joint that slides, by definition.
+/// Reach of a prismatic joint, by definition.
 constexpr uint32_t kSlidingReach = uint32_t{256} << (kReachBits - kFrameBits);
 
 constexpr bool is_within(int32_t value, int32_t most) {
   return value >= -most && value <= most;
 }
 
-/// Of a vector in 1/2,048 cell: rounded down, and 1 more.
+/// Length of a vector in 1/2,048 cell, rounded down, plus 1.
 uint32_t length_above(const int32_t (&v)[3]) {
   uint64_t square = 0;
   for (const int32_t at : v) {
@@ -45,7 +44,7 @@ int64_t dot(const int32_t (&u)[3], const int32_t (&v)[3]) {
   return int64_t{u[0]} * v[0] + int64_t{u[1]} * v[1] + int64_t{u[2]} * v[2];
 }
 
-/// Its sign shows whether an orthogonal matrix mirrors.
+/// The determinant; its sign shows whether an orthogonal matrix mirrors.
 int64_t determinant(const int32_t (&r)[3][3]) {
   int64_t sum = 0;
   for (int i = 0; i < 3; ++i) {
@@ -57,7 +56,7 @@ int64_t determinant(const int32_t (&r)[3][3]) {
   return sum;
 }
 
-/// To what rounding its entries leaves.
+/// Tests for a rotation, within the rounding of its entries.
 [[gnu::noinline]] bool is_rotation(const int32_t (&r)[3][3]) {
   for (const auto& row : r) {
     if (!is_within(row[0], kRotationOne) || !is_within(row[1], kRotationOne) ||
@@ -96,7 +95,7 @@ bool has_factor(const RobotJoint& joint) {
                    is_within(joint.offset, kMaxJointCoordinate);
 }
 
-/// A mimic of a joint without limits has none, either, and turns a whole number of times.
+/// A mimic of a joint without limits has no limits, and its multiplier is a whole number.
 bool follows(const RobotJoint& joint, const RobotJoint& master) {
   const bool is_free = joint.type == JointType::continuous;
   const uint64_t parts = static_cast<uint64_t>(int64_t{joint.multiplier});
@@ -104,7 +103,7 @@ bool follows(const RobotJoint& joint, const RobotJoint& master) {
          (!is_free || (parts & ((uint64_t{1} << joint.shift) - 1)) == 0);
 }
 
-/// Each variable has one joint that is no mimic.
+/// Checks that each variable has exactly one joint that is no mimic.
 [[gnu::noinline]] bool check_variables(const Robot& robot) {
   uint8_t masters[kMaxJoints];
   uint64_t seen = 0;
@@ -134,7 +133,7 @@ bool follows(const RobotJoint& joint, const RobotJoint& master) {
   return true;
 }
 
-/// How far the joint's frame can get from the base.
+/// Largest distance of the joint's frame from the base.
 uint64_t extent_of(const RobotJoint& joint, const uint32_t* extents) {
   const bool slides = joint.type == JointType::prismatic;
   return uint64_t{length_above(joint.fixed.translation)} +
@@ -168,7 +167,7 @@ bool check_link(const Robot& robot, const RobotLink& link, const uint32_t* exten
   return extent <= kMostExtent;
 }
 
-/// Reaches stand link by link, and there are no others.
+/// Checks all links, and that reaches are stored link by link, without others.
 bool check_links(const Robot& robot, const uint32_t* extents) {
   uint32_t reach = 0;
   for (uint32_t i = 0; i < robot.link_count; ++i) {
@@ -186,8 +185,8 @@ bool check_links(const Robot& robot, const uint32_t* extents) {
   return reach == robot.reach_count;
 }
 
-/// The joints that are on one of the two branches alone. Of two joints the one with the greater
-/// number is not above the other.
+/// Checks a pair's joints, those on one of the two branches only. Of two joints the one with the
+/// greater number is not an ancestor of the other.
 bool check_between(const Robot& robot, const RobotPair& pair) {
   const RobotLink* const links[2] = {&robot.links[pair.a], &robot.links[pair.b]};
   uint32_t joints[2] = {links[0]->joint, links[1]->joint};
@@ -201,7 +200,7 @@ bool check_between(const Robot& robot, const RobotPair& pair) {
   return pair.joints_a == counts[0] && pair.joints_b == counts[1] && pair.reach == reach;
 }
 
-/// Each two links once, in ascending order.
+/// Checks that pairs ascend, so that no two links are paired twice.
 [[gnu::noinline]] bool check_pairs(const Robot& robot, uint32_t& joints_between) {
   uint32_t next = 0;
   for (uint32_t i = 0; i < robot.pair_count; ++i) {
@@ -217,7 +216,7 @@ bool check_between(const Robot& robot, const RobotPair& pair) {
   return true;
 }
 
-/// Of all pairs, or of none.
+/// Checks that all pairs that can have a distance table have one, or none has.
 bool check_distance_tables(const Robot& robot) {
   uint32_t bytes = 0;
   for (uint32_t i = 0; i < robot.pair_count; ++i) {

@@ -1,4 +1,4 @@
-// The known-answer test of guards.
+// Known-answer test of guards.
 #include "flashbvh/robot/self_test.hpp"
 
 #include "../self_test/answer_digest.hpp"
@@ -11,7 +11,7 @@ namespace flashbvh {
 namespace detail {
 namespace {
 
-/// More than a walk of a period takes, if none is broken.
+/// More work than a period's walk takes on a core without faults.
 constexpr uint32_t kEnoughWork = 20'000;
 
 void add(const GuardAnswer& answer, AnswerDigest& digest) {
@@ -20,7 +20,7 @@ void add(const GuardAnswer& answer, AnswerDigest& digest) {
   digest.add(answer.work);
 }
 
-/// The hand turns and slides to the wall and past it, in slices of little work.
+/// Turns and slides the hand to the wall and past it, with little work per period.
 [[gnu::noinline]] void move_hand(const Robot& robot, AnswerDigest& digest) {
   GuardStateOf<2, 1, 2> state;
   Guard guard(robot, state);
@@ -36,7 +36,7 @@ void add(const GuardAnswer& answer, AnswerDigest& digest) {
 
 }  // namespace
 
-/// With what the robot's distance table says, and without.
+/// Runs the motion with the robot's distance table and without it.
 uint32_t known_guard_digest() {
   Mesh meshes[2];
   Robot robot = view_robot_unchecked(kKnownRobot, meshes);

@@ -32,8 +32,7 @@ uint32_t sphere_gap(const RobotLink& a, const Frame& frame_a, const RobotLink& b
                     const Frame& frame_b) {
   uint64_t square = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    // Towards 0 by less than 1/256 cell: a difference of centres is that much too small at most,
-    // and 1/2,048 cell off.
+    // Rounded towards 0 by less than 1/256 cell, after 1/2,048 cell for the error of the centres.
     const int64_t apart = centre_of(b, frame_b, axis) - centre_of(a, frame_a, axis);
     const int64_t size = (apart < 0 ? -apart : apart) - 1;
     const uint64_t fine = size < 0 ? 0 : static_cast<uint64_t>(size) >> kDropped;

@@ -1,4 +1,4 @@
-// A robot's arrays in RAM, and what is added to them.
+// A robot's arrays in RAM, to which bodies and pairs are added.
 #include "flashbvh/robot/workcell.hpp"
 
 #include "branch.hpp"
@@ -10,17 +10,17 @@
 namespace flashbvh {
 namespace {
 
-/// A joint that counts how far an obstacle moved, in 1/256 cell; of a tool's no unit is ever
-/// counted.
+/// Reach of the joint that counts how far an obstacle moved, in 1/256 cell. A tool's joint never
+/// counts.
 constexpr uint32_t kOneForOne = 1u << kReachBits;
 constexpr uint32_t kMostMoved = 1u << 28;
 
-/// What placed vertices are rounded by, 0.89 cells, in 1/65,536.
+/// Largest rounding of placed vertices, 0.89 cells, in 1/65,536 cell.
 constexpr uint32_t kPlacing = 58328;
-/// What baking moves a vertex by at most, half a cell's diagonal, in 1/65,536 cell.
+/// Largest motion of a vertex by baking, half a cell's diagonal, in 1/65,536 cell.
 constexpr uint32_t kBaking = 56756;
 
-/// So far from the base and from each joint, in 1/2,048 cell; links as baked keep to it, too.
+/// Limit of distances from the base and from each joint, in 1/2,048 cell, as for baked links.
 constexpr uint64_t kFarthestFrame = kMaxFrameTranslation - (1 << 16);
 
 /// Square of a length of up to 2^31.
@@ -33,12 +33,12 @@ bool is_rotation(const Frame& frame) {
   return Pose::rigid(frame.rotation, nowhere).status() == Status::done;
 }
 
-/// How far the sphere reaches from its frame's z axis.
+/// Largest distance of a point of the sphere from its frame's z axis.
 uint32_t lever_of(const RobotLink& link) {
   return detail::square_root(square(link.centre[0]) + square(link.centre[1])) + 1 + link.radius;
 }
 
-/// False if it is, or reaches, too far from the frame's origin.
+/// Sets a link's sphere. False if the sphere gets too far from the frame's origin.
 bool set_sphere(const int64_t (&centre)[3], uint64_t radius, RobotLink& link) {
   uint64_t squared = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -52,8 +52,8 @@ bool set_sphere(const int64_t (&centre)[3], uint64_t radius, RobotLink& link) {
   return detail::square_root(squared) + radius < kFarthestFrame;
 }
 
-/// The sphere round the mesh, a little more than as large, since a frame's matrix may be
-/// kRotationTolerance from a rotation. As set_sphere().
+/// set_sphere() with a sphere round the mesh. The sphere is slightly larger than the mesh, since a
+/// frame's matrix may differ from a rotation by kRotationTolerance.
 bool set_sphere_round(const Mesh& mesh, RobotLink& link) {
   int32_t low[3] = {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate};
   int32_t high[3] = {-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate};
@@ -86,7 +86,7 @@ bool set_sphere_round(const Mesh& mesh, RobotLink& link) {
   return set_sphere(centre, radius + (radius >> 12) + 1, link);
 }
 
-/// How far a unit of the joint's coordinate moves the sphere, in 2^-kReachBits of 1/256 cell.
+/// Largest motion of the sphere per unit of the joint's coordinate, in 2^-kReachBits of 1/256 cell.
 uint32_t reach_of(const RobotJoint& joint, const RobotLink& link) {
   switch (joint.type) {
     case JointType::prismatic:
@@ -100,8 +100,8 @@ uint32_t reach_of(const RobotJoint& joint, const RobotLink& link) {
   return static_cast<uint32_t>((arc * lever_of(link) + 0xFFFF) >> 16);
 }
 
-/// The sphere round all that it sweeps at all coordinates of the joint, in the parent's frame. As
-/// set_sphere().
+/// set_sphere() with a sphere, in the parent's frame, round the volume that the link's sphere sweeps
+/// at all coordinates of the joint.
 bool sweep_over(const RobotJoint& joint, RobotLink& link) {
   int64_t centre[3] = {link.centre[0], link.centre[1], link.centre[2]};
   uint64_t radius = link.radius;
@@ -142,14 +142,14 @@ void Workcell::copy() {
   take(robot_.reaches, reaches_, robot_.reach_count);
 }
 
-/// Goes inwards with the sphere round what the link sweeps: a reach for each joint, if they are
-/// requested, and what arithmetic can be wrong by (lib/docs/derivations.md, "Robots"), in 1/65,536
-/// cell. False if it may come too far from a joint.
+/// Follows the branch to the base with the sphere round the link's swept volume. Sets a reach for
+/// each joint, unless `reaches` is null, and the error of arithmetic in 1/65,536 cell
+/// (lib/docs/derivations.md, "Robots"). False if the link may get too far from a joint.
 bool Workcell::sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) const {
   RobotLink link = body;
   constexpr uint32_t rounding = 58;  // of a translation, twice, by half of 1/2,048 along each axis
-  constexpr uint32_t turned = kFarthestFrame >> 22;  // by 2^-27, as far off as it may be
-  error = kBaking + 34;                              // and of the relative pose
+  constexpr uint32_t turned = kFarthestFrame >> 22;  // by 2^-27 at the largest distance
+  error = kBaking + 34;                              // 34: error of the relative pose
   for (uint8_t j = link.joint; j != kBase; j = joints_[j].parent) {
     const RobotJoint& joint = joints_[j];
     const uint32_t reach = reach_of(joint, link);
@@ -201,7 +201,7 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
   carrier.lower = INT32_MIN;
   carrier.upper = INT32_MAX;
   uint32_t error = 0;
-  // Its frame has to be in range, too.
+  // The first sweep, of a point, checks the frame.
   if (!sweep(body, nullptr, error) || !set_sphere_round(mesh, body) ||
       !sweep(body, reaches_ + robot_.reach_count, error)) {
     return Status::translation_out_of_range;
@@ -221,7 +221,7 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
   return Status::done;
 }
 
-/// Of the link's branch, a bit for each joint.
+/// The joints of the link's branch, one bit each.
 uint64_t Workcell::branch_of(const RobotLink& link) const {
   uint64_t branch = 0;
   for (uint8_t joint = link.joint; joint != kBase; joint = joints_[joint].parent) {
@@ -230,7 +230,7 @@ uint64_t Workcell::branch_of(const RobotLink& link) const {
   return branch;
 }
 
-/// The joints of the link's branch that are not of the other one; their reaches come to the sum.
+/// Number of joints of the link's branch that are not on `other`; adds their reaches to `sum`.
 uint8_t Workcell::joints_beside(const RobotLink& link, uint64_t other, uint64_t& sum) const {
   const uint32_t* reach = reaches_ + link.first_reach;
   uint8_t count = 0;

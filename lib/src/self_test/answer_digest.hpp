@@ -1,4 +1,4 @@
-// A digest of all answers of a known-answer test.
+// Digest of all answers of a known-answer test.
 #ifndef FLASHBVH_SELF_TEST_ANSWER_DIGEST_HPP
 #define FLASHBVH_SELF_TEST_ANSWER_DIGEST_HPP
 
@@ -9,7 +9,7 @@
 
 namespace flashbvh::detail {
 
-/// Of all answers in their order, and of the work that they took.
+/// Digest of all answers, in order, and of their work.
 class AnswerDigest {
  public:
   void add(uint32_t word) { value_ = with_word(value_, word); }

@@ -1,4 +1,4 @@
-// What the known-answer tests of meshes share: a mesh and poses.
+// Mesh and poses of the known-answer tests of meshes.
 #ifndef FLASHBVH_SELF_TEST_KNOWN_ANSWERS_HPP
 #define FLASHBVH_SELF_TEST_KNOWN_ANSWERS_HPP
 
@@ -15,9 +15,9 @@ inline Mesh known_mesh() {
   return view_unchecked<Mesh>(kKnownMesh);
 }
 
-/// Visits four translations, two of which let one vertex touch another if `apart` is 1, then eight
-/// rigid poses, each the one before it moved by one rotation about an axis off the origin. `apart`:
-/// factor of all translations.
+/// Visits four translations, then eight rigid poses. With `apart` = 1, two of the translations let
+/// one vertex touch another. Each rigid pose is the previous one, turned about an axis off the
+/// origin. `apart`: factor of all translations.
 template <class Visit>
 void for_each_known_pose(int32_t apart, Visit&& visit) {
   constexpr int16_t translations[4][3] = {
@@ -38,7 +38,7 @@ void for_each_known_pose(int32_t apart, Visit&& visit) {
   }
 }
 
-/// Of the known-answer tests that self_test.hpp has.
+/// Digests of the known-answer tests in self_test.hpp.
 uint32_t known_pairs_digest();
 uint32_t known_distances_digest();
 uint32_t known_rays_digest();

@@ -1,4 +1,4 @@
-// The known-answer test of distances.
+// Known-answer test of distances.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/self_test.hpp"
 #include "known_answers.hpp"
@@ -6,7 +6,7 @@
 namespace flashbvh {
 namespace detail {
 
-/// Each distance is measured, then decided at its own limit and just below it.
+/// Measures each distance, then tests it at its upper bound and just below its lower bound.
 uint32_t known_distances_digest() {
   const Mesh mesh = known_mesh();
   AnswerDigest digest;

@@ -1,5 +1,5 @@
 // The mesh of the known-answer tests: an uneven, closed surface of 20 triangles.
-// The words that `flashbvh` bakes of tests/self_test/known_mesh.obj; a test compares them.
+// These are the words that `flashbvh` bakes from tests/self_test/known_mesh.obj; a test compares.
 #ifndef FLASHBVH_SELF_TEST_KNOWN_MESH_HPP
 #define FLASHBVH_SELF_TEST_KNOWN_MESH_HPP
 

@@ -1,4 +1,4 @@
-// The known-answer test of pairs.
+// Known-answer test of pairs.
 #include "flashbvh/collide.hpp"
 #include "flashbvh/self_test.hpp"
 #include "known_answers.hpp"
@@ -6,7 +6,7 @@
 namespace flashbvh {
 namespace detail {
 
-/// In slices, of which a broken walk gets no more than a good one needs.
+/// Runs in slices; their number is limited, so that a broken walk ends.
 uint32_t known_pairs_digest() {
   constexpr uint32_t slice = 400;
   const Mesh mesh = known_mesh();

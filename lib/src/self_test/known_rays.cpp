@@ -1,4 +1,4 @@
-// The known-answer test of rays and of points inside.
+// Known-answer test of rays and of points inside a mesh.
 #include "flashbvh/ray.hpp"
 #include "flashbvh/self_test.hpp"
 #include "flashbvh/solid.hpp"
@@ -7,8 +7,7 @@
 namespace flashbvh {
 namespace detail {
 
-/// Rays through the mesh from its corners' side to points within, and whether their ends are
-/// inside.
+/// Casts rays from outside into the mesh, and tests whether their ends are inside.
 uint32_t known_rays_digest() {
   const Mesh mesh = known_mesh();
   AnswerDigest digest;

@@ -1,4 +1,4 @@
-// Constant memory, checked in slices.
+// Checks constant memory in slices.
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/self_test.hpp"
 
@@ -13,7 +13,7 @@ Status RegionTest::run(size_t bytes) {
     const MemoryRegion& region = regions_[region_];
     const size_t left = region.size - checked_;
     const size_t slice = left < bytes ? left : bytes;
-    if (checked_ <= region.size) {  // else the region itself is damaged
+    if (checked_ <= region.size) {  // else the list of regions is damaged
       crc_ = detail::crc32(static_cast<const unsigned char*>(region.begin) + checked_, slice, crc_);
       checked_ += slice;
       bytes -= slice;

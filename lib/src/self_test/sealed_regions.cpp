@@ -1,14 +1,14 @@
-// The regions of the linked firmware.
+// List of the linked firmware's memory regions.
 #include "flashbvh/self_test.hpp"
 
-/// Until tools/seal_firmware.py writes them: the first one fails. Its name is what that looks for.
+/// tools/seal_firmware.py finds the list by its name and writes it. Until then the test fails.
 // NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" const flashbvh::MemoryRegion flashbvh_sealed_region_list[flashbvh::kSealedRegions] = {
     {nullptr, 0, 1}};
 
 namespace flashbvh {
 
-/// No compiler may work with the list as it was compiled.
+/// Hides the list's compiled values from the optimiser.
 const MemoryRegion* sealed_regions() {
   const MemoryRegion* regions = flashbvh_sealed_region_list;
   asm("" : "+r"(regions));
