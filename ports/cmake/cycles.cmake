@@ -1,7 +1,7 @@
-# The plugin of QEMU that counts cycles (lib/docs/cycles.md), and a program that prints the most that
-# instructions take: the target flashbvh_cycles, built by this machine's compiler. FLASHBVH_CYCLES: QEMU's
-# options that run the plugin by the table of this core. Unless that is rough, FLASHBVH_CYCLES_CORES: the cores
-# whose cycles the program's machine code proves; and FLASHBVH_MOST_CYCLES: the command that prints them.
+# The target flashbvh_cycles, built by this machine's compiler: QEMU's plugin that counts cycles (lib/docs/cycles.md),
+# and a program that prints the most cycles of instructions. FLASHBVH_CYCLES: QEMU's options that run the plugin with
+# the table of this core. Unless the table is rough, FLASHBVH_CYCLES_CORES: the cores whose cycles are proven from
+# machine code; and FLASHBVH_MOST_CYCLES: the command that prints them.
 set(FLASHBVH_CYCLES "" CACHE INTERNAL "")
 set(FLASHBVH_CYCLES_CORES "" CACHE INTERNAL "")
 set(FLASHBVH_MOST_CYCLES "" CACHE INTERNAL "")

@@ -1,7 +1,7 @@
 # cmake [-DSTATUS=n] [-DOUTPUT=regex] -P expect.cmake -- COMMAND ARGUMENT...
 #
-# Runs the command and fails unless it ends with that status (0 by default; "failure" is any but
-# 0) and writes what the expression matches. CTest alone knows one of the two at a time.
+# Runs the command and fails unless it ends with status n (0 by default; "failure" is any other) and
+# its output matches the expression. CTest alone checks only one of the two at a time.
 if(NOT DEFINED STATUS)
   set(STATUS 0)
 endif()

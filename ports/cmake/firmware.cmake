@@ -11,7 +11,7 @@ endif()
 set(FLASHBVH_NO_HEAP ${no_heap} CACHE INTERNAL "")
 set(FLASHBVH_SUFFIX ${suffix} CACHE INTERNAL "")
 
-# flashbvh_board_executable(name source...): what firmware and tests have in common.
+# flashbvh_board_executable(name source...): the common part of firmware and tests.
 function(flashbvh_board_executable name)
   add_executable(${name} ${ARGN})
   set_target_properties(${name} PROPERTIES SUFFIX ${FLASHBVH_SUFFIX})
@@ -21,8 +21,8 @@ endfunction()
 
 # flashbvh_add_firmware(name source... [ARGUMENTS])
 #
-# name.elf and name.elf.map. The link fails when heap, exceptions or RTTI get in. main() has no
-# arguments unless ARGUMENTS is given, which costs 1.2 KB of RAM.
+# Builds name.elf and name.elf.map. The link fails if heap, exceptions or RTTI are linked in. main()
+# has no arguments unless ARGUMENTS is given, which costs 1.2 KB of RAM.
 function(flashbvh_add_firmware name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "ARGUMENTS" "" "")
   flashbvh_board_executable(${name} ${arg_UNPARSED_ARGUMENTS})
@@ -37,9 +37,9 @@ endfunction()
 # flashbvh_add_firmware_test(name target [ICOUNT | CYCLES [MODEL options]] [ARGUMENTS argument...] [STATUS n]
 #                            [PASS_REGULAR_EXPRESSION regex] [TIMEOUT seconds])
 #
-# Runs the firmware under QEMU. The test passes when it ends with STATUS (0 unless given) and, if
-# there is an expression, its output matches. ICOUNT makes instruction counts exact,
-# CYCLES counts cycles in place of instructions, by the plugin's options in MODEL, if any.
+# Runs the firmware under QEMU. The test passes if the firmware ends with STATUS (0 unless given) and
+# its output matches the expression, if one is given. ICOUNT makes instruction counts exact. CYCLES
+# counts cycles instead of instructions; MODEL has options for the plugin.
 function(flashbvh_add_firmware_test name target)
   cmake_parse_arguments(PARSE_ARGV 2 arg
     "ICOUNT;CYCLES" "MODEL;STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
@@ -67,7 +67,7 @@ function(flashbvh_add_firmware_test name target)
       string(PREPEND arg_MODEL ",")
     endif()
     list(APPEND environment "FLASHBVH_QEMU_OPTIONS=${FLASHBVH_CYCLES}${arg_MODEL}")
-    set(folder ${folder}/cycles/${target})  # where the plugin leaves what it counts
+    set(folder ${folder}/cycles/${target})  # for the plugin's result file
     file(MAKE_DIRECTORY ${folder})
   endif()
 
@@ -75,14 +75,14 @@ function(flashbvh_add_firmware_test name target)
   add_test(NAME ${test} WORKING_DIRECTORY ${folder}
     COMMAND ${CMAKE_COMMAND} ${expectations} -P ${FLASHBVH_EXPECT} --
       ${FLASHBVH_RUN} $<TARGET_FILE:${target}> ${arg_ARGUMENTS})
-  # QEMU's own limit comes first: it says what happened.
+  # ports/run's own limit comes first, as its message says what happened.
   math(EXPR limit "${arg_TIMEOUT} + 30")
   set_tests_properties(${test} PROPERTIES TIMEOUT ${limit} ENVIRONMENT "${environment}")
 endfunction()
 
 # flashbvh_add_link_failure_test(name target OUTPUT regex)
 #
-# Passes when `target` does not build and the build says so with `regex`.
+# Passes if `target` does not build and the build's output matches `regex`.
 function(flashbvh_add_link_failure_test name target)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "OUTPUT" "")
   set(test "${FLASHBVH_TEST_PREFIX}/${name}")
@@ -90,6 +90,6 @@ function(flashbvh_add_link_failure_test name target)
   add_test(NAME ${test}
     COMMAND ${CMAKE_COMMAND} -DSTATUS=failure "-DOUTPUT=${arg_OUTPUT}" -P ${FLASHBVH_EXPECT} --
       ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target ${target})
-  # One build at a time in one folder.
+  # A build folder allows one build at a time.
   set_tests_properties(${test} PROPERTIES TIMEOUT 120 RESOURCE_LOCK flashbvh_build_folder)
 endfunction()

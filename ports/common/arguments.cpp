@@ -1,5 +1,5 @@
 // The arguments of main(), from the host's command line: "<program> <text of -append>".
-// Words end at blanks; "..." groups; a backslash takes the next character as it stands.
+// Words end at blanks; "..." groups; a backslash escapes the next character.
 #include <stddef.h>
 
 #include "semihosting.hpp"
@@ -11,7 +11,7 @@ namespace {
 constexpr size_t kLongestLine = 1024;
 constexpr int kMostArguments = 31;
 
-// Unquotes the word that starts at `source`, in place; returns what follows it.
+// Unquotes the word that starts at `source`, in place; returns a pointer to the text after it.
 char* end_word(char* source) {
   char* target = source;
   bool quoted = false;

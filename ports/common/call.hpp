@@ -1,5 +1,5 @@
-// A call of any function object through one plain function pointer: whatever is measured is then
-// called in the same way, and cannot be inlined into the code that measures it.
+// Calls any function object through a plain function pointer. So all measured code is called in one
+// way, and cannot be inlined into the code that measures it.
 #pragma once
 
 namespace port {

@@ -1,5 +1,5 @@
-// What insn.cpp needs of an architecture: a count that is off by a constant, and code of known
-// length to check it by.
+// An architecture's part of insn.cpp: a count with a constant error, and code of known length to
+// check it.
 #pragma once
 
 #include <stdint.h>
@@ -8,13 +8,13 @@
 
 namespace port {
 
-/// Instructions of `function(context)` and of the code around every call, always as many.
+/// Instructions of `function(context)` plus a constant, the code around every call.
 uint32_t counted(Call function, void* context);
 
 /// Returns at once.
 void empty(void*);
 
-/// Goes round `passes` times, at least once, and returns.
+/// Runs a loop of `passes` iterations, at least one.
 void known_loop(void* passes);
 extern const uint32_t kInstructionsPerPass;
 

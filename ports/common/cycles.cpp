@@ -4,7 +4,7 @@
 #include "semihosting.hpp"
 
 extern "C" {
-// The plugin knows them by name. Out of line, and not empty, so that calls of them stay.
+// The plugin finds these functions by name. Not inlined and not empty, so that calls remain.
 __attribute__((noinline, used)) void port_cycles_begin() {
   __asm__ volatile("" ::: "memory");
 }
@@ -16,10 +16,10 @@ __attribute__((noinline, used)) void port_cycles_end() {
 namespace port {
 namespace {
 
-/// Written by the plugin, on the host, at every end.
+/// The plugin writes it, on the host, at each end mark.
 struct Result {
   uint32_t cycles;
-  uint32_t pairs;  ///< of marks so far
+  uint32_t pairs;  ///< number of pairs of marks so far
 };
 
 bool read_result(Result* result) {
@@ -37,7 +37,7 @@ bool read_result(Result* result) {
   return true;
 }
 
-// The same code around every call, so that what it adds is the same.
+// Not inlined, so that the code around a call adds a constant.
 __attribute__((noinline)) Result marked(Call function, void* context) {
   port_cycles_begin();
   function(context);
@@ -50,13 +50,13 @@ __attribute__((noinline)) Result marked(Call function, void* context) {
 }  // namespace
 
 bool counts_cycles() {
-  // A file that no plugin writes any more stays as it is.
+  // The file may be left from an earlier run; without a plugin its count does not change.
   Result before = {};
   return read_result(&before) && marked(empty, nullptr).pairs != before.pairs;
 }
 
 uint32_t cycles_of_call(Call function, void* context) {
-  marked(empty, nullptr);  // where flash is cached, what is around the call now is in the cache
+  marked(empty, nullptr);  // loads the code around the call into the flash cache, if there is one
   const uint32_t overhead = marked(empty, nullptr).cycles;
   return marked(function, context).cycles - overhead;
 }

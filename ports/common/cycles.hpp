@@ -1,4 +1,4 @@
-// Cycles of code, which a plugin of QEMU counts by a model of the core (lib/docs/cycles.md).
+// Cycles of code, counted by a QEMU plugin with a model of the core (lib/docs/cycles.md).
 #pragma once
 
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 namespace port {
 
-/// Whether the plugin runs.
+/// Returns whether the plugin runs.
 bool counts_cycles();
 
 /// Cycles that `function(context)` takes; an empty function counts 0. The plugin has to run.

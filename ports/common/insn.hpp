@@ -1,9 +1,9 @@
 // Exact instruction counts, from inside the program.
 //
-// Under `-icount shift=8` (FLASHBVH_ICOUNT=8 ports/run ...) every instruction takes 256 ns of
-// virtual time, at least 2.5 ticks of the core's timer on every board: the rounded quotient is the
-// number of instructions. They are instructions, not cycles: a division and a push of eight
-// registers count 1 each. Under the plugin of ports/cycles the same functions count cycles.
+// Under `-icount shift=8` (FLASHBVH_ICOUNT=8 ports/run ...) each instruction takes 256 ns of
+// virtual time, at least 2.5 ticks of the core's timer on every board. The rounded quotient is the
+// number of instructions, not cycles: a division and a push of eight registers count 1 each. Under
+// the plugin of ports/cycles these functions count cycles.
 #pragma once
 
 #include <stdint.h>
@@ -14,9 +14,9 @@ namespace port {
 
 /// Instructions that `function(context)` executes, up to 2^32 - 1; an empty function counts 0.
 ///
-/// Ends the program with kExitCounterNotExact where the counter is wrong on a loop of known length,
-/// that is without `-icount`. `function` must not mask interrupts for long (2 million instructions)
-/// and must not count itself.
+/// Ends the program with kExitCounterNotExact if the counter is wrong on a loop of known length, as
+/// without `-icount`. `function` must not mask interrupts for long (2 million instructions) and
+/// must not count instructions itself.
 uint32_t instructions_of_call(Call function, void* context);
 
 /// Instructions that `function()` executes, the loads of its captures included.

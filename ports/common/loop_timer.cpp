@@ -1,4 +1,4 @@
-// A loop instead of the timer of timer.hpp.
+// timer.hpp with a loop in place of a timer.
 #include "timer.hpp"
 
 #include "counter.hpp"

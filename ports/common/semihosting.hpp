@@ -1,6 +1,6 @@
-// Semihosting: how a program without an operating system calls the host behind the emulator (or the
-// debug probe) for output and for an end. Sources: Arm, "Semihosting for AArch32 and
-// AArch64"; RISC-V International, "RISC-V Semihosting".
+// Semihosting: calls by which a program without an operating system prints and ends through the
+// emulator's (or debug probe's) host. Sources: Arm, "Semihosting for AArch32 and AArch64"; RISC-V
+// International, "RISC-V Semihosting".
 #pragma once
 
 #include <stdint.h>
@@ -19,7 +19,7 @@ enum class HostCall : uint32_t {
   exit_extended = 0x20,  ///< takes a reason and a status
 };
 
-/// Makes one call. `argument` is what the call expects: most take the address of a block of words.
+/// Makes one call. `argument` depends on the call: mostly the address of a block of words.
 #if defined(__xtensa__) || defined(__wasm__)
 int32_t ask_host(HostCall call, const void* argument);  // host.cpp
 #else
@@ -27,8 +27,8 @@ inline int32_t ask_host(HostCall call, const void* argument) {
 #if defined(__riscv)
   register uint32_t a0 __asm__("a0") = static_cast<uint32_t>(call);
   register const void* a1 __asm__("a1") = argument;
-  // The host knows a call by the two shifts around the breakpoint, all three of full length and in
-  // one page.
+  // The host recognises a call by the two shifts around the breakpoint; all three are uncompressed
+  // and in one page.
   __asm__ volatile(
       ".option push\n"
       ".option norvc\n"
@@ -65,7 +65,7 @@ enum ExitStatus : int {
   constexpr uintptr_t kRunTimeError = 0x20023;
   const uintptr_t block[2] = {kApplicationExit, static_cast<uintptr_t>(status)};
   ask_host(HostCall::exit_extended, block);
-  // A host without the extended call knows success and failure only.
+  // A host without the extended call distinguishes only success and failure.
   const uintptr_t reason = status == 0 ? kApplicationExit : kRunTimeError;
   ask_host(HostCall::exit, reinterpret_cast<const void*>(reason));
   for (;;) {

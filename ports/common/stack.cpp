@@ -9,9 +9,9 @@ constexpr uint32_t kPaint = 0xA5A5A5A5;
 
 // Paints from the stack's limit to the stack pointer and returns the stack pointer.
 //
-// Inlined, or there would be a frame of its own in the painted area; in assembler, because the
-// compiler may move the stack pointer between any two statements. That it clobbers the return
-// address makes the caller set up its frame before.
+// Inlined, as a frame of its own would lie in the painted area. In assembler, because the compiler
+// may move the stack pointer between any two statements. It clobbers the return address, so that
+// the caller sets up its frame before.
 __attribute__((always_inline)) inline uint32_t* paint_below_frame() {
   uint32_t* word = __stack_limit;
   uint32_t* top;
@@ -48,7 +48,7 @@ __attribute__((always_inline)) inline uint32_t* paint_below_frame() {
   return top;
 }
 
-// Inlined for the same reason.
+// Inlined, as a frame of its own would be counted.
 __attribute__((always_inline)) inline uint32_t used_below(uint32_t* top) {
   const volatile uint32_t* word = __stack_limit;
   while (word < top && *word == kPaint) {

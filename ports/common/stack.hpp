@@ -1,6 +1,6 @@
-// How deep the stack got. The unused stack is painted with a word; what a program has written since
-// no longer carries it. Resolution 4 bytes; what a frame reserves below its last written word is
-// not seen, so compare with -fstack-usage.
+// Measures the stack's depth: the unused stack is painted with a word, which a program overwrites.
+// The resolution is 4 bytes. A frame's bytes below its last written word are not detected; compare
+// with -fstack-usage.
 #pragma once
 
 #include <stdint.h>
@@ -15,11 +15,11 @@ uint32_t stack_size();
 /// Bytes of RAM of .data and .bss. Not in WebAssembly.
 uint32_t static_bytes();
 
-/// Bytes of stack that the program has used at most since its start, or, once stack_of() has
-/// painted again, since then.
+/// High-water mark of the stack in bytes, since the program's start or since stack_of() painted
+/// again.
 uint32_t stack_used();
 
-/// Bytes of stack that `function(context)` uses, with all that it calls. An empty function uses 0.
+/// Bytes of stack that `function(context)` and its callees use. An empty function uses 0.
 uint32_t stack_of_call(Call function, void* context);
 
 /// Bytes of stack that `function()` uses, its own frame included.
@@ -28,7 +28,7 @@ uint32_t stack_of(Function function) {
   return stack_of_call(call_object<Function>, &function);
 }
 
-/// Paints the stack below the caller's frame. The start-up code has done it once.
+/// Paints the stack below the caller's frame. The start-up code calls it once.
 void paint_stack();
 
 }  // namespace port

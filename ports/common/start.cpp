@@ -8,7 +8,7 @@ extern void (*__init_array_start[])();
 extern void (*__init_array_end[])();
 }
 
-// ISO C++ forbids to call main(), which is just what start-up code is for.
+// ISO C++ forbids calling main(), but start-up code has to call it.
 #pragma GCC diagnostic ignored "-Wpedantic"
 int main(int argc, char** argv);
 

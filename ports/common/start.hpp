@@ -1,4 +1,4 @@
-// What happens between reset and main() on every core, once the stack pointer is set.
+// Start-up of every core between reset and main(), once the stack pointer is set.
 #pragma once
 
 #include <stdint.h>
@@ -18,7 +18,7 @@ namespace port {
 [[noreturn]] void start_program();
 
 /// Fills `argv` from the host's command line and returns argc. Only programs that link
-/// arguments.cpp have it; in all others main() gets no arguments.
+/// arguments.cpp have it; in other programs main() gets no arguments.
 int read_arguments(char*** argv) __attribute__((weak));
 
 }  // namespace port

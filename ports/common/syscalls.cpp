@@ -1,5 +1,5 @@
-// newlib's calls to an operating system, for tests that use it: a heap between .bss and
-// the stack, standard output, a clock. Firmware never links this.
+// newlib's system calls, for tests: a heap between .bss and the stack, standard output, a clock.
+// Firmware never links this file.
 #include <errno.h>
 #include <stddef.h>
 #include <sys/stat.h>
@@ -32,7 +32,7 @@ int fail(int error) {
 
 extern "C" {
 
-// libstdc++ registers destructors with the address of this.
+// libstdc++ registers destructors with this variable's address.
 void* __dso_handle = nullptr;
 
 void* _sbrk(ptrdiff_t bytes) {

@@ -23,7 +23,7 @@ void put_decimal(Unsigned magnitude, bool negative) {
   put(first);
 }
 
-// The unsigned difference from 0 is right for the most negative value, too.
+// The unsigned difference from 0 is also correct for the most negative value.
 template <class Unsigned, class Signed>
 void put_signed(Signed value) {
   const auto bits = static_cast<Unsigned>(value);

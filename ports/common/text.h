@@ -1,4 +1,4 @@
-/* Text output for firmware in C: text.hpp's, for strings and numbers. */
+/* Text output for firmware in C: strings and numbers, by text.hpp. */
 #pragma once
 
 #ifdef __cplusplus

@@ -3,8 +3,8 @@
 
 namespace port {
 
-/// Each writes its argument to the host's standard output, without a newline. At most 48 bytes of
-/// stack; the long long forms need the 64-bit division of libgcc, the others do not.
+/// Writes its argument to the host's standard output, without a newline. At most 48 bytes of stack;
+/// only the long long forms need libgcc's 64-bit division.
 void put(const char* text);
 void put(int value);
 void put(unsigned value);

@@ -1,4 +1,4 @@
-// SysTick as the instruction counter of insn.hpp. It has 24 bits; its interrupt counts the rest.
+// SysTick as the instruction counter of insn.hpp. It has 24 bits; its interrupt counts the wraps.
 #include "counter.hpp"
 #include "systick.hpp"
 
@@ -25,7 +25,7 @@ constexpr uint32_t kHandlerInstructions = 5;
 
 constexpr uint32_t kLargestReload = 0xFFFFFF;
 
-// The same code around every call, so that what it adds is the same.
+// Not inlined, so that the code around a call adds a constant.
 __attribute__((noinline)) void run_counted(Call function, void* context) {
   port_systick_wraps = 0;
   systick().control = kStop;
@@ -34,11 +34,11 @@ __attribute__((noinline)) void run_counted(Call function, void* context) {
   systick().control = kCount;
   function(context);
   systick().control = kStop;
-  // A wrap at the very end is still to be taken before port_systick_wraps is read.
+  // The interrupt of a wrap at the very end must be taken before port_systick_wraps is read.
   __asm__ volatile("dsb\n isb" ::: "memory");
 }
 
-// Virtual time of a wrap. QEMU starts the next one at a whole nanosecond, hence rounds down.
+// Virtual time of a wrap, rounded down, as QEMU starts each wrap at a whole nanosecond.
 constexpr uint64_t kNanosecondsPerWrap =
     (uint64_t{kLargestReload} + 1) * 1000000 / FLASHBVH_CLOCK_KHZ;
 

@@ -17,7 +17,7 @@ void Reset_Handler();
 void Fault_Handler();
 void Unexpected_Handler();
 
-// A program replaces a handler by defining a function of its name.
+// A program replaces a handler by defining a function of the handler's name.
 #define FLASHBVH_PORT_HANDLER __attribute__((weak, alias("Unexpected_Handler")))
 void NMI_Handler() FLASHBVH_PORT_HANDLER;
 void SVC_Handler() FLASHBVH_PORT_HANDLER;
@@ -55,7 +55,7 @@ void enable_coprocessors() {
 #endif
 }
 
-// With the register a core faults when the stack outgrows its limit, without it runs on.
+// A core with the register faults if the stack outgrows its limit; other cores run on.
 void guard_stack() {
 #if FLASHBVH_PORT_STACK_LIMIT
   __asm__ volatile("msr msplim, %0" ::"r"(__stack_limit));
@@ -91,7 +91,7 @@ __attribute__((naked, used)) void Reset_Handler() {
   port::start_program();
 }
 
-// A fault may come from a stack that is no longer there: the handler takes a fresh one.
+// A fault may leave an unusable stack, so the handler resets the stack pointer.
 __attribute__((naked, used)) void Fault_Handler() {
   __asm__ volatile(
 #if FLASHBVH_PORT_STACK_LIMIT

@@ -16,10 +16,10 @@ inline volatile SysTick& systick() {
 }
 
 constexpr uint32_t kStop = 4;   ///< processor clock; QEMU loses the count when the clock changes
-constexpr uint32_t kCount = 7;  ///< the same, interrupt at the wrap, enable
-constexpr uint32_t kHasWrapped = 1U << 16;  ///< of control, forgotten when it is read
+constexpr uint32_t kCount = 7;  ///< processor clock, interrupt at the wrap, enable
+constexpr uint32_t kHasWrapped = 1U << 16;  ///< bit of `control`, cleared when it is read
 
-/// Takes back an interrupt that is due already, since the last one took longer than a period.
+/// Clears a pending interrupt, which is due already if the last one took longer than a period.
 inline void forget_tick() {
   constexpr uint32_t kClearPending = 1U << 25;
   *reinterpret_cast<volatile uint32_t*>(0xE000ED04) = kClearPending;

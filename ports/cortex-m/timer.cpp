@@ -23,7 +23,7 @@ constexpr uint32_t instructions_of_ticks(uint32_t ticks) {
 }  // namespace
 
 extern "C" void SysTick_Handler() {
-  (void)systick().control;  // forgets that the timer has wrapped
+  (void)systick().control;  // clears kHasWrapped
   bool is_done = false;
   running.task(running.context, &is_done);
   const uint32_t took = instructions_of_ticks(systick().reload - systick().current);

@@ -1,4 +1,4 @@
-// Flash that is slower than the core: the cycles that reading instructions and data from it adds.
+// Flash that is slower than the core: cycles added by reading instructions and data from it.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ struct FlashProfile {
   uint32_t line_bytes = 0;
   uint32_t sets = 0;
   uint32_t ways = 0;
-  uint32_t data_lines = 0;  ///< of a cache of its own; 0: data share that of instructions
-  uint32_t wait = 0;        ///< cycles that a line which is not in the cache takes
+  uint32_t data_lines = 0;  ///< of the data cache; 0: data share the instruction cache
+  uint32_t wait = 0;        ///< cycles of a line that is not in the cache
   uint32_t prefetches = 0;  ///< 1: the next line is read while a line is executed
 };
 
-/// Sets of lines, of which the one used longest ago makes way.
+/// A set-associative cache with least-recently-used replacement.
 class LineCache {
  public:
   LineCache(uint32_t sets, uint32_t ways) : sets_(sets), ways_(ways) {}
-  /// Whether `line` was in the cache; afterwards it is.
+  /// Returns whether `line` was in the cache, and puts it there.
   bool use(uint64_t line);
   bool has(uint64_t line) const;
 
@@ -34,13 +34,13 @@ class LineCache {
 
 class Flash {
  public:
-  /// Returns what is wrong with `name`, or with tables/flash.csv; empty if nothing is.
+  /// Returns an error of `name` or of tables/flash.csv; empty if there is none.
   static std::string read(const std::string& path, const std::string& name, FlashProfile& profile);
 
   Flash(const FlashProfile& profile, uint64_t begin, uint64_t bytes);
 
   bool holds(uint64_t address) const { return address - begin_ < bytes_; }
-  /// Cycles waited for the instructions at [first, after), which then take `cycles` from `now` on.
+  /// Returns the cycles waited for the code at [first, after), which takes `cycles` from `now` on.
   uint64_t fetch(uint64_t first, uint64_t after, uint64_t now, uint64_t cycles);
   uint64_t load(uint64_t address);
 
@@ -52,7 +52,7 @@ class Flash {
   uint64_t bytes_;
   LineCache instructions_;
   LineCache data_;
-  uint64_t line_ = ~uint64_t{0};  ///< that instructions were last fetched from
+  uint64_t line_ = ~uint64_t{0};  ///< of the last instruction fetch
   uint64_t prefetched_ = ~uint64_t{0};
   uint64_t prefetch_ends_ = 0;
 };

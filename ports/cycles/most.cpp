@@ -1,11 +1,11 @@
-// flashbvh_most_cycles TABLE.csv [fast]: the most that instructions take, for
-// proofs/machine_code/measure.py. fast: of parts whose MULS takes what the table assumes.
+// flashbvh_most_cycles TABLE.csv [fast]: the most cycles of instructions, for
+// proofs/machine_code/measure.py. fast: for parts whose MULS takes the table's assumed cycles.
 //
-// First prints the core's rules, "WIDE_TARGET UNALIGNED_WORD". Then reads lines of one instruction
-// or of two, its halfwords in hexadecimal as objdump has them, and prints for each
-//   KIND CYCLES JUMP READS ADDRESS     of one: KIND after "no_" if the core has none; READS: words
-//                                      that may come from flash; ADDRESS as in thumb.hpp
-//   CYCLES                             of "FIRST / SECOND": what the second one may wait for
+// First prints the core's rules, "WIDE_TARGET UNALIGNED_WORD". Then reads lines of one or two
+// instructions, as halfwords in hexadecimal in objdump's order, and prints for each line
+//   KIND CYCLES JUMP READS ADDRESS     for one: "no_KIND" if the core lacks it; READS: words that
+//                                      may come from flash; ADDRESS as in thumb.hpp
+//   CYCLES                             for "FIRST / SECOND": the most that SECOND waits
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr uint16_t kSp = 1U << 13;
 
-/// The stack lies in RAM.
+/// Words that may be read from flash; the stack lies in RAM.
 unsigned reads(const Instruction& code) {
   switch (code.kind) {
     case Kind::load:
@@ -58,8 +58,8 @@ Instruction read_code(std::istream& halfwords) {
   return decode(static_cast<uint16_t>(first), static_cast<uint16_t>(second));
 }
 
-/// Of wide instructions in two words the third waits after one of several cycles: the one that
-/// follows that is charged.
+/// Upper bound on the wait of `next` after `last`. The third wide instruction in two words waits
+/// after an instruction of several cycles; here the first one is charged.
 unsigned wait(const Table& table, const Instruction& last, const Instruction& next) {
   const bool may_take_several =
       cycles_of(table, last) > 1 || last.address != 0 || last.floats_read != 0;

@@ -51,8 +51,8 @@ uint32_t Pipeline::cycles_of(const Instruction& next) const {
   return cycles;
 }
 
-/// While an instruction takes several `cycles` the prefetch buffer fills and fetching stops. The
-/// fetch after it comes too late for the third instruction that ends in a word after its own.
+/// During an instruction of several `cycles` the prefetch buffer fills and fetching stops. The next
+/// fetch is too late for the third of the following instructions that lie in two words.
 uint32_t Pipeline::fetch_waited_by(const Instruction& next, uint32_t cycles) {
   until_fetch_wait_ = next.is_split ? until_fetch_wait_ : 0;
   const bool waits = until_fetch_wait_ == 1;

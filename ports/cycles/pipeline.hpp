@@ -1,4 +1,4 @@
-// The cycles of instructions that are executed one after the other.
+// The cycles of consecutive instructions.
 #pragma once
 
 #include "table.hpp"
@@ -6,17 +6,17 @@
 
 namespace cycles {
 
-/// What an instruction takes in addition right after another one that is executed.
+/// Cycles that `next` takes in addition right after `last`, if `last` is executed.
 uint32_t wait_between(const Table& table, const Instruction& last, const Instruction& next);
 
 class Pipeline {
  public:
   explicit Pipeline(const Table& table) : table_(table) {}
 
-  /// What `next` adds; it is executed after those that were added before. A jump is not in it.
+  /// Returns the cycles of `next` after all instructions added before, without a jump.
   uint32_t add(const Instruction& next);
 
-  /// Whether `add` counted the last one without its accesses, as its condition may fail.
+  /// Returns whether `add` left out the last one's accesses, as its condition may fail.
   bool may_be_skipped() const { return may_be_skipped_; }
 
  private:
@@ -26,8 +26,8 @@ class Pipeline {
 
   const Table& table_;
   Instruction last_ = {};
-  unsigned conditional_ = 0;       ///< instructions to come that an IT governs
-  unsigned until_fetch_wait_ = 0;  ///< instructions in two words; 0: none waits
+  unsigned conditional_ = 0;       ///< number of further instructions that an IT governs
+  unsigned until_fetch_wait_ = 0;  ///< number of instructions in two words; 0: none waits
   bool has_last_ = false;
   bool may_be_skipped_ = false;
 };

@@ -1,12 +1,12 @@
-// A plugin of QEMU that counts the cycles which a Cortex-M takes (lib/docs/cycles.md).
+// A QEMU plugin that counts the cycles of a Cortex-M by a model (lib/docs/cycles.md).
 //
 //     -plugin FILE,tables=FOLDER,core=NAME,result=FILE[,range=least|most]
 //             [,flash=NAME,flash_begin=ADDRESS,flash_kb=N]
 //
-// The guest marks what is counted by calls of port_cycles_begin and port_cycles_end. After each
-// pair the result is in the file `result`, until QEMU ends, where the guest reads it
-// (ports/common/cycles.cpp). A block is costed once, when QEMU translates it; at run time there is
-// one addition a block, and what a jump into it takes.
+// The guest marks counted code by calls of port_cycles_begin and port_cycles_end. After each pair
+// the plugin writes the file `result`, which the guest reads (ports/common/cycles.cpp) and which is
+// removed when QEMU ends. A block's cycles are computed once, when QEMU translates it; each
+// execution adds them and the cycles of a jump.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -33,18 +33,18 @@ enum class Mark : uint8_t { none, begin, end };
 
 struct Block {
   uint64_t first = 0;
-  uint64_t after = 0;   ///< where execution goes on unless the last instruction jumps
+  uint64_t after = 0;   ///< next address if the last instruction does not jump
   uint32_t cycles = 0;  ///< without a jump at its end
   uint32_t jump = 0;
-  uint32_t entry = 0;  ///< in addition, if a jump leads here
+  uint32_t entry = 0;  ///< in addition, if entered by a jump
   Mark mark = Mark::none;
 };
 
 struct Model {
   Table table;
   std::unique_ptr<Flash> flash;
-  std::deque<Block> blocks;          ///< stay where they are, as QEMU has their addresses
-  std::map<uint64_t, Pipeline> cut;  ///< where blocks that end without a jump go on
+  std::deque<Block> blocks;          ///< never move, as QEMU has their addresses
+  std::map<uint64_t, Pipeline> cut;  ///< states after blocks that end without a jump
   const Block* last = nullptr;
   uint64_t cycles = 0;
   uint64_t begun = 0;
@@ -55,7 +55,7 @@ struct Model {
 
 Model model;
 
-/// As the guest reads it (ports/common/cycles.cpp).
+/// The layout that the guest reads (ports/common/cycles.cpp).
 struct Result {
   uint32_t cycles;
   uint32_t pairs;
@@ -106,7 +106,7 @@ Mark mark_of(const qemu_plugin_insn* code) {
   if (symbol == nullptr) {
     return Mark::none;
   }
-  // A function's first block is the first that is translated.
+  // The first block of a function that is translated is its entry.
   const uint64_t address = qemu_plugin_insn_vaddr(code);
   const bool is_begin = std::strcmp(symbol, "port_cycles_begin") == 0;
   if (!is_begin && std::strcmp(symbol, "port_cycles_end") != 0) {
@@ -150,13 +150,13 @@ void add(const qemu_plugin_tb* translated, size_t i, Pipeline& pipeline, Block& 
                                          &model.cycles, row.per_word);
   }
   if (model.flash && instruction.words != 0) {
-    // Of loads alone, QEMU 7.2 would report the stores.
+    // QEMU 7.2 reports stores if asked for loads alone.
     qemu_plugin_register_vcpu_mem_cb(code, read_data, QEMU_PLUGIN_CB_NO_REGS, QEMU_PLUGIN_MEM_RW,
                                      nullptr);
   }
 }
 
-/// QEMU cuts code at the ends of pages.
+/// The pipeline's state at a block's begin, since QEMU cuts code at the ends of pages.
 Pipeline pipeline_at(uint64_t address) {
   const auto cut = model.cut.find(address);
   return cut == model.cut.end() ? Pipeline(model.table) : cut->second;

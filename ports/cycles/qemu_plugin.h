@@ -1,5 +1,5 @@
-// What the plugin calls of QEMU's plugin interface, version 1 (QEMU 7.2:
-// docs/devel/tcg-plugins.rst). Debian ships QEMU with plugins enabled and without its header.
+// The part of QEMU's plugin interface, version 1, that the plugin calls (QEMU 7.2:
+// docs/devel/tcg-plugins.rst). Debian ships QEMU with plugins enabled but without the header.
 #pragma once
 
 #include <stdbool.h>

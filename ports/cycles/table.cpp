@@ -53,7 +53,7 @@ size_t index_of(const char* const (&names)[N], const std::string& name) {
   return static_cast<size_t>(std::find(names, names + N, name) - names);
 }
 
-/// An empty cell is 0.
+/// Reads a number; an empty cell is 0.
 bool read_number(const std::string& cell, uint16_t& number) {
   number = 0;
   for (const char digit : cell) {
@@ -65,7 +65,7 @@ bool read_number(const std::string& cell, uint16_t& number) {
   return true;
 }
 
-/// "7", or "2-7-12": the least, the assumed, the most.
+/// Reads "7", or "2-7-12": least, assumed and most cycles.
 bool read_cycles(const std::string& cell, Range range, uint16_t& cycles) {
   std::istringstream parts(cell);
   std::string least;

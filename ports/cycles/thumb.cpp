@@ -13,7 +13,7 @@ constexpr bool bit(unsigned word, unsigned place) {
   return bits(word, place, 1) != 0;
 }
 
-/// None for the program counter, which is no operand of later instructions.
+/// A register as a bit; 0 for the program counter, which is no operand of later instructions.
 constexpr uint16_t mask(unsigned core_register) {
   return core_register == kPc ? 0 : static_cast<uint16_t>(1U << core_register);
 }
@@ -33,7 +33,7 @@ Instruction of(Kind kind) {
   return computes(kind, kPc);
 }
 
-/// To the program counter it is a jump.
+/// Data processing; a jump if the result is the program counter.
 Instruction computes_or_jumps(unsigned result) {
   return result == kPc ? of(Kind::branch_register) : computes(Kind::alu, result);
 }
@@ -254,7 +254,7 @@ Instruction float_arithmetic(Kind kind, uint32_t written, uint32_t read, bool is
   return made;
 }
 
-/// Of one operand: VMOV, VABS, VNEG, VSQRT, VCMP, VCVT.
+/// Instructions of one operand: VMOV, VABS, VNEG, VSQRT, VCMP, VCVT.
 Instruction float_unary(unsigned first, unsigned second, const Floats& floats) {
   const bool is_double = bit(second, 8);
   const unsigned operation = bits(first, 0, 4);

@@ -1,5 +1,5 @@
-// What an instruction's cycles depend on. Encodings: Arm, ARMv7-M Architecture Reference Manual,
-// DDI 0403, chapter A5, and ARMv8-M, DDI 0553, part C.
+// Decodes the properties on which an instruction's cycles depend. Encodings: Arm, ARMv7-M
+// Architecture Reference Manual, DDI 0403, chapter A5, and ARMv8-M, DDI 0553, part C.
 #pragma once
 
 #include <cstdint>
@@ -49,11 +49,11 @@ constexpr uint8_t kKinds = static_cast<uint8_t>(Kind::vector) + 1;
 struct Instruction {
   Kind kind = Kind::alu;
   uint8_t bytes = 2;
-  uint8_t words = 0;            ///< that it loads or stores
-  uint8_t governed = 0;         ///< an IT: the instructions after it that are conditional
+  uint8_t words = 0;            ///< number of words that it loads or stores
+  uint8_t governed = 0;         ///< of an IT: number of conditional instructions after it
   bool is_double = false;       ///< arithmetic of doubles
-  bool is_split = false;        ///< of 32 bits, which lie in two words; by its address
-  uint16_t address = 0;         ///< core registers, a bit each, that an address is made of
+  bool is_split = false;        ///< a 32-bit instruction in two words, by its address
+  uint16_t address = 0;         ///< core registers, a bit each, from which an address is made
   uint16_t loaded = 0;          ///< core registers that a single load writes
   uint16_t updated = 0;         ///< the base register that a single load or store changes
   uint16_t computed = 0;        ///< core registers that data processing writes
@@ -61,10 +61,10 @@ struct Instruction {
   uint32_t floats_written = 0;  ///< by arithmetic
 };
 
-/// `second` is of 32-bit instructions alone.
+/// `second`: read only for 32-bit instructions.
 Instruction decode(uint16_t first, uint16_t second);
 
-/// Whether an instruction that begins with `first` has 32 bits.
+/// Returns whether an instruction that begins with `first` has 32 bits.
 constexpr bool is_wide(uint16_t first) {
   return first >= 0xE800;
 }

@@ -1,4 +1,4 @@
-// The core's own counter of instructions as that of insn.hpp.
+// The core's own instruction counter as that of insn.hpp.
 #include "counter.hpp"
 
 namespace port {

@@ -9,7 +9,7 @@ extern "C" {
 void Reset_Handler();
 void Trap_Handler();
 void Unexpected_Handler();
-// A program replaces it by defining a function of its name. It must not return: the stack is fresh.
+// A program replaces it by defining a function of this name. It must not return: the stack is new.
 void Interrupt_Handler(uint32_t cause);
 
 // The first instruction of the image.
@@ -32,7 +32,7 @@ __attribute__((naked, used, section(".vectors"))) void Reset_Handler() {
   port::start_program();
 }
 
-// A fault may come from a stack that is no longer there: the handler takes a fresh one.
+// A fault may leave an unusable stack, so the handler resets the stack pointer.
 __attribute__((naked, used, aligned(4))) void Trap_Handler() {
   __asm__ volatile(
       "  la sp, __stack_top\n"

@@ -1,4 +1,4 @@
-// Writes each argument as <argument> and ends with the first, read as a number.
+// Prints each argument as <argument>; the first one, as a number, is the exit status.
 #include "text.hpp"
 
 namespace {

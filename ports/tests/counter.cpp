@@ -1,4 +1,4 @@
-// The instruction counter on code whose length is known by construction.
+// Tests the instruction counter on code of known length.
 #include "insn.hpp"
 
 #include "counter.hpp"
@@ -30,7 +30,7 @@ void expect_random_loops(int count) {
   }
 }
 
-// Around multiples of 2^24 ticks, where the timer of most boards wraps.
+// Tests counts around multiples of 2^24 ticks, where the timer of most boards wraps.
 void expect_long_loops() {
   expect_loop(873813);
   expect_loop(873814);

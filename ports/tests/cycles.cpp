@@ -1,5 +1,5 @@
-// The cycles of every kind of instruction, by the rules of the cores' manuals
-// (ports/cycles/tables); of the core CYCLES_OF, whose code the board's core runs, too.
+// Tests the cycles of every kind of instruction against the cores' manuals (ports/cycles/tables),
+// for the core CYCLES_OF, whose code the board's core can run.
 #include "cycles.hpp"
 
 #include <stdint.h>
@@ -38,7 +38,7 @@ constexpr Case kCases[] = {
 
 uint32_t words[8];
 
-/// Whether the case takes what it has to.
+/// Returns whether a case takes the expected cycles.
 bool is_right(const Case& tested) {
   words[0] = reinterpret_cast<uintptr_t>(words);
   const uint32_t cycles = port::cycles_of_call(tested.code, words);

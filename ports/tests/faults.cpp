@@ -1,4 +1,4 @@
-// Goes wrong in the way that the first argument names.
+// Causes the fault that the first argument names.
 #include <stdint.h>
 #include <string.h>
 

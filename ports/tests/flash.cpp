@@ -1,5 +1,5 @@
-// What waiting for flash adds to cycles, by the profiles of ports/cycles/tables/flash.csv: on a
-// Cortex-M0 the RP2040's, on others the STM32F4's.
+// Tests wait states of flash by the profiles of ports/cycles/tables/flash.csv: the RP2040's on a
+// Cortex-M0, the STM32F4's on other cores.
 #include <stdint.h>
 
 #include "cycles.hpp"
@@ -17,8 +17,8 @@ CODE(narrow, ".rept 62\n nop\n .endr")
 CODE(wide, ".rept 31\n add.w r1, r1, #1\n .endr")
 #endif
 
-// Reads a, b, a and c, 8 KB after each other, twice. The RP2040's two ways keep two of them: of the
-// second four, a is there each time.
+// Reads a, b, a and c, 8 KB apart, twice. The RP2040's two ways keep two of them: in the second
+// round, each read of a hits.
 CODE(far,
      "movs r1, #1\n lsls r1, r1, #13\n adds r1, r0, r1\n movs r2, #1\n lsls r2, r2, #14\n"
      "adds r2, r0, r2\n .rept 2\n ldr r3, [r0]\n nop\n ldr r3, [r1]\n nop\n ldr r3, [r0]\n nop\n"
@@ -33,7 +33,7 @@ void expect(const char* name, uint32_t cycles, uint32_t expected) {
   }
 }
 
-/// The first call waits; the later ones, with all in the cache that stays there, take `cycles`.
+/// Expects that the first call waits, and that a later call, with a warm cache, takes `cycles`.
 void expect_call(const char* name, port::Call code, uint32_t cycles, uint32_t first_waits) {
   void* const flash = reinterpret_cast<void*>(0x1000);
   expect(name, port::cycles_of_call(code, flash), cycles + first_waits);
@@ -44,7 +44,7 @@ void expect_call(const char* name, port::Call code, uint32_t cycles, uint32_t fi
 
 int main() {
 #if __ARM_ARCH >= 7
-  // A line of eight instructions takes longer than reading the next one, a line of four does not.
+  // Executing a line of eight instructions takes longer than reading a line; four take less.
   expect_call("narrow", narrow, 63, 5);
   expect_call("wide", wide, 32, 5 + 7 * 2);
   expect_call("far", far, 31, 5 + 3 * 5);

@@ -1,4 +1,4 @@
-// stack_of() on frames whose size is known by construction.
+// Tests stack_of() on frames of known size.
 #include "stack.hpp"
 
 #include "text.hpp"
@@ -63,7 +63,7 @@ void expect_pairs(uint32_t pairs) {
   expect(bytes, 8 * pairs, 8 * pairs);
 }
 
-// Writes every byte of a frame of 400 bytes; saved registers come on top.
+// Writes every byte of a frame of 400 bytes; saved registers are added to it.
 void fill_frame() {
   volatile uint8_t frame[400];
   for (volatile uint8_t& byte : frame) {

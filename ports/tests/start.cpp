@@ -1,4 +1,4 @@
-// Everything that start-up code does between reset and main().
+// Tests all tasks of start-up code between reset and main().
 #include <stdint.h>
 
 #include "stack.hpp"
@@ -45,7 +45,7 @@ int main() {
   const float product = 1.0F / third * 3.0F;
   check(product > 0.999F && product < 1.001F, "float");
   check(static_cast<int>(1e6 / tenth) == 100000, "double");
-  port::print("a stack of ", port::stack_size(), " bytes\n");  // some of which that takes
+  port::print("a stack of ", port::stack_size(), " bytes\n");  // also uses some stack
   check(port::stack_used() > 0 && port::stack_used() < 512, "the stack is painted");
   check(port::stack_size() >= 1024, "the stack has a size");
   if (failures == 0) {

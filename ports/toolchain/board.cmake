@@ -1,4 +1,4 @@
-# What the toolchain files of all boards share. Reads ports/boards/<FLASHBVH_BOARD>/board.cmake.
+# Common part of all boards' toolchain files. Reads ports/boards/<FLASHBVH_BOARD>/board.cmake.
 
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
@@ -15,7 +15,7 @@ include(${board_file})
 
 set(CMAKE_CROSSCOMPILING_EMULATOR ${flashbvh_ports}/run ${FLASHBVH_MACHINE})
 
-# flashbvh_use_compiler(prefix packages flags): the flags are those in addition to the core's own.
+# flashbvh_use_compiler(prefix packages flags): `flags` are added to the core's own.
 macro(flashbvh_use_compiler prefix packages flags)
   find_program(FLASHBVH_CROSS_GXX ${prefix}-g++)
   if(NOT FLASHBVH_CROSS_GXX)

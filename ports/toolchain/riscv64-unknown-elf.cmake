@@ -1,7 +1,7 @@
 # Toolchain file for every RISC-V board: -DFLASHBVH_BOARD=<folder of ports/boards>.
 #
-# C's library is picolibc. Debian has no C++ library for this compiler, not even the headers: the
-# driver would link libstdc++ where there is none, hence -nostdlib and the libraries by name.
+# The C library is picolibc. Debian has no C++ library for this compiler, not even headers. The driver
+# would link libstdc++ nevertheless, hence -nostdlib and the libraries by name.
 
 set(CMAKE_SYSTEM_PROCESSOR riscv)
 set(FLASHBVH_HAS_CXX_LIBRARY FALSE)

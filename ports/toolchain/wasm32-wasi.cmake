@@ -15,5 +15,5 @@ set(CMAKE_AR /usr/bin/llvm-ar)
 set(CMAKE_RANLIB /usr/bin/llvm-ranlib)
 set(CMAKE_C_FLAGS_INIT "-ffunction-sections -fdata-sections")
 set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT} -fno-exceptions -fno-rtti")
-# Below all else in memory, so that a stack that is too small traps.
+# The stack lies below all other data, so that an overflow traps.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--gc-sections -Wl,--fatal-warnings -Wl,--stack-first -Wl,-z,stack-size=65536")

@@ -1,7 +1,7 @@
 # Toolchain file for every board with an Xtensa LX106.
 #
-# C's library is picolibc. As for RISC-V there is none for C++; and libgcc leaves out arithmetic that real
-# parts have in ROM: xtensa/arithmetic.cpp and xtensa/float.cpp have it.
+# The C library is picolibc. As for RISC-V, there is no C++ library. libgcc omits arithmetic that real
+# parts have in ROM; xtensa/arithmetic.cpp and xtensa/float.cpp provide it.
 
 set(CMAKE_SYSTEM_PROCESSOR xtensa)
 set(FLASHBVH_HAS_CXX_LIBRARY FALSE)

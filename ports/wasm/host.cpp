@@ -1,4 +1,4 @@
-// WASI behind the calls of Arm's semihosting that programs make.
+// Implements the Arm semihosting calls of programs by WASI.
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@ int32_t ask_host(HostCall call, const void* argument) {
     }
     case HostCall::exit_extended:
       _Exit(static_cast<int>(static_cast<const uintptr_t*>(argument)[1]));
-    default:  // what the C library does
+    default:  // the C library's tasks
       return -1;
   }
 }

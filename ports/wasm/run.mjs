@@ -1,5 +1,5 @@
-// run.mjs PROGRAM [ARGUMENT...]: runs a WebAssembly program with what WASI gives; its status is the program's,
-// 123 where it traps. Called by ports/run.
+// run.mjs PROGRAM [ARGUMENT...]: runs a WebAssembly program under WASI and ends with its status, or with 123 if it
+// traps. Called by ports/run.
 import { readFileSync } from "node:fs";
 import { WASI } from "node:wasi";
 

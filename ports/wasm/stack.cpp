@@ -1,8 +1,8 @@
-// stack.hpp where most of a frame is in no memory: what is counted are arrays and what has an
-// address. An overflow traps, since nothing lies below the stack.
+// stack.hpp for WebAssembly, where most of a frame is not in memory: counts only arrays and other
+// variables that have an address. An overflow traps, since nothing lies below the stack.
 #include "stack.hpp"
 
-extern "C" char __global_base;  // where the stack begins; of wasm-ld
+extern "C" char __global_base;  // top of the stack, set by wasm-ld
 
 namespace port {
 namespace {

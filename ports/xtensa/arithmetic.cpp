@@ -1,14 +1,14 @@
-// What GCC calls for integers and its library for the LX106 leaves out.
+// Integer functions that GCC calls and that its library for the LX106 omits.
 #include <stdint.h>
 
 namespace {
 
-/// The quotient; the remainder stays in `dividend`. One bit a turn.
+/// Returns the quotient; leaves the remainder in `dividend`. Computes one bit per iteration.
 template <class Unsigned>
 Unsigned divide(Unsigned& dividend, Unsigned divisor) {
   Unsigned quotient = 0;
   if (divisor == 0) {
-    return 0;  // as Arm's cores have it
+    return 0;  // as on Arm cores
   }
   uint32_t shift = 0;
   while ((dividend >> shift) / 2 >= divisor) {
@@ -43,7 +43,7 @@ Signed signed_remainder(Signed dividend, Signed divisor) {
   return static_cast<Signed>(dividend < 0 ? Unsigned{0} - left : left);
 }
 
-/// Of two 32-bit numbers, from products of 16 bits.
+/// Product of two 32-bit numbers, from products of 16 bits.
 uint64_t product(uint32_t a, uint32_t b) {
   const uint32_t low = (a & 0xFFFFu) * (b & 0xFFFFu);
   const uint32_t one = (a >> 16) * (b & 0xFFFFu) + (low >> 16);

@@ -1,4 +1,4 @@
-// The core's counter of cycles as that of insn.hpp: in QEMU a cycle is a time, 25 ns.
+// The core's cycle counter as the instruction counter of insn.hpp. In QEMU a cycle is 25 ns.
 #include "counter.hpp"
 
 namespace port {
@@ -10,7 +10,7 @@ __attribute__((always_inline)) inline uint32_t cycles() {
   return count;
 }
 
-// Of an instruction, in hundredths.
+// Cycles of 100 instructions.
 constexpr uint32_t kCycles =
     (uint32_t{1} << FLASHBVH_ICOUNT_SHIFT) * (FLASHBVH_CLOCK_KHZ / 1000) / 10;
 
@@ -27,7 +27,7 @@ const uint32_t kInstructionsPerPass = 2;
 
 }  // namespace port
 
-// port::empty(void*) and port::known_loop(void*). The compiler has no functions without a frame.
+// port::empty(void*) and port::known_loop(void*). The compiler cannot omit a function's frame.
 __asm__(
     ".text\n"
     ".align 4\n"

@@ -1,10 +1,10 @@
-// What GCC calls for floats and doubles and its library for the LX106 leaves out: IEEE 754, rounded
-// to the nearest, halves to even, with numbers below the normal ones, infinities and NaN.
+// Float and double functions that GCC calls and that its library for the LX106 omits: IEEE 754,
+// rounded to the nearest, halves to even, with subnormals, infinities and NaN.
 #include <stdint.h>
 
 namespace {
 
-/// Bits that go are kept as one: whether any was 1.
+/// Shifts right; the lowest bit of the result is 1 if any dropped bit was 1.
 template <class Bits>
 Bits shift_right(Bits value, int shift) {
   if (shift >= static_cast<int>(8 * sizeof(Bits))) {
@@ -13,7 +13,7 @@ Bits shift_right(Bits value, int shift) {
   return shift <= 0 ? value : value >> shift | ((value & ((Bits{1} << shift) - 1)) != 0);
 }
 
-/// A format by its words and the bits of its fraction.
+/// A floating-point format, by its word and the bits of its fraction.
 template <class BitsType, int kFractionBits>
 struct Format {
   using Bits = BitsType;
@@ -56,7 +56,7 @@ struct Number {
   }
 };
 
-/// The nearest to mantissa * 2^(exponent - bias - fraction - 3).
+/// The number nearest to mantissa * 2^(exponent - bias - fraction - 3).
 template <class F>
 typename F::Bits pack(typename F::Bits sign, int exponent, typename F::Bits mantissa) {
   if (mantissa == 0) {
@@ -73,7 +73,7 @@ typename F::Bits pack(typename F::Bits sign, int exponent, typename F::Bits mant
   }
   if (exponent <= 0) {
     mantissa = shift_right(mantissa, 1 - exponent);
-    exponent = 1;  // whose hidden bit is not there
+    exponent = 1;  // subnormal: without the hidden bit
   }
   const auto rest = static_cast<uint32_t>(mantissa & 7u);
   typename F::Bits bits =
@@ -105,7 +105,7 @@ typename F::Bits add(typename F::Bits one, typename F::Bits other) {
   return rest == 0 ? 0 : pack<F>(a.sign, a.exponent, rest);
 }
 
-/// a * b * 2^-shift, of numbers below 2^53; 32 < shift < 64.
+/// a * b * 2^-shift for numbers below 2^53; 32 < shift < 64.
 uint64_t product(uint64_t a, uint64_t b, int shift) {
   const uint64_t low = (a & 0xFFFFFFFFu) * (b & 0xFFFFFFFFu);
   const uint64_t one = (a >> 32) * (b & 0xFFFFFFFFu) + (low >> 32);
@@ -126,7 +126,7 @@ typename F::Bits multiply(typename F::Bits one, typename F::Bits other) {
   }
   a.normalise();
   b.normalise();
-  constexpr int kUp = Double::kFraction - F::kFraction;  // a's, so that the shift is one for all
+  constexpr int kUp = Double::kFraction - F::kFraction;  // of a, so that all formats share a shift
   const uint64_t mantissa = product(uint64_t{a.mantissa} << kUp, b.mantissa, Double::kFraction - 3);
   return pack<F>(sign, a.exponent + b.exponent - F::kBias, static_cast<typename F::Bits>(mantissa));
 }
@@ -159,7 +159,7 @@ uint64_t divide(uint64_t one, uint64_t other) {
                       quotient | static_cast<uint64_t>(a.mantissa != 0));
 }
 
-/// Of a whole number.
+/// Converts a whole number.
 template <class F>
 typename F::Bits whole(uint32_t magnitude, bool is_negative) {
   return pack<F>(is_negative ? F::kSign : 0, F::kBias + F::kFraction + 3, magnitude);

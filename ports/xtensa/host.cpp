@@ -1,4 +1,4 @@
-// Xtensa's own semihosting, `simcall`, behind the calls of Arm's that the port makes.
+// Implements the port's Arm semihosting calls by Xtensa's own semihosting, `simcall`.
 #include <stddef.h>
 #include <string.h>
 
@@ -31,8 +31,7 @@ uint32_t write(const void* text, uint32_t length) {
   return written < 0 ? 0 : static_cast<uint32_t>(written);
 }
 
-/// The words, in one line, as the host was given them. They lie behind as many addresses and a
-/// null.
+/// Joins the host's words into one line. The host stores them after their addresses and a null.
 int32_t get_command_line(char* line, uint32_t size) {
   const int32_t count = simcall(kArgumentCount, 0);
   if (simcall(kArgumentsSize, 0) > static_cast<int32_t>(size)) {
@@ -57,7 +56,7 @@ int32_t get_command_line(char* line, uint32_t size) {
 int32_t ask_host(HostCall call, const void* argument) {
   const uint32_t* const block = static_cast<const uint32_t*>(argument);
   switch (call) {
-    case HostCall::open:  // there is a terminal, and no file
+    case HostCall::open:  // only the terminal exists
       return strcmp(reinterpret_cast<const char*>(block[0]), ":tt") == 0 ? 1 : -1;
     case HostCall::write0:
       write(argument, static_cast<uint32_t>(strlen(static_cast<const char*>(argument))));

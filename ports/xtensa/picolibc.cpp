@@ -1,5 +1,4 @@
-// picolibc's calls to an operating system, for tests that use it: its semihosting is not for this
-// core.
+// picolibc's system calls, for tests: picolibc's own semihosting does not support this core.
 #include <signal.h>
 #include <stdio.h>
 #include <sys/types.h>

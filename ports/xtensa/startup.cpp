@@ -1,4 +1,4 @@
-// Reset and exceptions of an Xtensa LX106, whose registers are no windows.
+// Reset and exceptions of an Xtensa LX106, which has no register windows.
 #include <stdint.h>
 
 #include "semihosting.hpp"
@@ -8,11 +8,11 @@
 extern "C" {
 void Reset_Handler();
 void Unexpected_Handler();
-// A program replaces it by defining a function of its name. It must not return: the stack is fresh.
+// A program replaces it by defining a function of this name. It must not return: the stack is new.
 void Interrupt_Handler(uint32_t pending);
 
-// Where the core boots, and the vectors of its exceptions, at fixed distances. A fault may come
-// from a stack that is no longer there: the handler takes a fresh one.
+// The reset vector and the exception vectors at fixed offsets. A fault may leave an unusable stack,
+// so the handler resets the stack pointer.
 __asm__(
     ".pushsection .vectors, \"ax\"\n"
     ".global Reset_Handler\n"
@@ -21,7 +21,7 @@ __asm__(
     "  j start\n"
     ".org Reset_Handler + 0x10\n"  // debug
     "  j fault\n"
-    ".org Reset_Handler + 0x20\n"  // no mask holds it
+    ".org Reset_Handler + 0x20\n"  // not maskable
     "  j fault\n"
     ".org Reset_Handler + 0x30\n"  // in kernel mode
     "  j fault\n"
@@ -34,7 +34,7 @@ __asm__(
     "start:\n"
     "  movi a2, Reset_Handler\n"
     "  wsr a2, vecbase\n"
-    "  movi a2, 0\n"  // exceptions are no longer within one, interrupts no longer masked
+    "  movi a2, 0\n"  // leaves exception mode and unmasks interrupts
     "  wsr a2, intenable\n"
     "  wsr a2, ps\n"
     "  rsync\n"
@@ -50,7 +50,7 @@ __asm__(
     "  rsr a4, intenable\n"
     "  and a3, a3, a4\n"
     "  movi a4, 0\n"
-    "  wsr a4, intenable\n"  // or it comes again
+    "  wsr a4, intenable\n"  // else the interrupt is taken again
     "  wsr a4, ps\n"
     "  rsync\n"
     "  movi a4, port_fault\n"

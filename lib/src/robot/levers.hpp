@@ -27,8 +27,8 @@ constexpr uint32_t lever_of(uint32_t reach, uint8_t share) {
 /// joint does not turn.
 void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, uint8_t* shares);
 
-/// Sum of the motions of a pair's joints, which began or ended where the shares hold. No joint moves
-/// by more than 2^31.
+/// Sum of the motions of a pair's joints, which began or ended where the shares hold. No joint's
+/// motion is above 2^31.
 class LeverTravel {
  public:
   void add(const RobotJoint& joint, uint32_t reach, uint8_t share, uint32_t by) {

@@ -100,8 +100,8 @@ uint32_t reach_of(const RobotJoint& joint, const RobotLink& link) {
   return static_cast<uint32_t>((arc * lever_of(link) + 0xFFFF) >> 16);
 }
 
-/// set_sphere() with a sphere, in the parent's frame, round the volume that the link's sphere sweeps
-/// at all coordinates of the joint.
+/// set_sphere() with a sphere round the volume that the link's sphere sweeps at all coordinates of
+/// the joint, in the parent's frame.
 bool sweep_over(const RobotJoint& joint, RobotLink& link) {
   int64_t centre[3] = {link.centre[0], link.centre[1], link.centre[2]};
   uint64_t radius = link.radius;

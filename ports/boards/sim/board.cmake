@@ -1,7 +1,7 @@
 # QEMU's own Xtensa machine with the LX106, the core of an ESP8266: it boots from the system's ROM.
 set(FLASHBVH_CORE LX106)
 set(FLASHBVH_CPU_FLAGS "")
-# No budgets or proofs; its figures are not on the page.
+# Has no budgets and no proofs; its figures are not on the page.
 set(FLASHBVH_IS_MEASURED FALSE)
 set(FLASHBVH_MACHINE sim)
 set(FLASHBVH_CLOCK_KHZ 40000)

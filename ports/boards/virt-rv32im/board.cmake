@@ -2,6 +2,6 @@
 include(${CMAKE_CURRENT_LIST_DIR}/../virt/board.cmake)
 set(FLASHBVH_CORE RV32IM)
 set(FLASHBVH_CPU_FLAGS -march=rv32im -mabi=ilp32)
-# GCC's instructions are those for RV32IMAC, only longer: bound, stack and counts are held to be that core's.
+# GCC emits the instructions for RV32IMAC in longer encodings, so time bound, stack and counts must equal that core's.
 set(FLASHBVH_IS_MEASURED FALSE)
 set(FLASHBVH_PROVEN_AS RV32IMAC)

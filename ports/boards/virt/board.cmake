@@ -1,4 +1,4 @@
-# QEMU's own RISC-V machine: one memory, of which the lower part stands for flash.
+# QEMU's own RISC-V machine: one memory, whose lower part is used as flash.
 set(FLASHBVH_CORE RV32IMAC)
 set(FLASHBVH_CPU_FLAGS -march=rv32imac -mabi=ilp32)
 set(FLASHBVH_MACHINE virt)

@@ -40,7 +40,7 @@ alignas(4) uint8_t round_keys[15 * 16];
 alignas(4) uint8_t ciphertext[16];
 alignas(4) uint8_t plaintext[16];
 
-/// Whether the answers are those for keys of `bits`; forgets them.
+/// Returns whether the answers are correct for keys of `bits`, and clears them.
 bool are_right(int bits) {
   const bool right = memcmp(ciphertext, kCiphertexts[(bits - 128) / 64], sizeof ciphertext) == 0 &&
                      memcmp(plaintext, kPlaintext, sizeof plaintext) == 0;
@@ -49,7 +49,7 @@ bool are_right(int bits) {
   return right;
 }
 
-/// The compiler knows functions and arguments, as in the publisher's tests.
+/// Functions and arguments are constants for the compiler, as in the publisher's tests.
 template <int kBits, void (*kSchedule)(uint8_t*, const uint8_t*)>
 struct Aes {
   static constexpr size_t kRounds = kBits / 32 + 6;

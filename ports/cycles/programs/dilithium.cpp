@@ -1,5 +1,5 @@
 // Greconici, Kannwischer and Sprenkels' arithmetic of Dilithium for the Cortex-M3: products of
-// polynomials modulo q, where a product has a factor 2^-32, and their transform to evaluations.
+// polynomials modulo q, with a factor of 2^-32 per product, and their number-theoretic transform.
 #include "program.hpp"
 
 extern "C" {
@@ -38,7 +38,7 @@ unsigned reversed(unsigned byte) {
 
 constexpr int64_t kRoot = 1753;  ///< its 256th power is -1
 
-/// Each evaluation is at another odd power of the root.
+/// Returns whether each result is the polynomial's value at another odd power of the root.
 bool is_transformed() {
   for (unsigned i = 0; i < kSize; ++i) {
     const int64_t x = power(kRoot, 2 * reversed(i) + 1);

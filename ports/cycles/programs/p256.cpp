@@ -11,7 +11,7 @@ bool P256_ecdh_shared_secret(uint8_t* secret, const uint8_t* public_point,
 
 namespace {
 
-// Of 256 bits, the lowest word first.
+// Numbers of 256 bits, lowest word first.
 constexpr uint32_t kMine[] = {0x862d1433, 0xc62a9c57, 0xafe84049, 0x44e9aab8,
                               0xa2316de5, 0x70a292da, 0x10d9ac3f, 0xc88f01f5};
 constexpr uint32_t kOther[] = {0x476bee53, 0xb283ab46, 0x06bf9be0, 0x88685d8f,

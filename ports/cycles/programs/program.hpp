@@ -1,4 +1,4 @@
-// What the drivers of programs with published cycles share.
+// Shared by the drivers of programs with published cycles.
 #pragma once
 
 #include <stdint.h>
@@ -13,14 +13,14 @@ void print_cycles(const char* name, int number, Function function) {
               port::cycles_of_call(port::call_object<Function>, &function), "\n");
 }
 
-/// The same by name alone.
+/// Prints the cycles of `function()` by name alone.
 template <class Function>
 void print_cycles(const char* name, Function function) {
   port::print("cycles ", name, " ", port::cycles_of_call(port::call_object<Function>, &function),
               "\n");
 }
 
-/// The status of a program whose answers were all `right`.
+/// The program's exit status; prints an error unless all answers were `right`.
 inline int end(bool right) {
   port::put(right ? "" : "an answer is wrong\n");
   return right ? 0 : 1;

@@ -1,7 +1,7 @@
 // Mark Owen's Qfplib-M0-tiny on random floats, against the compiler's library.
 //
-// Its published averages have an overhead of the call which is not named. So what is compared is by
-// how much a function takes longer than the shortest of them, qfp_fcmp.
+// The published averages include an overhead of the call that is not stated. So each function is
+// compared by its cycles beyond those of the shortest function, qfp_fcmp.
 #include "program.hpp"
 
 extern "C" {
@@ -27,7 +27,7 @@ uint32_t random_bits() {
   return state >> 8;
 }
 
-/// Of both signs, from 1/8 to 16.
+/// A random float of either sign, from 1/8 to 16.
 uint32_t random_float() {
   const uint32_t sign_and_mantissa = (random_bits() << 9 ^ random_bits()) & 0x807FFFFF;
   return sign_and_mantissa | (124 + random_bits() % 7) << 23;
@@ -42,7 +42,7 @@ struct Call {
 
 constexpr int kCalls = 300;
 
-/// Adds up the cycles of calls; `same_as`, if any, has to have their results.
+/// Sums the cycles of random calls; `same_as`, unless null, must give equal results.
 uint32_t cycles_of(Function function, Function same_as, bool* right) {
   uint32_t cycles = 0;
   for (int i = 0; i < kCalls; ++i) {

@@ -1,4 +1,4 @@
-// Ways to go wrong on Cortex-M.
+// Causes faults on Cortex-M.
 #pragma once
 
 #include <stdint.h>
@@ -24,7 +24,7 @@ inline void pend(uint32_t interrupt_control_bit) {
   __asm__ volatile("dsb\n isb" ::: "memory");
 }
 
-/// An interrupt whose handler faults.
+/// Raises an interrupt whose handler faults.
 inline void raise_handled() {
   pend(1U << 26);  // SysTick
 }

@@ -1,4 +1,4 @@
-// Ways to go wrong on RISC-V.
+// Causes faults on RISC-V.
 #pragma once
 
 #include <stdint.h>
@@ -9,7 +9,7 @@ inline void undefined_instruction() {
 #ifdef __riscv_compressed
   __asm__ volatile("unimp");
 #else
-  __asm__ volatile(".half 1, 1");  // c.nop, which the emulated core must not have either
+  __asm__ volatile(".half 1, 1");  // c.nop, which the emulated core must refuse, too
 #endif
 }
 
@@ -19,7 +19,7 @@ inline void leave_stack() {
       "unimp\n");
 }
 
-/// Two zero bytes are no instruction.
+/// Two zero bytes are an illegal instruction.
 inline void branch_to(const volatile void* data) {
   __asm__ volatile("jr %0" ::"r"(data));
 }
@@ -37,9 +37,9 @@ inline void enable(uint32_t interrupt) {
       : "memory");
 }
 
-// The core-local interruptor is in the same place on both machines.
+// The core-local interruptor has one address on both machines.
 
-/// An interrupt whose handler faults.
+/// Raises an interrupt whose handler faults.
 inline void raise_handled() {
   *reinterpret_cast<volatile uint32_t*>(0x02000000) = 1;
   enable(kSoftwareInterrupt);

@@ -1,5 +1,5 @@
-// The arithmetic that the port brings along for the LX106, held against this machine's: every kind
-// of number, and whatever bits random numbers have.
+// Compares the port's arithmetic for the LX106 with this machine's: every kind of number, with
+// random bits.
 #include <stdint.h>
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ using flashbvh::test::Random;
 
 constexpr int kCases = 20000;
 
-/// Often with a few bits, or nearly none, so that carries, ties and powers of two come up.
+/// Random bits, often few or nearly all of them set, so that carries, ties and powers of two occur.
 uint64_t any_bits(Random& random) {
   const uint64_t bits = random.next();
   switch (random.below(4)) {
@@ -37,7 +37,7 @@ uint64_t any_bits(Random& random) {
   }
 }
 
-/// Often near each other, or where numbers end.
+/// A random number, often close to `near`, or at an end of the range.
 template <class Real, class Bits>
 Real any_number(Random& random, Real near) {
   Bits bits = static_cast<Bits>(any_bits(random) >> (64 - 8 * sizeof(Bits)));

@@ -1,4 +1,4 @@
-// Ways to go wrong on Xtensa.
+// Causes faults on Xtensa.
 #pragma once
 
 #include <stdint.h>
@@ -16,12 +16,12 @@ inline void leave_stack() {
       "ill\n");
 }
 
-/// Three zero bytes are the instruction that is none.
+/// Three zero bytes are an illegal instruction.
 inline void branch_to(const volatile void* data) {
   __asm__ volatile("jx %0" ::"r"(data));
 }
 
-/// Whether the one interrupt that a program can raise by itself has a handler.
+/// True if the only interrupt that a program can raise by itself has a handler.
 inline volatile bool has_handler = false;
 
 inline void raise() {
@@ -33,7 +33,7 @@ inline void raise() {
       : "memory");
 }
 
-/// An interrupt whose handler faults.
+/// Raises an interrupt whose handler faults.
 inline void raise_handled() {
   has_handler = true;
   raise();
