@@ -150,7 +150,7 @@ void add(const qemu_plugin_tb* translated, size_t i, Pipeline& pipeline, Block& 
                                          &model.cycles, row.per_word);
   }
   if (model.flash && instruction.words != 0) {
-    // QEMU 7.2 reports stores if asked for loads alone.
+    // Registered for loads alone, QEMU 7.2 reports the stores.
     qemu_plugin_register_vcpu_mem_cb(code, read_data, QEMU_PLUGIN_CB_NO_REGS, QEMU_PLUGIN_MEM_RW,
                                      nullptr);
   }

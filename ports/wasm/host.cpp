@@ -15,7 +15,7 @@ int32_t ask_host(HostCall call, const void* argument) {
     }
     case HostCall::exit_extended:
       _Exit(static_cast<int>(static_cast<const uintptr_t*>(argument)[1]));
-    default:  // the C library's tasks
+    default:  // left to the C library
       return -1;
   }
 }

@@ -34,7 +34,7 @@ __asm__(
     "start:\n"
     "  movi a2, Reset_Handler\n"
     "  wsr a2, vecbase\n"
-    "  movi a2, 0\n"  // leaves exception mode and unmasks interrupts
+    "  movi a2, 0\n"  // clears exception mode and interrupt level
     "  wsr a2, intenable\n"
     "  wsr a2, ps\n"
     "  rsync\n"

@@ -22,7 +22,7 @@ FLASHBVH_INLINE inline bool translate(Pose& pose, float x, float y, float z, flo
   const __m128d scale = _mm_mul_pd(_mm_cvtps_pd(_mm_set1_ps(cells_per_unit)), _mm_set1_pd(65536));
   const __m128d xy = half_added(_mm_mul_pd(_mm_cvtps_pd(_mm_set_ps(0, 0, y, x)), scale));
   const __m128d zz = half_added(_mm_mul_pd(_mm_cvtps_pd(_mm_set1_ps(z)), scale));
-  // INT64_MIN where it does not fit.
+  // INT64_MIN if the number does not fit.
   const auto truncated = [](__m128d v) { return static_cast<uint64_t>(_mm_cvttsd_si64(v)); };
   // Half cells round up; after the addition, every value in range is positive.
   constexpr uint64_t raised = (uint64_t{kMaxTranslation} << 16) + 0x8000;

@@ -9,8 +9,8 @@ namespace flashbvh {
 
 namespace {
 
-/// Where bodies come near, an interval moves B by at most a quarter of a cell, and the search ends
-/// after four of them. So the reported interval is at most a cell of motion.
+/// If bodies come near, an interval moves B by at most a quarter of a cell, and the search ends
+/// after four such intervals. So the reported interval is at most a cell of motion.
 constexpr uint32_t kShortestReach = kFineOne / 8;
 constexpr uint8_t kMostNearSteps = 4;
 /// A walk tests the begin only if no interval down to 1/kLateWalk of the motion is certified.

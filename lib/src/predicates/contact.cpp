@@ -5,8 +5,8 @@
 // the later of the two lower ends to the earlier of the two upper ends. Signs of determinants
 // decide which ends these are; only coordinates are rounded.
 //
-// Degenerate cases, as in triangle.cpp, are told apart by the sides of the planes. A segment
-// crosses the plane of a triangle in one point; all else lies in one plane (contact_flat.hpp).
+// The sides of the planes distinguish the degenerate cases, as in triangle.cpp. A segment crosses
+// the plane of a triangle in one point; all else lies in one plane (contact_flat.hpp).
 //
 // Invariant: only differences of corners are multiplied, so their position never matters. Each
 // value is exact up to fine_crossing.hpp.

@@ -36,7 +36,7 @@ struct Flat {
     left |= side > 0;
     right |= side < 0;
   }
-  // A segment consists of an edge and its reverse, so a point beside it is both left and right.
+  // A segment consists of an edge and its reverse, so a point off its line is both left and right.
   return !(left && right) && (!outline.is_segment() || (!comes_before(p, *outline.corner[0]) &&
                                                         !comes_before(*outline.corner[1], p)));
 }

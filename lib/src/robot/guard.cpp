@@ -94,7 +94,7 @@ Status Guard::resume() {
   if (core_->walked_pair != kNoPair) {  // the stored pose is not checked but made again
     set_frames(*robot_, walked_, frames_);
     core_->pose = pose_of(robot_->pairs[core_->walked_pair]);
-    // It has obstacles where they stand now; the certificate subtracts all that they moved since.
+    // Obstacles are placed where they stand now; the certificate subtracts their motion since then.
   }
   core_->has_frames = 0;
   return Status::done;

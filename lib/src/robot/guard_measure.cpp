@@ -284,8 +284,7 @@ Status Guard::measure(const Found& found, uint32_t& work) {
   Status status = Status::suspended;
   while (status == Status::suspended && work != 0) {
     status = walk(work);
-    if (status ==
-        Status::full) {  // outside the walk, so that their stack frames do not add up
+    if (status == Status::full) {  // outside the walk, so that their stack frames do not add up
       const uint32_t above = witness_distance(work);
       aim(above < core_->asked ? above : core_->asked);
       status = Status::suspended;

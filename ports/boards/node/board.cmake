@@ -1,4 +1,4 @@
-# No board but WebAssembly, which node runs. Memories are large enough for all tests.
+# WebAssembly in node, in place of a board. Memories are large enough for all tests.
 set(FLASHBVH_CORE WebAssembly)
 set(FLASHBVH_CPU_FLAGS --target=wasm32-wasi)
 set(FLASHBVH_MACHINE node)
