@@ -1,4 +1,4 @@
-// Float and double functions that GCC calls and that its library for the LX106 omits: IEEE 754,
+// Float and double functions that GCC calls and that its library for the LX106 omits. IEEE 754,
 // rounded to the nearest, halves to even, with subnormals, infinities and NaN.
 #include <stdint.h>
 

@@ -6,8 +6,8 @@
 
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
-/// Attributes of a function that assembly calls by name: no optimiser may drop or rename it, or
-/// hide it at link time from the caller's part of the program.
+/// Attributes of a function that assembly calls by name. The compiler must not drop or rename it,
+/// and link-time optimisation must not hide it from its caller.
 #if defined(__clang__)
 #define FLASHBVH_CALLED_BY_NAME gnu::naked, gnu::used, gnu::visibility("hidden")
 #else

@@ -1,5 +1,5 @@
 // The inner step of the rotated box test for Armv6-M and Armv8-M Baseline cores (Cortex-M0, M0+,
-// M23): the arithmetic of box_rotated_plain.hpp in the eight registers that Thumb-1 computes in.
+// M23). Computes as box_rotated_plain.hpp does, in the eight low registers of Thumb-1.
 // The box's bounds are loaded for each product: this takes no more instructions than a copy from a
 // high register and needs no spill. Compilers do not find this form.
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_THUMB1_HPP

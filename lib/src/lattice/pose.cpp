@@ -23,8 +23,8 @@ static_assert(kRotationOne == 1 << kGivenBits, "one meaning of one");
 constexpr uint32_t kMaxEntryDefect = static_cast<uint32_t>(kTolerance) << (kDefectBits - kKeptBits);
 
 /// Rounding moves each entry of a product by up to 2^-23; F is the matrix of these errors, with a
-/// norm of at most 3 * 2^-23. It adds F^T A B and its transpose to (AB + F)^T (AB + F) - 1: 6 *
-/// 2^-23 times the norms of A and B, which the tolerance keeps below 1 + 2^-11.
+/// norm of at most 3 * 2^-23. It adds F^T A B and its transpose to (AB + F)^T (AB + F) - 1. Their
+/// norm is 6 * 2^-23 times those of A and B, which the tolerance keeps below 1 + 2^-11.
 constexpr uint32_t kRoundingDefect = 13;
 static_assert(kRoundingDefect > (6 << kDefectBits >> 23), "6 * 2^-23 and a little");
 /// Only many products or coarse matrices exceed this sum of two defects: a margin of 3/4 cell at

@@ -8,8 +8,8 @@
 namespace flashbvh::detail {
 namespace {
 
-/// Translates a pose and returns true. False if the translation is out of range or not a number, or
-/// if `cells_per_unit` is so far from 1 that subnormals matter, which this core may flush to 0.
+/// Translates a pose and returns true. False if the translation is out of range or not a number.
+/// False also if `cells_per_unit` makes subnormals matter, which this core may flush to 0.
 FLASHBVH_INLINE inline bool translate(Pose& pose, float x, float y, float z, float cells_per_unit) {
   constexpr uint32_t least = 0x0D800000;  // 2^-100
   constexpr uint32_t most = 0x71800000;   // 2^100

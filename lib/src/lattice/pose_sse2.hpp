@@ -1,6 +1,6 @@
 // Makes poses with SSE2: one row of the rotation per register, one entry per lane. Results equal
-// those of pose.cpp's plain form and of float_parts.hpp, bit for bit: all sums and products are
-// exact in a double's 53 bits, in any rounding mode, and floats are rounded by truncation.
+// those of pose.cpp's plain form and of float_parts.hpp, bit for bit. In any rounding mode, sums
+// and products are exact in a double's 53 bits, and floats are rounded by truncation.
 //
 // The caller's numbers are loaded one by one, as they were probably just stored: a load that spans
 // several stores waits until these have left the core.

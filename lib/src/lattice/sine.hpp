@@ -20,8 +20,8 @@ inline int32_t times_high(int32_t u, int32_t v) {
 /// `turn`: in 2^-32 of a turn. Some 70 instructions on a Cortex-M4.
 ///
 /// Polynomials through the Chebyshev nodes, in the square of an angle up to an eighth of a turn,
-/// x = pi/4 y: sin x = y S(y^2) to 4 * 2^-40, cos x = C(y^2) to 2^-34; to 2^-30.7 and 2^-33.3 with
-/// rounded coefficients. The first coefficient has 30 fraction bits, each next one 2 more, since
+/// x = pi/4 y. sin x = y S(y^2) to 4 * 2^-40 and cos x = C(y^2) to 2^-34; with rounded coefficients
+/// to 2^-30.7 and 2^-33.3. The first coefficient has 30 fraction bits, each next one 2 more, since
 /// the square has 30 and a product drops 32.
 inline SineCosine sine_cosine(uint32_t turn) {
   constexpr int32_t s[5] = {843314857, -346799333, 42784630, -2513236, 84936};

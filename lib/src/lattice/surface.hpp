@@ -11,7 +11,7 @@ namespace flashbvh::detail {
 /// A surface is closed if each edge runs as often in either direction: then a point's winding
 /// number is equal along every ray. The test sums g(u) h(v) - g(v) h(u) over all edges (u, v), with
 /// g and h hashes of vertices. The sum is 0 if the surface is closed. Otherwise it is 0 with a
-/// chance below 2^-26, short of bad intent: for random hashes the sum is linear in one vertex's g,
+/// chance below 2^-26, short of bad intent. For random hashes the sum is linear in one vertex's g,
 /// whose factor is a multiple of 2^k with a chance of 2^-k.
 class Surface {
  public:

@@ -84,7 +84,7 @@ class Checker {
     return node.link == tree_.node_count && rank && levels;
   }
 
-  /// Checks that there is a shell, and that their vertices ascend. Does not search their triangles.
+  /// Checks that there are shells and that their vertices ascend; does not search their triangles.
   FLASHBVH_NOINLINE bool shells() const {
     if (tree_.shell_count == 0) {
       return false;

@@ -5,7 +5,7 @@
 // of two edges. Invariant: signs of exact 2x2 determinants decide which points these are, in a
 // projection that is one-to-one on the plane. So no point comes twice with different rounding.
 //
-// The corners are enumerated again if the common part is longest along y or z: keeping the
+// The corners are enumerated again if the common part is longest along y or z. Keeping the
 // outermost points of all three axes would take 48 more bytes of stack.
 #include "contact_flat.hpp"
 

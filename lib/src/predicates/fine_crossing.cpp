@@ -1,7 +1,7 @@
 // The only division of a contact.
 //
 // Error, in steps of 1/256 cell: a fraction of at most 1/2 and both of its terms are cut to 31
-// bits, so it is off by less than 2^-30 + 2^-31. An edge has at most 256 * 57,000 steps, which
+// bits. So it is off by less than 2^-30 + 2^-31. An edge has at most 256 * 57,000 steps, which
 // makes 0.021, and rounding adds a half.
 #include "fine_crossing.hpp"
 #include "flashbvh/lattice.hpp"

@@ -44,8 +44,8 @@ inline uint32_t word_of(const Int128& u, int i) {
   return sum >> 32 < 0 ? -1 : any != 0 ? 1 : 0;
 }
 
-/// The leading bits of a number above 0, which is at least digits * 2^exponent and below (digits +
-/// 1) * 2^exponent; digits have 31 bits, the first of them 1.
+/// Leading bits of a number above 0: it is at least digits * 2^exponent and below (digits + 1) *
+/// 2^exponent. Digits have 31 bits, the first of them 1.
 struct Leading {
   [[gnu::noinline]] explicit Leading(const Int128& u) {
     const bool by_word = u.high != 0;

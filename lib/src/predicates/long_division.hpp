@@ -39,7 +39,7 @@ inline Int128 long_quotient(const Int128& u, const Int128& v) {
   return whole;
 }
 
-/// As square_root(), in fewer steps and with more stack.
+/// square_root() in fewer steps, with more stack.
 inline uint64_t long_root(const Int128& u) {
   // Converges from above: the leading bits' root has 15 bits or more, and each Newton step doubles
   // them.

@@ -7,7 +7,7 @@
 
 namespace flashbvh::detail {
 
-/// In cells.
+/// A vector in cells.
 struct Vector {
   int32_t x;
   int32_t y;

@@ -18,8 +18,8 @@ int first_sign(const WideVector& v) {
   return v.x != 0 ? sign_of(v.x) : v.y != 0 ? sign_of(v.y) : sign_of(v.z);
 }
 
-/// The side of the line on which the edge from u to v passes, as a sign: six times the volume of
-/// `way`, u and v relative to `from`, below 2^57.
+/// The sign gives the side of the line on which the edge from u to v passes. Returns six times the
+/// volume of `way`, u and v relative to `from`; below 2^57.
 int64_t turn(const Point& from, const Vector& way, const Point& u, const Point& v) {
   return dot(cross<WideVector>(difference(u, from), difference(v, u)), way);
 }

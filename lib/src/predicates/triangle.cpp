@@ -4,8 +4,8 @@
 // the line common to both planes in one interval each; two determinants decide whether these
 // overlap.
 //
-// Everything else is one of three degenerate cases, distinguished by the sides of the planes alone,
-// since a triangle without area has no plane and leaves every point on side zero:
+// Everything else is degenerate. The sides of the planes alone distinguish the cases, since a
+// triangle without area has no plane and leaves every point on side zero:
 // - all six corners in one plane, or both triangles without area: separating axes in projections
 // - a segment that crosses the plane of a triangle: the signs of its line about the three edges
 //
@@ -127,7 +127,7 @@ constexpr Fan kFans[kAllCorners] = {{},
                                     {kSecond, false, {kFirst, kThird, kFirst}},
                                     {kFirst, false, {kThird, kSecond, kThird}}};
 
-/// Whether the intervals in which two triangles intersect the common line of their planes overlap.
+/// Returns whether the intervals of two triangles on the common line of their planes overlap.
 /// A triangle is mirrored if the other's tip is below, which orders both intervals alike.
 template <class Cofactors>
 [[gnu::noinline]] bool intervals_overlap(const Triangle& a, const Triangle& b, Upper of_a,
@@ -211,7 +211,7 @@ constexpr Projection kProjections[3] = {
   return true;
 }
 
-/// Whether two triangles intersect that lie in one plane or both lack area; their boxes overlap.
+/// Tests triangles that lie in one plane or both lack area, and whose boxes overlap.
 ///
 /// In two dimensions the normals of the edges and the two axes (the boxes) are all the separating
 /// axes of segments, points and triangles. Coplanar triangles intersect exactly if they do so in
@@ -228,8 +228,7 @@ constexpr Projection kProjections[3] = {
   return coplanar(a, b);
 }
 
-/// Whether two triangles intersect, of which one lies in the other's plane or lacks area; their
-/// boxes overlap.
+/// Tests triangles of which one lies in the other's plane or lacks area, and whose boxes overlap.
 [[gnu::noinline, gnu::cold]] bool flat_or_segment_intersect(const Triangle& a, const Triangle& b,
                                                             Upper of_a, Upper of_b) {
   if (of_a != 0) {

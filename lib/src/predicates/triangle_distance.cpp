@@ -1,7 +1,7 @@
 // Distances between the features of two triangles.
 //
-// A corner r above a face with edges e and f, and two edges e, f whose starts are r apart, lead to
-// one problem: find the point of the plane of e and f nearest to r. With a = e.e, b = e.f, c = f.f
+// One problem covers a corner r above a face with edges e and f, and two edges e, f whose starts
+// are r apart: find the point of the plane of e and f nearest to r. With a = e.e, b = e.f, c = f.f
 // it is s e + t f with
 //     area = a c - b^2,    s area = c (r.e) - b (r.f),    t area = a (r.f) - b (r.e),
 // and its squared distance from r is (r . (e x f))^2 / area.

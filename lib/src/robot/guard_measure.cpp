@@ -197,9 +197,9 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
 
 /// Chooses the distance to test: the distance to keep and a share of the witness's excess over it.
 /// `nearest`: upper bound on the witness's distance. The result is below it, so each witness found
-/// is nearer than the last one. A "no" settles the pair (Left::is_settled). Then the limit is the
-/// largest one, or beyond the distance that lasts for the period over the warn or stop distance, or
-/// the witness is no farther than this distance.
+/// is nearer than the last one. A "no" settles the pair (Left::is_settled), as one of these holds.
+/// The limit is the largest one; or it lasts for the period beyond the warn or stop distance; or
+/// the witness is no farther than such a limit.
 void Guard::aim(uint32_t nearest) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   const uint32_t kept = limit_for(core_->walked_pair, nearest);

@@ -84,8 +84,8 @@ uint32_t MotionQuery::reach_of_interval(uint16_t i) const {
   return travel.fine();
 }
 
-/// Proceeds after an interval in which the pair is free: to the longest interval of the bisection
-/// that begins where this one ends, or to the next pair.
+/// Proceeds after an interval in which the pair is free. Next is the longest interval of the
+/// bisection that begins at this one's end, or else the next pair.
 void MotionQuery::next_interval() {
   ++core_->interval;
   while (core_->level != 0 && core_->interval % 2 == 0) {

@@ -6,7 +6,7 @@
 namespace flashbvh {
 namespace detail {
 
-/// Runs in slices; their number is limited, so that a broken walk ends.
+/// Runs in at most as many slices as a correct walk needs, so that a broken walk ends.
 uint32_t known_pairs_digest() {
   constexpr uint32_t slice = 400;
   const Mesh mesh = known_mesh();
