@@ -13,8 +13,8 @@ from meshes import Mesh
 
 
 def ring(middle, u, v, around=48, power=2):
-    """Points on a closed curve about `middle` through middle + u and middle + v: an ellipse, or more of a
-    rectangle the larger the power."""
+    """Points on a closed curve about `middle` through middle + u and middle + v: an ellipse for power 2; a larger
+    power brings it nearer to a rectangle."""
     def part(x):
         return copysign(abs(x) ** (2 / power), x)
 
@@ -23,7 +23,7 @@ def ring(middle, u, v, around=48, power=2):
 
 
 def skin(mesh, rings):
-    """Between rings, each counter-clockwise as seen from the next; a point closes it at both ends."""
+    """Connects rings, each counter-clockwise as seen from the next; a point closes each end."""
     around = len(rings[0])
     corners = [[mesh.corner(*point) for point in points] for points in rings]
     for low, high in zip(corners, corners[1:]):
@@ -37,7 +37,7 @@ def skin(mesh, rings):
 
 
 def upright(mesh, profile, at=(0, 0), around=48, power=2):
-    """Of rings at heights: (z, half width in x, half width in y)."""
+    """Connects horizontal rings: (z, half width in x, half width in y)."""
     skin(mesh, [ring((*at, z), (x, 0, 0), (0, y, 0), around, power) for z, x, y in profile])
 
 
@@ -46,7 +46,7 @@ def steps(begin, end, count):
 
 
 def bent(mesh, middle, radius, turns, widths, **how):
-    """About an arc in the plane of x and z: each turn with the tube's half widths across and along y."""
+    """A tube along an arc in the plane of x and z: for each angle its half widths across the arc and along y."""
     rings = []
     for turn, (across, along) in zip(turns, widths):
         out = cos(turn), 0, sin(turn)
@@ -60,7 +60,7 @@ def head(mesh):
     upright(mesh, [(z, 8, 11) for z in steps(7.5, 19, 8)], (-3, 0), 64, 8)  # the heater block
     upright(mesh, [(z, 11 - i % 2 * 4, 11 - i % 2 * 4) for i, z in enumerate(steps(20, 48, 28))])  # the heat sink
     upright(mesh, [(z, 24, 20) for z in steps(48, 60, 4)], (0, 6), 64, 8)  # the carriage
-    # The fan's duct: down from the carriage, round, and open towards the nozzle; its wall is 1 mm thick.
+    # The fan's duct leads down from the carriage and opens towards the nozzle; its wall is 1 mm thick.
     turns = steps(0, -pi / 2, 20)
     walls = [(4 - i * .075, 9 - i * .19) for i in range(21)]
     bent(mesh, (8, 0, 21.5), 16, turns + turns[:1:-1], walls + [(x - 1, y - 1) for x, y in walls[:1:-1]],
@@ -69,13 +69,13 @@ def head(mesh):
 
 
 def gantry(mesh):
-    """Two rods behind the head and a belt between them, along all of the bed."""
+    """Two rods behind the head and a belt between them, along the whole bed."""
     for y, z, wide, high in (34, 42, 5, 5), (34, 66, 5, 5), (31, 54, 1, 3):
         skin(mesh, [ring((x, y, z), (0, wide, 0), (0, 0, high), 24) for x in steps(-140, 140, 14)])
 
 
 def clamp(mesh):
-    """A plate that holds the bed's sheet down, and its screw."""
+    """A plate that holds down the bed's sheet, and its screw."""
     upright(mesh, [(z, 12, 7) for z in steps(0, 5, 2)], power=6)
     upright(mesh, [(4.5, 3, 3), (9, 3, 3), (9, 5, 5), (12, 5, 5)])
 
@@ -89,7 +89,7 @@ def vase(mesh):
 
 
 def wheel(mesh):
-    """Of twelve teeth."""
+    """A wheel with twelve teeth."""
     def outline(z, part):
         return [(r * cos(t), r * sin(t), z) for i in range(96)
                 for t, r in [(2 * pi * i / 96, part * (25 if i // 4 % 2 else 21))]]
@@ -97,12 +97,12 @@ def wheel(mesh):
 
 
 def arch(mesh):
-    """It stands on both feet."""
+    """An arch that stands on both feet."""
     bent(mesh, (0, 0, 0), 28, steps(pi, 0, 44), [(5, 5)] * 45, around=32)
 
 
 def tube(mesh):
-    """Across the declination axis, 240 mm from the polar axis."""
+    """The tube, across the declination axis, 240 mm from the polar axis."""
     for profile in ([(z, 105, 105) for z in steps(-420, 520, 24)], [(z, 118, 118) for z in steps(490, 620, 4)],
                     [(z, 40, 40) for z in steps(-520, -410, 4)],  # the focuser
                     [(z, 45, 45) for z in steps(-640, -515, 4)]):  # the camera
@@ -111,7 +111,7 @@ def tube(mesh):
 
 
 def weights(mesh):
-    """On the other end of the declination axis; with the polar axis they turn."""
+    """The weights at the other end of the declination axis; they turn with the polar axis."""
     for begin, end, radius in (-330, -60, 12), (-320, -230, 65):
         skin(mesh, [ring((x, 0, 0), (0, radius, 0), (0, 0, radius), 40) for x in steps(begin, end, 8)])
 
@@ -121,7 +121,7 @@ def tripod(mesh):
         c, s = cos(radians(48)), sin(radians(48))
         return [(c * up - s * north, east, s * up + c * north) for east, north, up in points]
 
-    # The pier under the polar axis, and three legs, one to the north.
+    # The pier under the polar axis, and three legs; one points north.
     skin(mesh, [placed(ring((0, 0, up), (60, 0, 0), (0, 60, 0))) for up in steps(-300, -110, 8)])
     for turn in 90, 210, 330:
         out = cos(radians(turn)), sin(radians(turn))

@@ -1,4 +1,4 @@
-# flashbvh_write_shape(output shape size...): `output` is what meshes.py prints. Made again for each build: small.
+# flashbvh_write_shape(output shape size...): writes the output of meshes.py to `output`, in each build.
 include_guard()
 find_program(python python3 REQUIRED)
 set(FLASHBVH_SHAPES ${CMAKE_CURRENT_LIST_DIR}/meshes.py)
@@ -9,7 +9,7 @@ function(flashbvh_write_shape output)
     VERBATIM)
 endfunction()
 
-# flashbvh_write_machine(variable body...): the list of <body>.obj in the build folder, which machines.py prints.
+# flashbvh_write_machine(variable body...): writes <body>.obj by machines.py to the build folder; lists the files.
 set(FLASHBVH_MACHINES ${CMAKE_CURRENT_LIST_DIR}/machines.py)
 function(flashbvh_write_machine variable)
   set(written "")

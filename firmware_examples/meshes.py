@@ -18,7 +18,7 @@ from math import copysign, cos, pi, sin, sqrt
 
 
 def nearest(value):
-    """The nearest whole number; halves away from zero."""
+    """The nearest whole number; halves round away from zero."""
     return int(value + copysign(0.5, value))
 
 
@@ -106,9 +106,9 @@ def link(mesh, around, rings, parts, radius, tube):
 
 
 def room(mesh):
-    """The walls are a box inside out: their triangles face inwards, those of objects in the room
-    outwards, so all that a sensor in the room may see is a front. Winding numbers add up: the room's is
-    -1, and in the pillar 0 again. What inside() finds is the air. So no two parts overlap."""
+    """The walls are a box turned inside out: their triangles face inwards, the objects' outwards. So a sensor in
+    the room sees only front faces. Winding numbers add up: -1 in the room's air, and 0 in the pillar. inside()
+    finds the air, so no two parts overlap."""
     def block(x0, y0, z0, x1, y1, z1, inwards=False):
         a, b, c, d, e, f, g, h = (mesh.corner(x, y, z) for z in (z0, z1)
                                   for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
@@ -149,7 +149,7 @@ def lump(mesh, parts, radius):
     corners = {}
 
     def corner(*place):
-        """Of a cube's surface, `parts` to a side, blown up to a ball with bumps."""
+        """A point of a cube's surface, `parts` to a side, projected to a ball with bumps."""
         if place not in corners:
             angles = [(2 * x / parts - 1) * pi / 4 for x in place]
             x, y, z = (sin(angle) / cos(angle) for angle in angles)
@@ -168,12 +168,12 @@ def lump(mesh, parts, radius):
             for i in range(parts):
                 for j in range(parts):
                     square = on_face(i, j), on_face(i + 1, j), on_face(i + 1, j + 1), on_face(i, j + 1)
-                    # Outwards: the axes' order turns round for y.
+                    # The triangles face outwards: the order of the axes is reversed for y.
                     mesh.quad(*(square if (side != 0) == (axis != 1) else reversed(square)))
 
 
 def rounds(mesh, around, middles, radii, bend):
-    """Rings about middles on the y axis, bent along x, with a corner at both ends."""
+    """Rings about points on the y axis, bent along x, with a corner at each end."""
     first = mesh.corner(nearest(bend(middles[0])), nearest(middles[0]), 0)
     for y, radius in zip(middles[1:-1], radii[1:-1]):
         for i in range(around):
@@ -194,16 +194,16 @@ def rounds(mesh, around, middles, radii, bend):
 
 def limb(mesh, around, parts, radius, length):
     places = [i / parts for i in range(parts + 1)]
-    # Ends rounded off and thick, the middle thin.
+    # The ends are round and thick, the middle is thin.
     radii = [radius * sqrt(max(0, sin(pi * at))) * (0.65 + 0.35 * cos(4 * pi * at)) for at in places]
     rounds(mesh, around, [length * (at - 0.5) for at in places], radii,
            lambda y: radius * (2 * y / length) ** 2)
 
 
 def gear(mesh, teeth, rings, radius):
-    """Both faces in rings from the bore to the teeth; the rims as high as four rings are wide."""
+    """Both faces have rings from the bore to the teeth; the rims are as high as four rings are wide."""
     around, bore, height = 4 * teeth, 0.45 * radius, 0.3 * radius
-    # The foot of a tooth, its flanks and its head.
+    # The root of a tooth, its flanks and its tip.
     outer = [radius * (1 if i % 4 in (1, 2) else 0.86) for i in range(around)]
     layers = 4
 

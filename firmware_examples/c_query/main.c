@@ -1,6 +1,6 @@
 /* A machine whose tool tilts above a plate, in C99. Before each move the control loop tests whether
- * the tool would hit the plate where it is about to go: a slice of the answer in each tick, so that
- * the tick stays short, whatever the meshes. */
+ * the tool would hit the plate at its target. Each tick computes one slice of the answer, so ticks
+ * stay short for any meshes. */
 #include <flashbvh/flashbvh.h>
 #include <flashbvh/solid.h>
 
@@ -8,12 +8,12 @@
 #include "plate.fbvh.h"
 #include "text.h"
 
-/* What a slice may take of a tick on a Cortex-M4F: proven, for any pose. */
+/* A slice's share of a tick on a Cortex-M4F: a proven limit, for any pose. */
 enum { INSTRUCTIONS_PER_TICK = 12000 };
 static const flashbvh_tree_size plate_size = plate_TREE_SIZE;
 static const flashbvh_tree_size tool_size = peg_TREE_SIZE;
 
-/** A place for the tool to go. */
+/** A target position of the tool. */
 typedef struct target {
   const char* name;
   float height; /**< of the tool's tip above the plate, mm */
@@ -22,13 +22,13 @@ typedef struct target {
 
 static const target targets[] = {
     {"4 mm up, upright", 4, false}, {"4 mm up, tilted", 4, true}, {"2 mm up, tilted", 2, true}};
-/* As a wrong sensor may report at reset: the tool, 30 mm long, in the plate, 40 mm thick. */
+/* As a faulty sensor may report at reset: the tool, 30 mm long, inside the plate, 40 mm thick. */
 static const target wholly_inside = {"35 mm down", -35, false};
 
-/** A question on its way. */
+/** A check in progress. */
 typedef struct check {
   flashbvh_pose pose;
-  flashbvh_query query; /* points at the pose: a check stays where it is */
+  flashbvh_query query; /* points at the pose: a check must not be moved in memory */
 } check;
 
 typedef enum verdict { VERDICT_PENDING, VERDICT_FREE, VERDICT_COLLIDES } verdict;
@@ -42,12 +42,12 @@ static void check_start(check* c, const target* to) {
   const float cosine = to->tilted ? 0.8f : 1;
   const float about_y[9] = {cosine, 0, sine, 0, 1, 0, -sine, 0, cosine};
   const float translation[3] = {0, 0, to->height};
-  /* Errors of both show in every run. */
+  /* Errors of both calls appear in the status of each run, too. */
   flashbvh_pose_of_matrix(about_y, translation, flashbvh_mesh_cells_per_unit(&plate), &c->pose);
   flashbvh_query_start(&c->query, &plate, &tool, &c->pose);
 }
 
-/** Where the pair that a run ended with has its contact, in the plate's frame. */
+/** Prints the contact of the pair that ended the last run, in the plate's frame. */
 static void print_contact(const check* c) {
   flashbvh_contact contact;
   int64_t nanometres[3];
@@ -61,8 +61,8 @@ static void print_contact(const check* c) {
   port_put(" um\n");
 }
 
-/** A slice of the answer, of as much work as fits the tick; after the last one, in a tick of its
- * own, whether the one body is wholly inside the other. */
+/** Runs a slice of as much work as fits the tick. The tick after the last slice tests whether one
+ * body is wholly inside the other. */
 static verdict check_tick(check* c) {
   flashbvh_pair found[1];
   bool inside = true;
@@ -72,12 +72,12 @@ static verdict check_tick(check* c) {
     return status == FLASHBVH_STATUS_DONE && !inside ? VERDICT_FREE : VERDICT_COLLIDES;
   }
   status = flashbvh_query_run(&c->query, work_per_tick, found, 1).status;
-  /* FULL: a pair was found; all others: an error, which is no permission to move on. */
+  /* FULL means that a pair was found. All others are errors, which are no permission to move on. */
   return status == FLASHBVH_STATUS_SUSPENDED || status == FLASHBVH_STATUS_DONE ? VERDICT_PENDING
                                                                                : VERDICT_COLLIDES;
 }
 
-/** The control loop, until the tool is at the target or must not go there. */
+/** The control loop: runs until the tool is at the target or must not go there. */
 static verdict control_loop(const target* to) {
   check ahead;
   verdict answer = VERDICT_PENDING;
@@ -86,7 +86,7 @@ static verdict control_loop(const target* to) {
   while (answer == VERDICT_PENDING) {
     answer = check_tick(&ahead);
     ++ticks;
-    /* Here a machine reads its sensors and drives its motors, and waits for the next tick. */
+    /* A real machine reads its sensors and drives its motors here, then waits for the next tick. */
   }
   port_put(to->name);
   port_put(answer == VERDICT_FREE ? ": free after " : ": collides after ");

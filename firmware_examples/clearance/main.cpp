@@ -1,10 +1,11 @@
-// A gripper comes down on a bar and turns as it does: how far are they apart, and may it go on?
+// A gripper comes down on a bar and turns: how far are they apart, and may it go on?
 //
-// Distances are of surfaces: a bar wholly inside the palm is far from its walls. So "free" is said
-// only after a query of the solids, too. The last line is such a case.
+// Distances are measured between surfaces: a bar wholly inside the palm is far from its walls. So
+// the guard reports "free" only after a query of the solids. The last line is such a case.
 //
-// Prints a line a step: the distance in millimetres, the verdict, and the instructions of the whole
-// check, pose included. They are counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+// Prints a line per step: the distance in millimetres, the verdict, and the instructions of the
+// whole check, including the pose. Run it by hand with FLASHBVH_ICOUNT to see the instruction
+// counts (ports/README.md).
 #include <flashbvh/clearance.hpp>
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/float.hpp>
@@ -26,7 +27,7 @@ const Mesh gripper = view_unchecked<Mesh>(gripper_image);
 enum class Verdict : uint8_t { free, slow, warn, stop };
 constexpr const char* kNames[] = {"free", "slow", "warn", "stop"};
 
-/// Millimetres, the unit of both meshes, as a distance in 1/256 cell.
+/// Converts millimetres, the unit of both meshes, to a distance in 1/256 cell.
 constexpr uint32_t within_mm(double length) {
   return static_cast<uint32_t>(length / bar_CELL * 256);
 }
@@ -34,7 +35,7 @@ constexpr uint32_t kSlow = within_mm(20);
 constexpr uint32_t kWarn = within_mm(5);
 constexpr uint32_t kStop = within_mm(0.5);
 
-/// Of a slice.
+/// The work of a slice, in units of query.hpp.
 constexpr uint32_t kWork = 100;
 
 struct Known {
@@ -42,13 +43,13 @@ struct Known {
   uint32_t lower;  ///< the distance of the surfaces in 1/256 cell, rounded down
 };
 
-/// Remembers what was nearest: there the next answer begins.
+/// Remembers the nearest pair, from which the next query starts.
 class Guard {
  public:
   Known at(const Pose& gripper_in_bar) {
     ClearanceQuery query(bar, gripper, gripper_in_bar, nearest_);
     while (query.run(kWork).status == Status::suspended) {
-      // Not finished: a control loop comes back in the next period.
+      // Not finished: a control loop continues in the next period.
     }
     const Clearance<uint16_t> known = query.result();
     nearest_ = known.witness;
@@ -56,7 +57,7 @@ class Guard {
     if (known.status != Status::done || known.lower < kStop) {
       return {Verdict::stop, known.lower};
     }
-    // Apart are the surfaces of a bar inside the gripper, too.
+    // The surfaces of a bar inside the gripper are apart, too.
     if (solids_intersect(bar, gripper, gripper_in_bar).yes) {
       return {Verdict::stop, known.lower};
     }
@@ -74,7 +75,7 @@ class Guard {
   Witness<uint16_t> nearest_;
 };
 
-/// Where the gripper is, as a control loop has it: moved by so much a step, in floats.
+/// The gripper's pose as a control loop has it: in floats, advanced by a fixed step.
 struct Approach {
   float cosine = 1;  // of half the angle
   float sine = 0;
@@ -85,7 +86,7 @@ struct Approach {
     return pose_of(UnitQuaternion{cosine, 0, 0, sine}, {x, 0, z}, bar_CELLS_PER_UNIT);
   }
 
-  /// A millimetre aside, four down, and six degrees about the upright.
+  /// Moves by one millimetre sideways and four down, and turns by six degrees about the vertical.
   void step() {
     constexpr float kCosine = 0.99862953f;
     constexpr float kSine = 0.05233596f;
@@ -97,14 +98,14 @@ struct Approach {
   }
 };
 
-/// In millimetres, three decimals, rounded down as the distance is.
+/// Prints millimetres with three decimals, rounded down like the distance.
 void print_mm(uint32_t distance) {
   const auto micrometres = static_cast<uint32_t>(millionths_of(distance, bar.cell_bits) / 1000);
   const uint32_t rest = micrometres % 1000;
   port::print(micrometres / 1000, rest < 10 ? ".00" : rest < 100 ? ".0" : ".", rest, " mm ");
 }
 
-/// A line: what is known of the pose that is made.
+/// Prints a line: the verdict of the pose that `make_pose` returns.
 template <class MakePose>
 Verdict tell(Guard& guard, const MakePose& make_pose) {
   Known known = {Verdict::stop, 0};
@@ -126,7 +127,7 @@ int main() {
     last = tell(guard, [&] { return approach.pose(); });
     approach.step();
   }
-  // As sensors may report at reset. By the distance alone the gripper would be free.
+  // As sensors may report at reset. The distance alone would report the gripper as free.
   port::print("bar in the palm: ");
   const Verdict inside = tell(guard, [] {
     return pose_of(UnitQuaternion{1, 0, 0, 0}, {0, 0, -36.0f}, bar_CELLS_PER_UNIT);

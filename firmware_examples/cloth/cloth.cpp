@@ -7,9 +7,9 @@ namespace {
 
 constexpr int kStretches = 8;
 constexpr float kAir = 0.98f;
-constexpr float kFriction = 0.6f;  ///< of its last movement, on what it touches
+constexpr float kFriction = 0.6f;  ///< the share of its last movement that a touching point loses
 constexpr float kFirm = 0.7f;
-constexpr float kGentle = 0.4f;  ///< of the missing distance: many pairs push one point
+constexpr float kGentle = 0.4f;  ///< share of the missing distance per pair: many push one point
 
 constexpr Vector kHere = {0, 0, 0};
 
@@ -63,7 +63,7 @@ void Cloth::step() {
   }
 }
 
-/// The root of the length by the first step of Newton's method, from the length at rest.
+/// Approximates the root of the length by Newton's first step from the length at rest.
 void Cloth::stretch(uint32_t u, uint32_t v) {
   const Vector rest = from(rest_.vertices[u], kHere) - from(rest_.vertices[v], kHere);
   const float squared = dot(rest, rest);

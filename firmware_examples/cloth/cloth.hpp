@@ -1,8 +1,8 @@
 // A cloth's motion: points and stretched edges, in float. It makes no queries.
 //
-// Each step moves the points by what they moved before, less the air, and by their weight; then
-// edges are drawn to the length that they have in the baked sheet, some times over. Only sums,
-// products, quotients and roots, which IEEE 754 rounds alike everywhere.
+// Each step moves the points by their last movement, less air drag, and by their weight. Then it
+// draws edges towards their length in the baked sheet, several times. It uses only sums, products,
+// quotients and roots, which IEEE 754 rounds alike everywhere.
 //
 // Source: Jakobsen, "Advanced Character Physics", Game Developers Conference 2001.
 #pragma once
@@ -32,28 +32,28 @@ inline float dot(const Vector& u, const Vector& v) {
 inline Vector cross(const Vector& u, const Vector& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
-/// A point of a lattice, `offset` cells off.
+/// A lattice point, moved by `offset` cells.
 Vector from(const flashbvh::Vertex& v, const Vector& offset);
 
-/// What happens in a step, in cells of the lattice.
+/// Parameters of a step, in cells of the lattice.
 struct Setting {
-  float weight;     ///< how much faster a step is than the one before
-  float most;       ///< the longest way of a point in a step
-  float floor;      ///< no point lies lower
-  float thickness;  ///< triangles keep this far apart
+  float weight;     ///< how much each step gains in speed over the last
+  float most;       ///< the longest movement of a point per step
+  float floor;      ///< the lowest height of a point
+  float thickness;  ///< the distance that triangles keep
 };
 
-/// `points` and `before`: memory for as many as the sheet has vertices.
+/// `points` and `before`: arrays of as many elements as the sheet has vertices.
 class Cloth {
  public:
   Cloth(const flashbvh::Mesh& rest, const Setting& setting, Vector* points, Vector* before);
 
   void step();
-  /// Triangle `position` off a plane of something rigid, in whose direction it was near.
+  /// Pushes triangle `position` off a nearby plane of a rigid body, along the normal.
   void push_off(uint32_t position, const Vector& on_plane, const Vector& normal);
-  /// Two of the sheet's triangles apart.
+  /// Pushes two of the sheet's triangles apart.
   void push_apart(uint32_t a, uint32_t b);
-  /// To whole cells.
+  /// Writes the points, rounded to whole cells.
   void put_into(flashbvh::Vertex* vertices) const;
 
  private:

@@ -1,14 +1,14 @@
-// A sheet of cloth falls over a robot's link and, below it, onto itself: which triangles touch
-// which, each frame, exactly.
+// A sheet of cloth falls over a robot's link and, below it, onto itself. Each frame reports exactly
+// which triangles touch.
 //
-// A frame is 10 ms. The sheet is a mesh that bends: each frame its vertices are put where the
-// cloth's points are, the boxes are fitted to them, and four queries run: which triangles
-// of link and sheet intersect, which of the sheet intersect each other, and which of both kinds are
-// nearer than the cloth is thick. The last two push. The same numbers come on every core and on the
-// host, where an argument names a page of pictures to write.
+// A frame is 10 ms. The sheet is a deformable mesh. Each frame copies the cloth's points to its
+// vertices, refits its boxes and runs four queries. Two report intersecting triangles: of link and
+// sheet, and of the sheet with itself. Two report those nearer than the cloth is thick, and push
+// them apart. All cores and the host compute the same numbers; on the host, an argument names a
+// page of pictures to write.
 //
-// Prints each frame's pairs, a digest of all there were up to it, and instructions, which are
-// counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+// Prints each frame's pairs, a digest of all pairs so far, and instructions. Run it by hand with
+// FLASHBVH_ICOUNT to see the instruction counts (ports/README.md).
 #include <flashbvh/clearance.hpp>
 #include <flashbvh/image.hpp>
 #include <flashbvh/self.hpp>
@@ -29,7 +29,7 @@ using cloth::Vector;
 namespace {
 
 constexpr int kFrames = 130;
-/// Half of a Cortex-M7 at 480 MHz and 100 Hz, at an instruction a cycle.
+/// Half of a Cortex-M7 at 480 MHz and 100 Hz, at one instruction per cycle.
 constexpr uint32_t kMostInstructions = 2'400'000;
 constexpr float kPerMm = 1 / static_cast<float>(sheet_CELL);
 constexpr float kThickness = 1.5f * kPerMm;
@@ -38,7 +38,7 @@ constexpr uint32_t kNearLink = 2 * kNear;
 
 const Mesh sheet = view_unchecked<Mesh>(sheet_image);
 
-// All the memory there is, but for views of the meshes.
+// All memory that the program uses, except for views of the meshes.
 Node<uint16_t> nodes[sheet_NODE_COUNT];
 Vertex vertices[sheet_VERTEX_COUNT];
 Vector points[sheet_VERTEX_COUNT];
@@ -47,11 +47,11 @@ Vector before[sheet_VERTEX_COUNT];
 const Pose kInPlace = Pose::translated(0, 0, 0);
 
 struct Frame {
-  uint32_t of_link = 0;    ///< pairs that intersect
-  uint32_t of_itself = 0;  ///< of the cloth with itself
+  uint32_t of_link = 0;    ///< intersecting pairs of link and cloth
+  uint32_t of_itself = 0;  ///< intersecting pairs of the cloth
   uint32_t near_link = 0;
   uint32_t near_itself = 0;
-  uint32_t digest = 2166136261u;  ///< of this frame and all before
+  uint32_t digest = 2166136261u;  ///< of this frame and all frames before
 
   template <class Pair>
   void add(uint32_t& count, const Pair& pair) {
@@ -60,7 +60,7 @@ struct Frame {
   }
 };
 
-/// Instructions: of this frame, and the most of any.
+/// Instructions of a frame, or the most of any frame.
 struct Costs {
   uint32_t refit = 0;
   uint32_t itself = 0;
@@ -76,7 +76,7 @@ struct Costs {
   }
 };
 
-/// Under the sheet's lower edge, 28 mm of it over the sheet's origin.
+/// Places the link below the sheet's lower edge, its top 28 mm above the sheet's origin.
 Mesh put_link() {
   Mesh link = view_unchecked<Mesh>(arm_link_image);
   const Box box = unpack(link.nodes[0].box);
@@ -87,7 +87,7 @@ Mesh put_link() {
 }
 const Mesh link = put_link();
 
-/// The link's points as the cloth's: both count from their own origins.
+/// A link's vertex in the cloth's coordinates: each mesh counts from its own origin.
 Vector of_link(uint16_t vertex) {
   const auto from_sheet = [](int axis) {
     return static_cast<float>(link.origin[axis] - sheet.origin[axis]);
@@ -105,7 +105,7 @@ void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
   }
 }
 
-/// All queries of a frame. Not inlined: its frames are what the stack is.
+/// Runs all queries of a frame. Not inlined, because the stack measurement needs its frame.
 Costs ask(const Mesh& mesh, Cloth& cloth, Frame& frame) {
   Costs costs;
   costs.link = port::instructions_of([&] {

@@ -1,13 +1,13 @@
 // A telescope's mount slews to a star: would the tube, its camera or the weights touch the tripod?
-// Each slew is certified for every moment of it, before it begins.
+// The mount certifies each slew for every moment, before it begins.
 //
-// It shows a chain of two joints as a body's motion. Where the tube touches depends on both angles,
-// so no limits of single axes would do. If both axes at once do not get through, the mount tries
-// one after the other, and then the star from the other side of the meridian.
+// The example shows a chain of two joints as a body's motion. Both angles decide whether the tube
+// touches, so limits of single axes would not suffice. If both axes cannot move at once, the mount
+// tries one after the other. Then it tries to reach the star from the other side of the meridian.
 //
-// Prints for each slew, in degrees of the hour axis and the declination axis, what was tried and
-// where a body would touch; then what the checks took. Instructions are counted, so run it by hand
-// with FLASHBVH_ICOUNT (ports/README.md). Ends with 1 if the checks took too much.
+// Prints the attempts for each slew and where a body would touch, in degrees of the hour axis and
+// the declination axis; then the cost of the checks. Run it by hand with FLASHBVH_ICOUNT to see the
+// instruction counts (ports/README.md). Exits with 1 if the checks cost too much.
 #include "insn.hpp"
 #include "slew.hpp"
 #include "stack.hpp"
@@ -17,13 +17,13 @@ using namespace flashbvh;
 
 namespace {
 
-/// Of a slice, in units of query.hpp.
+/// The work of a slice, in units of query.hpp.
 constexpr uint32_t kWork = 500;
-/// Bodies that come so near touch: for a tube that bends, and cables.
+/// Bodies nearer than this count as touching: the tube bends, and cables hang from it.
 constexpr uint32_t kMargin = static_cast<uint32_t>(20 * 256 / tripod_CELL);  // 20 mm
 
-/// What the tests hold at 168 MHz, an instruction a cycle: 1 ms for a slice, 1.5 s for a slew
-/// with all that is tried; and bytes of RAM, for the whole firmware.
+/// Limits that the tests hold, at 168 MHz and one instruction per cycle: 1 ms for a slice, 1.5 s
+/// for a slew with all attempts; and bytes of RAM for the whole firmware.
 constexpr uint32_t kMostOfSlice = 168'000;
 constexpr uint32_t kMostOfSlew = 252'000'000;
 constexpr uint32_t kMostBytes = 4096;
@@ -33,13 +33,13 @@ uint32_t of_slew = 0;
 uint32_t most_of_slew = 0;
 uint32_t most_of_slice = 0;
 
-/// Between slices the mount goes on following a star; here that is counted.
+/// Between slices a mount goes on following a star. The example counts these turns.
 uint32_t tracked = 0;
 void track() {
   ++tracked;
 }
 
-/// Angles in degrees, one decimal, to the nearest.
+/// Prints degrees with one decimal, rounded to the nearest.
 void print_degrees(int32_t turn) {
   const auto size = static_cast<uint32_t>(turn < 0 ? -turn : turn);
   const auto tenths = static_cast<uint32_t>((uint64_t{size} * 3600 + kHalfTurn) / kFullTurn);
@@ -51,7 +51,7 @@ void print_angles(const Angles& angles) {
   print_degrees(angles.declination);
 }
 
-/// Whether nothing touches; prints what would, and where. An error is no permission to move.
+/// True if nothing touches; else prints the body and the angles. An error is no permission to move.
 bool certify(const Slew& slew) {
   for (const Body& body : kBodies) {
     const BodyMotion motion = slew.motion(body.axes);
@@ -73,7 +73,7 @@ bool certify(const Slew& slew) {
   return true;
 }
 
-/// Through `via`, where one axis has arrived, or none.
+/// Tries the route through `via`. There one axis, or none, has already arrived.
 bool try_route(const char* name, const Angles& from, const Angles& via, const Angles& to) {
   port::print("  ", name, ": ");
   const bool is_free = certify(Slew(from, via)) && certify(Slew(via, to));
@@ -87,12 +87,12 @@ bool try_orders(const Angles& from, const Angles& to) {
          try_route("declination axis first", from, {from.hour, to.declination}, to);
 }
 
-/// The tube points there, too, half a turn round the pole.
+/// The other angles that point the tube at the same star: half a turn about the polar axis.
 Angles beyond_meridian(const Angles& angles) {
   return {angles.hour + (angles.hour > 0 ? -kHalfTurn : kHalfTurn), -angles.declination};
 }
 
-/// Where the mount then stands.
+/// Returns the angles at which the mount stands after the slew.
 Angles slew(const Angles& from, const Angles& to) {
   port::print("slew to ");
   print_angles(to);

@@ -8,11 +8,11 @@
 #include "tube.fbvh.h"
 #include "weights.fbvh.h"
 
-/// Angles of the axes; flashbvh::kFullTurn is a full turn. At 0 the weights are down and the tube
+/// Angles of the axes; flashbvh::kFullTurn is a full turn. At 0 the weights point down and the tube
 /// points at the pole.
 struct Angles {
   int32_t hour;         ///< of the polar axis
-  int32_t declination;  ///< of the axis that it carries
+  int32_t declination;  ///< of the axis that the polar axis carries
 };
 
 constexpr int32_t kHalfTurn = flashbvh::kFullTurn / 2;
@@ -26,7 +26,7 @@ const flashbvh::Mesh tripod = flashbvh::view_unchecked<flashbvh::Mesh>(tripod_im
 const flashbvh::Mesh tube = flashbvh::view_unchecked<flashbvh::Mesh>(tube_image);
 const flashbvh::Mesh weights = flashbvh::view_unchecked<flashbvh::Mesh>(weights_image);
 
-/// What moves: with the first axis, or with both. All meshes' origins lie where the axes meet.
+/// A body that moves with the first axis or with both. All meshes' origins lie where the axes meet.
 struct Body {
   const char* name;
   const flashbvh::Mesh& mesh;
@@ -34,18 +34,18 @@ struct Body {
 };
 const Body kBodies[] = {{"tube", tube, 2}, {"weights", weights, 1}};
 
-/// The moves of both axes; constant once made, as a query reads them.
+/// The moves of both axes; constant once constructed, because queries read them.
 class Slew {
  public:
   Slew(const Angles& from, const Angles& to) : from_(from), to_(to) {
     const flashbvh::Pose carried = pose({from.hour, 0}, 1);
     moves_[0] = about(0, 0, flashbvh::kRotationOne, to.hour - from.hour);
-    // A move's numbers are those of where the motion begins: the polar axis has carried this one.
+    // A move's axis is given for the motion's start: the polar axis has already turned this one.
     moves_[1] =
         about(carried.rotation(0, 0), carried.rotation(1, 0), 0, to.declination - from.declination);
   }
 
-  /// Of a body that so many axes move, in the tripod's frame: z is the polar axis.
+  /// The motion of a body that `axes` axes move, in the tripod's frame: z is the polar axis.
   flashbvh::BodyMotion motion(uint32_t axes) const { return {pose(from_, axes), moves_, axes}; }
 
   Angles at(uint32_t time) const {
@@ -59,7 +59,7 @@ class Slew {
   static flashbvh::Move about(int32_t x, int32_t y, int32_t z, int32_t turn) {
     return {{0, 0, 0}, {x, y, z}, turn, {0, 0, 0}};
   }
-  /// Forward kinematics: from home, where both axes are known, by the angles.
+  /// Forward kinematics: turns the body from its home pose by the angles.
   static flashbvh::Pose pose(const Angles& angles, uint32_t axes) {
     const flashbvh::Move moves[2] = {about(0, 0, flashbvh::kRotationOne, angles.hour),
                                      about(flashbvh::kRotationOne, 0, 0, angles.declination)};

@@ -1,4 +1,4 @@
-// A peg above a plate, lowered until they touch, and wholly inside it.
+// Tests a peg above a plate, on the plate, and wholly inside it.
 #include "query.hpp"
 #include "text.hpp"
 
@@ -6,7 +6,7 @@ int main() {
   const bool above = touches(cells(0.5));
   const bool on = touches(cells(0));
   const bool in = touches(cells(-2));
-  const bool inside = touches(cells(-35));  // 5 mm of the plate above it and below
+  const bool inside = touches(cells(-35));  // 5 mm of the plate above and below it
   port::print("0.5 mm above the plate: ", above ? "touches" : "free", "\n");
   port::print("on the plate: ", on ? "touches" : "free", "\n");
   port::print("2 mm into the plate: ", in ? "touches" : "free", "\n");

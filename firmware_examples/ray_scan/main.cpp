@@ -1,12 +1,12 @@
-// What a time-of-flight sensor would measure in a room that is known, zone by zone; and what it
-// measures that is not in the map.
+// Predicts the distances that a time-of-flight sensor measures in a known room, zone by zone. Then
+// reports the measured zones that differ from the map.
 //
-// The map says nothing of use where the sensor isn't: so a place is first tested to be in the
-// room's air. The last place is a wrong one, as odometry gives after a wheel has slipped.
+// The map is useless if the sensor is outside it, so each place is first tested to be in the room's
+// air. The last place is wrong, as odometry reports it after a wheel has slipped.
 //
-// Prints for each place the instructions of the whole scan, from floats to millimetres, and the
-// distance along the ray of each zone; "-" where nothing is within the reach. Instructions are
-// counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+// Prints for each place the instructions of the whole scan, from floats to millimetres, and each
+// zone's distance along its ray; "-" if the ray hits nothing within its reach. Run it by hand with
+// FLASHBVH_ICOUNT to see the instruction counts (ports/README.md).
 #include <flashbvh/image.hpp>
 #include <flashbvh/ray.hpp>
 #include <flashbvh/solid.hpp>
@@ -33,30 +33,30 @@ constexpr Place kInThePillar = {"in the pillar", {3000, 1500, 1200}, {-1, 0, 0},
 
 struct Scan {
   bool is_valid;
-  uint16_t mm[kZones];  ///< kNothing where no echo is to be expected
+  uint16_t mm[kZones];  ///< kNothing where no echo is expected
 };
 
-/// After an error a point counts as inside, which here would be permission: so the status, too.
+/// After an error a point counts as inside, which here would permit to go on: so test the status.
 bool is_in_air(const Point& point) {
   const PointAnswer answer = inside(room, point);
   return answer.status == Status::done && answer.side == PointSide::inside;
 }
 
-/// Of 1/256 cell, to the nearest.
+/// Converts a distance in 1/256 cell, rounded to the nearest.
 uint16_t millimetres(uint32_t distance) {
   return static_cast<uint16_t>((millionths_of(distance, room.cell_bits) + 500000) / 1000000);
 }
 
-/// Each ray begins with what the last one hit: that never changes an answer, and spares visits
-/// where neighbours mostly hit one triangle of many. With few triangles, as here, it is nearly even
-/// (lib/docs/figures.md, Rays).
+/// Each ray starts with the last hit triangle as a hint. A hint never changes an answer, and saves
+/// visits if neighbours mostly hit one triangle of many. With few triangles, as here, it hardly
+/// matters (lib/docs/figures.md, Rays).
 Scan scan_at(const Place& place) {
   const Sensor sensor(place, room_CELLS_PER_UNIT);
   Scan scan = {};
   uint16_t hint = kNoHint<uint16_t>;
   for (int zone = 0; zone < kZones; ++zone) {
     const MadeSegment ray = sensor.ray(zone);
-    // All start in one cell.
+    // All rays start in the same cell.
     if (ray.status != Status::done || (zone == 0 && !is_in_air(ray.segment.from))) {
       return scan;
     }
@@ -74,7 +74,7 @@ Scan scan_at(const Place& place) {
   return scan;
 }
 
-/// Four columns and a space.
+/// Prints four columns after a space.
 void print_mm(uint16_t mm) {
   if (mm == kNothing) {
     port::print("    -");
@@ -99,13 +99,13 @@ Scan tell(const Place& place) {
   return scan;
 }
 
-/// A sixteenth, and two centimetres: what the sensor's noise and the place's error may make.
+/// Allows a sixteenth and two centimetres, for the sensor's noise and the place's error.
 bool agree(uint16_t measured, uint16_t expected) {
   const int difference = measured < expected ? expected - measured : measured - expected;
   return difference <= expected / 16 + 20;
 }
 
-/// Prints the zones that measure something else than the map has; returns how many.
+/// Prints the zones whose measurement differs from the map; returns their number.
 int tell_differences(const Scan& scan, const uint16_t (&measured)[kZones]) {
   int count = 0;
   for (int zone = 0; zone < kZones; ++zone) {

@@ -1,5 +1,5 @@
-// What the sensor reports at the shelves. Made up: the map's distances with 1.2 % of noise, and a
-// carton that was put on a shelf since the map was made.
+// The sensor's readings at the shelves. They are invented: the map's distances with 1.2 % of noise,
+// and a carton that was put on a shelf after the map was made.
 #pragma once
 
 #include <stdint.h>
@@ -7,7 +7,7 @@
 #include "sensor.hpp"
 
 constexpr uint16_t kMeasuredAtTheShelves[kZones] = {
-    // In millimetres, from the upper left.
+    // In millimetres, from the upper left zone.
     1583, 1600, 1603, 1633, 1670, 1754, 1532, 1973,  //
     1566, 1552, 1568, 1596, 1608, 1728, 1480, 1924,  //
     1356, 1317, 1304, 1298, 1310, 1318, 1362, 1864,  //

@@ -1,4 +1,4 @@
-// A time-of-flight sensor of 8 x 8 zones, 45 degrees wide: the ray through the middle of each zone.
+// A time-of-flight sensor of 8 x 8 zones, 45 degrees wide: one ray through the centre of each zone.
 #pragma once
 
 #include <flashbvh/float.hpp>
@@ -6,11 +6,11 @@
 constexpr int kSide = 8;
 constexpr int kZones = kSide * kSide;
 
-/// A zone's distance where there is no echo within the reach, in millimetres.
+/// The distance of a zone without an echo within the reach, in millimetres.
 constexpr uint16_t kNothing = 0;
 
-/// Where a sensor is and how it is turned, in millimetres and in the room's frame. `forward` and
-/// `up` are at right angles and of length 1.
+/// A sensor's position in millimetres and its orientation, in the room's frame. `forward` and `up`
+/// are perpendicular and of length 1.
 struct Place {
   const char* name;
   float at[3];
@@ -18,7 +18,7 @@ struct Place {
   float up[3];
 };
 
-/// The rays of a sensor at one place.
+/// The rays of a sensor at one place; the reach is in millimetres.
 class Sensor {
  public:
   static constexpr float kReach = 4000;
@@ -28,7 +28,7 @@ class Sensor {
         right_{component_of_right(1, 2), component_of_right(2, 0), component_of_right(0, 1)},
         cells_per_mm_(cells_per_mm) {}
 
-  /// Zones count row by row from the upper left corner, as the sensor sees it.
+  /// Zones are numbered row by row from the upper left corner, as the sensor sees it.
   flashbvh::MadeSegment ray(int zone) const {
     const float right = kZone * (static_cast<float>(zone % kSide) - kMiddle);
     const float up = kZone * (kMiddle - static_cast<float>(zone / kSide));
@@ -41,7 +41,7 @@ class Sensor {
 
  private:
   static constexpr float kMiddle = (kSide - 1) / 2.0f;
-  /// Wide at distance 1: 0.41421356 is the tangent of 45 / 2 degrees.
+  /// A zone's width at distance 1: 0.41421356 is the tangent of 45 / 2 degrees.
   static constexpr float kZone = 2 * 0.41421356f / kSide;
 
   float component_of_right(int i, int j) const {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Pose kIdentity = Pose::translated(0, 0, 0);
 
-/// The next link in the frame of the one before. All links share a cell.
+/// The next link's pose in the previous link's frame. All links share a cell.
 Pose rotated(const Joint& joint, float angle) {
   const float sine = sinf(angle / 2);
   return pose_of(UnitQuaternion{cosf(angle / 2), joint.axis[0] * sine, joint.axis[1] * sine,

@@ -1,4 +1,4 @@
-// The arm's joints, and where its links are at given angles: forward kinematics, in float.
+// The arm's joints and its forward kinematics: the links' poses at given angles, in float.
 #ifndef ROBOT_ARM_ARM_HPP
 #define ROBOT_ARM_ARM_HPP
 
@@ -7,20 +7,20 @@
 constexpr int kJointCount = 6;
 constexpr int kLinkCount = kJointCount + 1;
 
-/// A joint that rotates the next link in the frame of the one before.
+/// A joint that rotates the next link in the previous link's frame.
 struct Joint {
   float origin[3];  ///< metres
   float axis[3];    ///< of length 1
-  float least;      ///< radians, as all angles
+  float least;      ///< radians, like all angles
   float most;
 };
 
-/// Each link in the frame of the first.
+/// Each link's pose in the frame of the first link.
 struct ArmPose {
   flashbvh::Pose link[kLinkCount];
 };
 
-/// The links where the joints are at these angles. Takes 104 bytes a link.
+/// The links' poses at these joint angles. Takes 104 bytes per link.
 ArmPose arm_pose(const float (&angles)[kJointCount]);
 
 #endif

@@ -24,7 +24,7 @@ constexpr Configuration kConfigurations[] = {
     {"bowed_down", {0, 115, 45, 0, 70, 0}},
 };
 
-/// Whether the arm's own limits allow it.
+/// True if the joint limits of the arm allow it.
 constexpr bool is_allowed(const Configuration& configuration) {
   for (int i = 0; i < kJointCount; ++i) {
     const float angle = radians(configuration.degrees[i]);

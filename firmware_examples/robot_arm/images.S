@@ -1,4 +1,4 @@
-/* The links' pre-indexed images, as they came from `flashbvh bake`. */
+/* The links' pre-indexed images, as `flashbvh bake` wrote them. */
   .section .rodata.images, "a"
   .macro image name
   .balign 4

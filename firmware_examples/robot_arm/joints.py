@@ -1,7 +1,7 @@
 """joints.py URDF: prints the joints between the arm's links, from its URDF file, as C++ (joints.hpp).
 
-Exits with 1 and the reason unless six revolute joints make a chain of the seven links, in order, none of
-them rotated at rest.
+Exits with 1 and the reason unless six revolute joints connect the seven links to a chain, in order, and none of
+them is rotated at rest.
 """
 import re
 import sys
@@ -22,7 +22,7 @@ def value(joint, tag, name):
 
 
 def literals(text, count):
-    """So many numbers as floats of C++."""
+    """`count` numbers as C++ floats."""
     words = text.split()
     if len(words) != count:
         raise Unexpected(f"not {count} numbers: {text}")

@@ -1,4 +1,4 @@
-// The arm's links: images that the build baked, and images as bytes in flash.
+// The arm's links: images that the build compiled, and images as bytes in flash.
 #ifndef ROBOT_ARM_LINKS_HPP
 #define ROBOT_ARM_LINKS_HPP
 
@@ -47,14 +47,14 @@ LINK(wrist)
 LINK(palm)
 #undef LINK
 
-/// From the base to the palm, as the joints connect them.
+/// From the base to the palm, in the order of the joints.
 constexpr Link kLinks[] = {base_link, shoulder, bicep, elbow, forearm, wrist, palm};
 
 constexpr uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
-/// Of the link that needs most.
+/// The stack need of the link that needs most.
 constexpr uint32_t kStackNeed =
     larger(larger(larger(base_link_STACK_NEED, shoulder_STACK_NEED),
                   larger(bicep_STACK_NEED, elbow_STACK_NEED)),

@@ -1,17 +1,16 @@
-// Does a robot arm hit itself? A KUKA KR5 on a microcontroller: from the angles of its joints to
-// the poses of its links, in float, and from these to exact answers.
+// Does a robot arm hit itself? A KUKA KR5 on a microcontroller: computes the links' poses from the
+// joint angles in float, and exact answers from these poses.
 //
-// Prints, for tools/demo.sh to compare with what the host finds, for every configuration C
+// Prints lines that tools/demo.sh compares with the host's results. For every configuration C:
 //     arm C six angles in degrees
 //     answer C yes|no instructions      of the whole check: kinematics, poses, queries
-//     kinematics C instructions         of that, kinematics
-// for every pair of links A, B
+//     kinematics C instructions         of the kinematics in it
+// for every pair of links A, B:
 //     pose C A B nine entries of the rotation in 2^-30, three cells, three 1/65,536 of cells
-// and for every traversal
+// and for every traversal, or only for the traversal that an argument names:
 //     result C A B traversal visits overlaps leaf_pairs triangle_pairs stack instructions
-// or, with an argument, for that one alone.
-// stack: bytes that run() needs at most; the query object and a stack traversal's array are the
-// caller's. instructions: of the whole query, in slices of 100 work.
+// stack: bytes that run() needs at most, without the query object and a stack traversal's array,
+// which the caller provides. instructions: of the whole query, in slices of 100 work.
 #include <string.h>
 
 #include <flashbvh/flashbvh.hpp>
@@ -30,10 +29,10 @@ using namespace flashbvh;
 namespace {
 
 bool failed = false;
-/// The only traversal that is measured; none: all are.
+/// The only traversal to measure; nullptr: all.
 const char* wanted = nullptr;
 
-/// The build made the post-indexed images; the pre-indexed ones are bytes, which are checked.
+/// The build compiled the post-indexed images; the pre-indexed images are bytes, which are checked.
 struct Trees {
   MeshWithLevels post[kLinkCount];
   PreMeshWithLevels pre[kLinkCount];
@@ -62,8 +61,8 @@ ArmPose arm_pose(const Configuration& configuration) {
   return ::arm_pose(angles);
 }
 
-/// Whether links that are not neighbours touch: neighbours share a bearing. What cannot be decided
-/// may.
+/// True if links that are not neighbours touch: neighbours share a bearing. An undecided pair
+/// counts as touching.
 bool hits_itself(const ArmPose& arm) {
   for (int a = 0; a < kLinkCount; ++a) {
     for (int b = a + 2; b < kLinkCount; ++b) {
@@ -76,7 +75,7 @@ bool hits_itself(const ArmPose& arm) {
   return false;
 }
 
-/// Two links of a configuration.
+/// Two links in a configuration.
 struct Case {
   const char* configuration;
   int a;
@@ -101,7 +100,7 @@ void print_pose(const Case& what) {
   port::print("\n");
 }
 
-/// 100 work at a time, as a control loop would. `run_slice(found)` is a run into that array.
+/// Runs 100 work at a time, like a control loop. `run_slice(found)` runs one slice into the array.
 template <class Query, class Slice>
 void run_to_end(const Query& query, Slice run_slice) {
   typename Query::Pair found[4];
@@ -111,7 +110,7 @@ void run_to_end(const Query& query, Slice run_slice) {
   failed = failed || query.status() != Status::done;
 }
 
-/// `start()` gives the cursor that the traversal starts with: a query uses its array up.
+/// `start()` returns the initial cursor of a traversal: each query uses up its array.
 template <class Traversal, class Start>
 void measure(const Case& what, const char* algorithm, const typename Traversal::Tree& a,
              const typename Traversal::Tree& b, Start start) {
@@ -151,8 +150,8 @@ void measure_with_stack(const Case& what, const char* algorithm) {
   });
 }
 
-/// Of the pose's numbers alone, as the host reads them: what a product knows of its factors' errors
-/// widens its margins, and may add a visit.
+/// A pose of these numbers alone, as the host reads them: the error bounds of a composed pose would
+/// widen its margins, and might add a visit.
 Pose made_of_numbers(const Pose& pose) {
   int32_t rotation[3][3];
   for (int i = 0; i < 9; ++i) {
@@ -180,7 +179,7 @@ void ask(const Configuration& configuration, const ArmPose& arm, int a, int b) {
   measure_with_stack<AlternatingStack<MeshWithLevels>>(what, "alternating-stack");
 }
 
-/// The query as a controller makes it.
+/// Runs the query as a controller does.
 void check(const Configuration& configuration) {
   bool yes = true;
   const uint32_t whole = port::instructions_of([&] { yes = hits_itself(arm_pose(configuration)); });
@@ -211,7 +210,7 @@ int main(int argc, char** argv) {
   }
   for (const Configuration& configuration : kConfigurations) {
     check(configuration);
-    // Neighbours once: they intersect in every configuration.
+    // Neighbours are tested once: they intersect in every configuration.
     ask_all(configuration, &configuration == kConfigurations ? 1 : 2);
   }
   return failed ? 1 : 0;

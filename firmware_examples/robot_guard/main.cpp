@@ -1,12 +1,12 @@
-// An arm that can't hit itself, its pedestal or the fence: a control task at 1 kHz hands a set
-// point to the drives only if the guard lets it.
+// An arm that can't hit itself, its pedestal or the fence: a control task at 1 kHz passes a set
+// point to the drives only if the guard permits it.
 //
 // The same joint values give the same answers on every core and on the host, bit for bit. The stop
-// distance, 5 mm, is for what the guard can't know: how far the arm still goes until it stands, and
-// what encoders and a bent arm are wrong by.
+// distance, 5 mm, covers what the guard can't know: the braking distance, the encoders' errors and
+// the bending of the arm.
 //
-// Prints for each motion how it ended, and the instructions of a period, from floats to the
-// verdict. They are counted, so run it by hand with FLASHBVH_ICOUNT (ports/README.md).
+// Prints the end of each motion, and the instructions of a period, from floats to the verdict. Run
+// it by hand with FLASHBVH_ICOUNT to see the instruction counts (ports/README.md).
 #include <flashbvh/clearance.hpp>
 #include <flashbvh/robot/image.hpp>
 #include <flashbvh/robot/robot_float.hpp>
@@ -24,20 +24,20 @@ Mesh meshes[ARM(LINK_COUNT)];
 const Robot robot = view_robot_unchecked(ARM(robot_image), meshes);
 GuardStateOf<ARM(JOINT_COUNT), ARM(PAIR_COUNT), ARM(PAIR_JOINT_COUNT)> state;
 
-/// A motion, and how far it got.
+/// A motion and its progress.
 struct Run {
   const Motion& motion;
   Guard guard;
   GuardAnswer last;
-  int periods;  ///< that the drives went
-  int warned;   ///< of these
-  int waited;   ///< periods in which the drives stood, since an answer took longer
+  int periods;  ///< in which the drives moved
+  int warned;   ///< of these, periods with a warning
+  int waited;   ///< in which the drives stood still, waiting for an answer
   uint32_t work;
   uint32_t digest;                            ///< of all answers
-  JointCoordinate held[ARM(VARIABLE_COUNT)];  ///< where the drives stand
+  JointCoordinate held[ARM(VARIABLE_COUNT)];  ///< the drives' position
 };
 
-/// The set point's answer, or more work on it.
+/// Queries the set point, or spends more work on its unfinished query.
 GuardAnswer ask(Run& run, JointCoordinate* values) {
   float joints[kMostVariables];
   set_point(run.motion, run.periods, joints);
@@ -46,7 +46,7 @@ GuardAnswer ask(Run& run, JointCoordinate* values) {
   return goes_on ? run.guard.go_on(kWork) : run.guard.update(values, kWork);
 }
 
-/// Whether the drives may go there. An error is no permission.
+/// True if the drives may go to the set point. An error is no permission.
 bool may_go(const GuardAnswer& answer) {
   return answer.status == Status::done && answer.verdict <= Verdict::warn;
 }
@@ -61,7 +61,7 @@ void digest(Run& run) {
   }
 }
 
-/// What the timer's interrupt does. Whether the motion goes on.
+/// The timer's interrupt handler; true if the motion goes on.
 bool control(Run& run) {
   JointCoordinate values[ARM(VARIABLE_COUNT)];
   run.last = ask(run, values);
@@ -79,7 +79,7 @@ bool control(Run& run) {
   return ++run.periods <= run.motion.milliseconds;
 }
 
-/// The links' distance where the drives stand, in 1/256 cell.
+/// The distance of a pair of links at these joint values, in 1/256 cell, rounded down; 0 on error.
 uint32_t distance_at(const JointCoordinate* values, const RobotPair& pair) {
   JointCoordinate coordinates[ARM(JOINT_COUNT)];
   Frame frames[ARM(JOINT_COUNT)];
@@ -96,23 +96,23 @@ uint32_t distance_at(const JointCoordinate* values, const RobotPair& pair) {
   return known.status == Status::done ? known.lower : 0;
 }
 
-/// With three decimals.
+/// Prints a distance in 1/256 cell as millimetres with three decimals.
 void print_mm(uint32_t distance) {
   const auto micrometres = static_cast<uint32_t>(millionths_of(distance, robot.cell_bits));
   const uint32_t part = micrometres % 1000;
   port::print(micrometres / 1000, part < 10 ? ".00" : part < 100 ? ".0" : ".", part, " mm");
 }
 
-/// Of the joint that takes a value.
+/// The name of the joint that a variable drives.
 const char* name_of(uint8_t variable) {
   uint32_t joint = 0;
   while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0) {
-    ++joint;  // a mimic, or another one
+    ++joint;  // a mimic joint, or another variable's
   }
   return joint_name(ARM(robot_image), joint);
 }
 
-/// Where it was stopped. Whether the links are still apart there.
+/// Prints the links and the distance at the stop; true if the links are still apart.
 bool tell_stop(Run& run) {
   const RobotPair& pair = robot.pairs[run.last.pair];
   const uint32_t left = distance_at(run.held, pair);
@@ -128,13 +128,13 @@ bool tell_stop(Run& run) {
   return left > pair.stop;
 }
 
-/// Whether it ended as it should.
+/// Runs a motion and prints its result; true if the motion ended as expected.
 bool tell(const Motion& motion) {
   Run run = {motion, Guard(robot, state), {}, 0, 0, 0, 0, 2166136261u, {}};
   float joints[kMostVariables];
   set_point(motion, 0, joints);
   set_values(robot, joints, run.held);
-  run.last = run.guard.prime(run.held);  // at rest there is time for all of it
+  run.last = run.guard.prime(run.held);  // at rest there is time to check all pairs
   const port::TaskTime time =
       port::each_period(kInstructionsAPeriod, [&run] { return control(run); });
   port::print(motion.name, ": ", run.periods, " periods, warned in ", run.warned, ", waited in ",

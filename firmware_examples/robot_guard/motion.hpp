@@ -1,4 +1,4 @@
-// An arm's commands: from rest to rest, all joints in proportion.
+// Motions of an arm: from rest to rest, all joints in proportion.
 #pragma once
 
 #include <flashbvh/robot/guard.hpp>
@@ -17,7 +17,7 @@ struct Motion {
   flashbvh::Verdict end;
 };
 
-/// Where the joints are to be after so many milliseconds: a cubic, which begins and ends at rest.
+/// Joint values after so many milliseconds, on a cubic that begins and ends at rest.
 inline void set_point(const Motion& motion, int millisecond, float* joints) {
   const float time = static_cast<float>(millisecond) / static_cast<float>(motion.milliseconds);
   const float way = time * time * (3 - 2 * time);

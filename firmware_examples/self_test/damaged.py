@@ -1,5 +1,5 @@
-"""damaged.py ELF RUN...: flips a bit of sealed firmware, of code, constants, an initial value and the list of
-regions; each copy, run by the command RUN, must refuse to start. Fails if one starts."""
+"""damaged.py ELF RUN...: flips a bit of sealed firmware in its code, its constants, an initial value and the list
+of regions. The command RUN runs each copy, which must refuse to start. Fails if one starts."""
 import random
 import subprocess
 import sys
@@ -13,7 +13,7 @@ SEED = 20261127
 
 
 def places(elf):
-    """Names and offsets in the file of bytes that no code runs or reads before the test of memory has failed."""
+    """Names and file offsets of bytes that no code runs or reads before the test of memory has failed."""
     rng = random.Random(SEED)
     some = [rng.random() for _ in range(4)]
     for name, shares in (("plate_image", some), ("peg_image", some), ("_ZN12_GLOBAL__N_16heightE", [0.5]),
@@ -25,7 +25,7 @@ def places(elf):
 
 
 def symbol_at(elf, name):
-    """Its offset in the file, and its bytes."""
+    """The symbol's offset in the file, and its size in bytes."""
     symbol = elf.get_section_by_name(".symtab").get_symbol_by_name(name)[0]
     section = elf.get_section(symbol["st_shndx"])
     return (symbol["st_value"] & ~1) - section["sh_addr"] + section["sh_offset"], symbol["st_size"]

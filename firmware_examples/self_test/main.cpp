@@ -1,5 +1,5 @@
-// Firmware that trusts neither its memory nor its arithmetic: at start it checks all of it before
-// the first query, and then a slice of its memory each period.
+// Firmware that trusts neither its memory nor its arithmetic. At start it checks both before the
+// first query; then it checks a slice of its memory in each period.
 #include <flashbvh/self_test.hpp>
 
 #include "../quick_start/query.hpp"
@@ -9,23 +9,23 @@ using namespace flashbvh;
 
 namespace {
 
-/// Bytes a period: 10,000 instructions; at 1 kHz 512 KB of flash in half a second.
+/// Bytes per period, in 10,000 instructions: at 1 kHz, 512 KB of flash take half a second.
 constexpr size_t kSlice = 1000;
 
-/// Of the peg above the plate: a variable, whose initial value lies in flash.
+/// The peg's height above the plate in cells: a variable, whose initial value lies in flash.
 int32_t height = cells(0.5);
 
 RegionTest memory(sealed_regions(), kSealedRegions);
 
-/// What of it failed; nullptr: nothing.
+/// The name of the first failed test; nullptr if all tests passed.
 const char* failed_at_start() {
   return memory.run(SIZE_MAX) != Status::done ? "memory"
          : test_known_pairs() != Status::done ? "pairs"
-         : test_known_rays() != Status::done  ? "rays"  // of points inside, too
+         : test_known_rays() != Status::done  ? "rays"  // and tests of points inside
                                               : nullptr;
 }
 
-/// The machine's work of a period.
+/// The machine's work in a period.
 bool is_free() {
   return !touches(height);
 }

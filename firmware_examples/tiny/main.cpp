@@ -1,7 +1,7 @@
-// How much RAM do a ball and a capsule take that move among 2,048 triangles, on a BBC micro:bit?
+// How much RAM do queries of a moving ball and a capsule need, on a BBC micro:bit?
 //
-// The mesh lies in flash, as it was baked. What moves is a point or a segment, made again for each
-// query, and its radius is the distance of the query.
+// The mesh of 2,048 triangles stays in flash, as baked. The moving body is a point or a segment,
+// made for each query; its radius is the query's distance.
 #include <stdint.h>
 
 #include <flashbvh/flashbvh.hpp>
@@ -23,10 +23,10 @@ const Mesh ring = view_unchecked<Mesh>(ring_image);
 
 constexpr uint32_t kMostRam = 1024;
 
-/// What moves is set to where it is, in the ring's frame, so the pose can lie in flash, too.
+/// Shapes are made at their position in the ring's frame, so the pose is constant, in flash.
 constexpr Pose kHere = Pose::translated(0, 0, 0);
 
-/// A radius in cells as a distance. The surface belongs to the ball.
+/// Converts a radius in cells to a distance in 1/256 cell. The ball includes its surface.
 constexpr uint32_t radius(uint32_t cells) {
   return cells * 256;
 }
@@ -36,7 +36,7 @@ bool ball_touches(const Point& middle) {
   return closer_than(ring, ball.mesh(), kHere, radius(1500)).yes;
 }
 
-/// A tool of 40 mm, upright. Apart, so that its ends are gone from the stack before the question.
+/// A tool of 40 mm, upright. Not inlined, so that its end points leave the stack before the query.
 [[gnu::noinline]] SegmentShape upright(const Point& tip) {
   return SegmentShape(ring, tip, {tip.x, tip.y, tip.z + 4000});
 }
@@ -48,10 +48,10 @@ bool capsule_touches(const Point& tip) {
 
 struct Moved {
   uint32_t touching;
-  uint32_t stack;  ///< the most that a question took, shape, query and all
+  uint32_t stack;  ///< the most bytes that a query took, including the shape
 };
 
-/// Along a line that leads over the ring, down into its hole and through its wall.
+/// Moves along a line over the ring, down into its hole and through its wall.
 template <class Touches>
 Moved move(const Touches& touches) {
   Moved moved = {0, 0};
@@ -70,7 +70,7 @@ uint32_t static_ram() {
                                reinterpret_cast<uintptr_t>(__data_start));
 }
 
-/// Whether it is little enough.
+/// Prints the bytes of RAM; true if they are below the limit.
 bool print(const char* name, const Moved& moved) {
   const uint32_t ram = static_ram() + moved.stack;
   port::print(name, moved.touching, " of 64 places touch; ", moved.stack, " bytes of stack and ",

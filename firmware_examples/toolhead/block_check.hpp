@@ -1,4 +1,4 @@
-// The check of one block before it is queued: each body that moves against each obstacle.
+// The check of one block before it is queued: each moving body against each obstacle.
 #pragma once
 
 #include <flashbvh/contact.hpp>
@@ -8,8 +8,8 @@
 #include "program_text.hpp"
 #include "scene.hpp"
 
-/// Bodies that come so near touch: for belts that give, ends that are rounded to 5 um, and what
-/// meshes are off.
+/// Bodies nearer than this count as touching: belts stretch, blocks' ends are rounded to 5 um, and
+/// meshes are inexact.
 constexpr int32_t kMargin = 250;  // micrometres
 
 constexpr int32_t kCell = 10;  // in micrometres
@@ -18,16 +18,16 @@ constexpr int32_t cells(int32_t micrometres) {
   return (micrometres + (micrometres < 0 ? -kCell / 2 : kCell / 2)) / kCell;
 }
 
-/// In slices: between two of them the firmware does other things. Blocks continue where the last
-/// one ended: a head that once was outside all obstacles cannot get inside one without touching it.
+/// Checks in slices, between which the firmware does other work. Each block starts where the last
+/// one ended: a head that is outside all obstacles cannot get inside one without touching it.
 class BlockCheck {
  public:
   explicit BlockCheck(const Block& block)
       : block_(block), pair_(0), motion_(motion()), query_(query()), answer_() {}
 
-  BlockCheck(const BlockCheck&) = delete;  // the query reads the motion where it lies
+  BlockCheck(const BlockCheck&) = delete;  // the query refers to the motion
 
-  /// A slice. Whether it was the last one.
+  /// Runs one slice; true if it was the last one.
   bool run(uint32_t work) {
     answer_ = query_.run(work);
     if (answer_.status == flashbvh::Status::suspended) {
@@ -41,7 +41,7 @@ class BlockCheck {
     return false;
   }
 
-  // After the last slice.
+  // Valid after the last slice:
 
   /// An error is no permission to move.
   bool is_free() const { return pair_ == kPairCount; }
@@ -50,12 +50,12 @@ class BlockCheck {
   const Body& body() const { return kBodies[pair_ / kObstacleCount]; }
   const Obstacle& obstacle() const { return kObstacles[pair_ % kObstacleCount]; }
 
-  /// Up to where the block is free: a part of it.
+  /// The part of the block's length that is certified free, from 0 to 1.
   float free_part() const {
     return static_cast<float>(answer_.from) / static_cast<float>(flashbvh::kMotionEnd);
   }
 
-  /// Where they touch there, on the obstacle: where a pair of triangles does, one of several.
+  /// A point of contact on the obstacle, where one of possibly several pairs of triangles touches.
   bool get_touched(Place& touched) const {
     flashbvh::Triangle of_obstacle;
     flashbvh::Triangle of_body;
@@ -79,7 +79,7 @@ class BlockCheck {
            answer_.outcome == flashbvh::ContactOutcome::free;
   }
 
-  /// Of the body in the obstacle's frame.
+  /// The body's pose in the obstacle's frame.
   flashbvh::Pose pose(const Place& nozzle) const {
     const int32_t x = body().goes_along_x ? nozzle.axis[0] : 1000 * kMiddle;
     return flashbvh::Pose::translated(cells(x - 1000 * obstacle().x),

@@ -1,15 +1,15 @@
-// A printer's planner lets no block into its queue on which head or gantry would touch a finished
-// part or a clamp: each block is certified for every moment of it, before it is queued.
+// A printer's planner refuses blocks on which the head or the gantry would touch a finished part or
+// a clamp. It certifies each block for every moment, before the block is queued.
 //
-// It shows how to certify straight motions of several bodies against several obstacles in the
-// memory of one query, in slices between which the firmware does other things, and how to report
-// where a block would touch. A planner stops at the first refused block; this one goes on as if the
-// machine had done it, to show all that is wrong with a program.
+// The example certifies straight motions of several bodies against several obstacles in the memory
+// of one query. It runs in slices, between which the firmware does other work, and reports where a
+// block would touch. A real planner stops at the first refused block; this planner goes on as if
+// the machine had executed it, to report all errors of a program.
 //
-// Firmware has the sample program in flash; on the host an argument names a file. Prints the
-// refused blocks, then what the checks took. Instructions are counted, so run it by hand with
-// FLASHBVH_ICOUNT (ports/README.md). Ends with 1 if a check took too much, with 2 at a line that is
-// no block.
+// Firmware has the sample program in flash; on the host, an argument names a file. Prints the
+// refused blocks, then the cost of the checks. Run it by hand with FLASHBVH_ICOUNT to see the
+// instruction counts (ports/README.md). Exits with 1 if a check cost too much, with 2 if a line is
+// not a block.
 #include "block_check.hpp"
 #include "insn.hpp"
 #include "stack.hpp"
@@ -24,17 +24,17 @@ extern "C" const char program_begin[], program_end[];
 
 namespace {
 
-/// Of a slice, in units of query.hpp.
+/// The work of a slice, in units of query.hpp.
 constexpr uint32_t kWork = 500;
-/// What the tests hold: 100 blocks a second in the mean at 168 MHz, an instruction a cycle; 50 ms
-/// for a block, while the machine has queued ones; 1 ms for a slice.
+/// Limits that the tests hold, at 168 MHz and one instruction per cycle: 100 blocks per second in
+/// the mean; 50 ms for a block, while the machine has blocks in its queue; 1 ms for a slice.
 constexpr uint32_t kMeanOfBlock = 1'680'000;
 constexpr uint32_t kMostOfBlock = 8'400'000;
 constexpr uint32_t kMostOfSlice = 168'000;
-/// Of RAM, for the whole firmware.
+/// Bytes of RAM for the whole firmware.
 constexpr uint32_t kMostBytes = 4096;
 
-/// What checks took. Instructions are 0 on the host.
+/// The cost of all checks. Instructions are 0 on the host.
 struct Costs {
   unsigned blocks = 0;
   unsigned slices = 0;
@@ -55,10 +55,10 @@ struct Costs {
 
 struct Machine {
   unsigned queued = 0;  ///< blocks
-  float seconds = 0;    ///< that it needs for them
+  float seconds = 0;    ///< that the machine needs for the queued blocks
   unsigned turns = 0;
 
-  /// Heaters, the display, the next line from the host: here they are counted.
+  /// Heaters, the display, the next line from the host: the example only counts these turns.
   void do_other_things() { ++turns; }
 
   void queue(const Block& block) {
@@ -67,7 +67,7 @@ struct Machine {
   }
 };
 
-/// In mm, one decimal, to the nearest.
+/// Prints mm with one decimal, rounded to the nearest.
 void print_mm(int32_t micrometres) {
   const int32_t tenths = ((micrometres < 0 ? -micrometres : micrometres) + 50) / 100;
   port::print(micrometres < 0 && tenths != 0 ? " -" : " ", tenths / 10, ".", tenths % 10);
@@ -97,7 +97,7 @@ void print_refused(unsigned line, const Block& block, const BlockCheck& check) {
   port::print("\n");
 }
 
-/// To the queue, if it may go there.
+/// Checks a block; queues it if it is free.
 void plan(unsigned line, const Block& block, Machine& machine, Costs& costs) {
   BlockCheck check(block);
   unsigned slices = 0;
@@ -116,7 +116,7 @@ void plan(unsigned line, const Block& block, Machine& machine, Costs& costs) {
   }
 }
 
-/// Whether all of it was read.
+/// Plans all blocks; true if the whole text was read.
 bool plan_all(ProgramText text, Machine& machine, Costs& costs) {
   Block block = {};
   while (!text.is_at_end()) {

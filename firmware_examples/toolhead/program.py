@@ -1,7 +1,7 @@
-"""program.py: prints a printer's program, a block a line: start x y z, end x y z in mm, speed in mm/s.
+"""program.py: prints a printer's program, one block per line: start x y z, end x y z in mm, speed in mm/s.
 
-A star is printed between parts that are finished: layers of perimeters and infill, with travels between them.
-Some travels are bad, as a slicer writes them that knows neither clamps nor the gantry.
+It prints a star between finished parts: layers of perimeters and infill, with travels between them. Some
+travels are bad: they come from a slicer that knows neither the clamps nor the gantry.
 """
 from math import cos, pi, sin
 
@@ -31,7 +31,7 @@ def infill(z):
 
 
 def tour(*points):
-    """From the star, over it, and back."""
+    """A travel up from the star, through the points, and back."""
     begin, above = at, (*MIDDLE, 95)
     for point in above, *points, above, begin:
         go(*point)
@@ -39,9 +39,9 @@ def tour(*points):
 
 BAD = [
     [(205, 60, 95), (205, 60, 6), (205, 150, 6), (205, 150, 95)],      # through a clamp
-    [(94, 150, 95), (94, 150, 12), (94, 150, 95)],                     # next to the vase: the heater is wide
-    [(190, 60, 30), (190, 100, 30), (190, 100, 95)],                   # far from the vase, but the gantry is not
-    [(60, 60, 70), (60, 200, 70), (60, 200, 95)],                      # over the vase, but lower than it is high
+    [(94, 150, 95), (94, 150, 12), (94, 150, 95)],                     # next to the vase, but the heater is wide
+    [(190, 60, 30), (190, 100, 30), (190, 100, 95)],                   # the head is far from the vase, the gantry not
+    [(60, 60, 70), (60, 200, 70), (60, 200, 95)],                      # over the vase, but too low
     [(-6, 60, 95), (-6, 60, 2), (-6, 60, 95)],                         # next to the arch, but the duct is wide
 ]
 
@@ -52,5 +52,5 @@ for layer in range(6):
     infill(height)
     if layer < len(BAD):
         tour(*BAD[layer])
-    # Good ones: along the bed, and down onto the wheel, as a probe would.
+    # Good travels: along the bed, and down onto the wheel, like a probe.
     tour((200, 40, 95), (20, 190, 95), (165, 165, 95), (165, 165, 15), (165, 165, 95))

@@ -1,5 +1,5 @@
-// Reads a program, a block a line: start x y z, end x y z in mm, speed in mm/s. Numbers have at
-// most three decimals and are less than 10,000. No memory but the place in the text.
+// Reads a program, one block per line: start x y z, end x y z in mm, speed in mm/s. Numbers have at
+// most three decimals and are less than 10,000. The reader stores only its position in the text.
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +11,7 @@ struct Place {
 struct Block {
   Place from;
   Place to;
-  int32_t speed;  ///< in micrometres a second
+  int32_t speed;  ///< in micrometres per second
 
   bool begins_at_end_of(const Block& last) const {
     return from.axis[0] == last.to.axis[0] && from.axis[1] == last.to.axis[1] &&
@@ -41,11 +41,11 @@ class ProgramText {
  public:
   ProgramText(const char* begin, const char* end) : at_(begin), end_(end) {}
 
-  /// How many lines were begun.
+  /// The number of lines that reading has begun.
   unsigned line() const { return line_; }
   bool is_at_end() const { return at_ == end_; }
 
-  /// The next line's block; false if it is none. A speed of 0 is none.
+  /// Reads the next line's block; false if the line is not a block or its speed is 0.
   bool read(Block& block) {
     ++line_;
     return read_place(block.from) && read_place(block.to) && read_number(block.speed) &&
@@ -69,7 +69,7 @@ class ProgramText {
     return is_end;
   }
 
-  /// Behind the digits of `number`; returns how many were read.
+  /// Appends digits to `number`; returns how many it read.
   int read_digits(int32_t& number, int most) {
     int count = 0;
     for (; count < most && next() >= '0' && next() <= '9'; ++count, ++at_) {
@@ -78,7 +78,7 @@ class ProgramText {
     return count;
   }
 
-  /// Times 1,000.
+  /// Reads a number, times 1,000.
   bool read_number(int32_t& number) {
     skip_blanks();
     const bool is_negative = next() == '-';

@@ -1,4 +1,4 @@
-// What moves, and what it must not touch, in millimetres from a corner of the bed.
+// The moving bodies and the obstacles, in millimetres from a corner of the bed.
 #pragma once
 
 #include <flashbvh/image.hpp>
@@ -20,18 +20,17 @@ const Mesh vase = view_unchecked<Mesh>(vase_image);
 const Mesh wheel = view_unchecked<Mesh>(wheel_image);
 const Mesh arch = view_unchecked<Mesh>(arch_image);
 
-/// The meshes' origins: of both bodies the nozzle's tip, but the gantry stays along x.
+/// The origin of both meshes is the nozzle's tip, but the gantry does not move along x.
 struct Body {
   const char* name;
   const Mesh& mesh;
   bool goes_along_x;
 };
 const Body kBodies[] = {{"head", head, true}, {"gantry", gantry, false}};
-/// Where the gantry's middle is along x.
+/// The x coordinate of the gantry's centre.
 constexpr int kMiddle = 110;
 
-/// Fixtures, and the parts that are finished. The part in the making is none: the nozzle touches
-/// it.
+/// A fixture or a finished part. The part being printed is not an obstacle: the nozzle touches it.
 struct Obstacle {
   const char* name;
   const Mesh& mesh;

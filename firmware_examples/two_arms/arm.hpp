@@ -1,18 +1,18 @@
-// Two arms on a torso that turns: their commands, from waypoint to waypoint.
+// Motions of two arms on a turning torso, from waypoint to waypoint.
 #pragma once
 
 #include "motion.hpp"
 #include "two_arms.robot.h"
 
-/// A name of the robot's header.
+/// A name in the robot's header.
 #define ARM(name) two_arms_##name
 
 /// 1 kHz on a core of 168 MHz.
 constexpr uint32_t kInstructionsAPeriod = 168000;
-/// Granted each period, in units of query.hpp.
+/// Work per period, in units of query.hpp.
 constexpr uint32_t kWork = 500;
 
-/// The torso; shoulder, elbow and wrist of the left arm; those of the right arm.
+/// Order of joints: the torso; shoulder, elbow and wrist of the left arm; then of the right arm.
 constexpr Waypoint kAtRest = {{0, 1, 0, 0, 1, 0, 0}};
 constexpr Waypoint kReady = {{0.6f, -0.3f, 0.3f, 0, 0.6f, 0.3f, 0}};
 constexpr Waypoint kOneOverTheOther = {{-0.4f, -0.05f, 1.3f, 0, 0.25f, 1.3f, 1.5f}};

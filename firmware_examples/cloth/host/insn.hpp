@@ -1,4 +1,4 @@
-// The board's insn.hpp, on the host, where nothing is counted.
+// The host's insn.hpp, in place of the board's: it counts no instructions.
 #pragma once
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-// Every tenth frame as a picture in one HTML page, on the host.
+// Writes an HTML page with a picture of every tenth frame, on the host.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,7 @@
 
 namespace cloth {
 
-/// Triangles from the back to the front, lit from above; those of the sheet that intersect others
-/// are red.
+/// Draws triangles from back to front, lit from above. The sheet's intersecting triangles are red.
 class Page {
  public:
   explicit Page(const char* path) {
@@ -56,7 +55,7 @@ class Page {
     std::array<int, 3> color;
   };
 
-  /// By their positions.
+  /// The slots of the sheet's intersecting triangles.
   static std::set<std::uint32_t> hits(const flashbvh::Mesh& sheet, const flashbvh::Mesh& link) {
     std::set<std::uint32_t> found;
     flashbvh::SelfQuery itself(sheet);
@@ -89,7 +88,7 @@ class Page {
     }
   }
 
-  /// Seen from the front, a quarter to the side and from above.
+  /// The view is from the front, a quarter from the side and from above.
   void add_face(const std::array<Place, 3>& at, std::array<int, 3> color) {
     Face face{};
     for (std::size_t c = 0; c < 3; ++c) {

@@ -1,4 +1,4 @@
-// Text by semihosting (startup.c), which QEMU and debug probes read; a UART takes its place.
+// Prints text by semihosting (startup.c), which QEMU and debug probes read. Use a UART instead.
 #pragma once
 
 extern "C" void write_text(const char* text);

@@ -1,4 +1,4 @@
-// Over USB, once a second: a peg 0.5 mm above a plate, and 2 mm in it.
+// Tests a peg 0.5 mm above a plate, then 2 mm deep in it; prints both answers over USB each second.
 #include "../query.hpp"
 
 #include <pico/stdlib.h>

@@ -1,15 +1,15 @@
-// A small arm on a pedestal, with a gripper, behind a fence: its commands.
+// Motions of a small arm with a gripper, on a pedestal behind a fence.
 #pragma once
 
 #include "cell_arm.robot.h"
 #include "motion.hpp"
 
-/// A name of the robot's header.
+/// A name in the robot's header.
 #define ARM(name) cell_arm_##name
 
 /// 1 kHz on a small core of 96 MHz.
 constexpr uint32_t kInstructionsAPeriod = 96000;
-/// Granted each period, in units of query.hpp.
+/// Work per period, in units of query.hpp.
 constexpr uint32_t kWork = 150;
 
 constexpr Motion kMotions[] = {

@@ -1,4 +1,4 @@
-// The board's text.hpp, on the host.
+// The host's text.hpp, in place of the board's.
 #pragma once
 
 #include <iostream>

@@ -1,4 +1,4 @@
-// The board's timer.hpp, on the host, where a loop stands for the timer and nothing is counted.
+// The host's timer.hpp, in place of the board's: a loop replaces the timer and counts nothing.
 #pragma once
 
 #include <stdint.h>

@@ -1,15 +1,15 @@
-// A KUKA KR5 on a pedestal, behind a fence: its commands.
+// Motions of a KUKA KR5 on a pedestal, behind a fence.
 #pragma once
 
 #include "kr5_cell.robot.h"
 #include "motion.hpp"
 
-/// A name of the robot's header.
+/// A name in the robot's header.
 #define ARM(name) kr5_cell_##name
 
 /// 1 kHz on a core of 168 MHz.
 constexpr uint32_t kInstructionsAPeriod = 168000;
-/// Granted each period, in units of query.hpp.
+/// Work per period, in units of query.hpp.
 constexpr uint32_t kWork = 500;
 
 /// Yaw and pitch of the shoulder, pitch and roll of the elbow, pitch and roll of the wrist.
@@ -29,7 +29,7 @@ constexpr Motion kMotions[] = {
      {0.3f, 0.9f, -0.9f, 0, 0.3f, 1},
      2000,
      flashbvh::Verdict::stop},
-    // What 10,000 random configurations mostly miss.
+    // 10,000 random configurations mostly miss this collision.
     {"bicep and forearm",
      {0, 0.3f, -2.5f, 0, 0, 0},
      {0, 0.3f, -3.64f, -0.1f, 0, 0},

@@ -1,4 +1,4 @@
-// The board's stack.hpp, on the host, where nothing is measured.
+// The host's stack.hpp, in place of the board's: it measures nothing.
 #pragma once
 
 #include <stdint.h>

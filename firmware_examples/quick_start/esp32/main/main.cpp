@@ -1,4 +1,4 @@
-// On the console: a peg 0.5 mm above a plate, and 2 mm in it.
+// Tests a peg 0.5 mm above a plate, then 2 mm deep in it; prints both answers on the console.
 #include "../../query.hpp"
 
 #include <stdio.h>
