@@ -1,6 +1,6 @@
 #!/bin/sh
-# bake_once.sh ARGUMENT...    flashbvh, as tools/test_step.sh copies it to the build folder: what it made
-# for one board is copied for the next, from build/baked.
+# bake_once.sh ARGUMENT...    bakes like flashbvh, but copies files that were already baked for another board from
+# build/baked. tools/test_step.sh copies this script to the build folder.
 set -eu
 build=$(cd "$(dirname "$0")" && pwd)
 flashbvh=$build/native-sanitize/bin/flashbvh

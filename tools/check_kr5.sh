@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_kr5.sh: bakes a KUKA KR5 in its cell and has it confirmed by the programs of proofs/robot, which share no line
-# with the baker (lib/docs/proofs.md). About a minute once everything is built.
+# check_kr5.sh: bakes a KUKA KR5 in its cell. The programs of proofs/robot, which share no code with the baker, confirm
+# the result (lib/docs/proofs.md). About a minute once everything is built.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/kr5.sh

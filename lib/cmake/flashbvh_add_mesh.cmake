@@ -4,18 +4,18 @@
 #                   [DROP degenerate|duplicate...] [LEVELS] [DEFORMABLE] [MAX_BYTES n] [NAME name]
 #                   [FORMAT c|image|both])
 #
-# A library `name`, also called name::name, with the images of some meshes, which share one cell. A
+# Adds a library `name`, also called name::name, with the images of some meshes, which share one cell. A
 # target that links it includes "<stem>.fbvh.h", for C and C++, which declares the array <stem>_image
-# for view_unchecked(). The options are those of `flashbvh bake`. The meshes are baked again when one
-# of them, an option or the tool changes.
+# for view_unchecked(). The options are those of `flashbvh bake`. The build bakes the meshes again if
+# one of them, an option or the tool changes.
 #
-# FORMAT image makes no code: the folder of the images <stem>.fbvh is an include folder of each
-# target that links the library, for .incbin; the target's property FLASHBVH_IMAGES lists them. FORMAT both makes
-# arrays and images. Where C is no language of the project, C++ compiles the arrays.
+# FORMAT image makes no code: each target that links the library includes the folder of the images
+# <stem>.fbvh, for .incbin; the target's property FLASHBVH_IMAGES lists them. FORMAT both makes
+# arrays and images. In projects without the language C, C++ compiles the arrays.
 #
 # A target that links two such libraries does not configure unless they have the same CELL: a query
-# on meshes with different cells ends with cell_mismatch. OWN_CELL says that the meshes are never
-# queried with another library's.
+# on meshes with different cells ends with cell_mismatch. OWN_CELL means that no query combines the
+# meshes with another library's.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_mesh name)
@@ -51,8 +51,8 @@ function(flashbvh_add_mesh name)
   endif()
 endfunction()
 
-# CMake compares the property in whatever links several such libraries. Its message has the
-# property's name, not its values: so that says what to do.
+# CMake compares the property in each target that links several such libraries. Its error message
+# shows the property's name, not its values, so the name explains the fix.
 function(flashbvh_share_cell name cell)
   set(property "FLASHBVH_CELL [meshes that are queried together need the same cell: name them in one \
 flashbvh_add_mesh(), or give each the same CELL, written alike; OWN_CELL for meshes that are not]")
@@ -63,7 +63,7 @@ flashbvh_add_mesh(), or give each the same CELL, written alike; OWN_CELL for mes
     COMPATIBLE_INTERFACE_STRING "${property}" "INTERFACE_${property}" "${cell}")
 endfunction()
 
-# The custom command and the library that holds what it makes.
+# Adds the custom command and the library of the files that it makes.
 function(flashbvh_bake_command name sources options stem format)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(meshes "")
@@ -86,7 +86,7 @@ function(flashbvh_bake_command name sources options stem format)
     set(images "")
   endif()
 
-  # A file that changes with the options: not every generator minds how a command is called.
+  # This file changes with the options, because not every generator rebuilds if a command line changes.
   file(CONFIGURE OUTPUT ${folder}/options.txt CONTENT "${meshes};${options}" @ONLY)
   flashbvh_host_tool(program depends)
   add_custom_command(OUTPUT ${code} ${images}

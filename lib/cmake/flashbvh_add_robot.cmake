@@ -3,17 +3,17 @@
 #                    [SIMPLIFY length] [FIT bytes] [STOP length]
 #                    [WARN length] [PAIR link,link=stop[,warn]]... [ZONE joint=length]... [TIME seconds] [FORMAT c|image|both])
 #
-# A library `name`, also called name::name, with the image of a robot. A target that links it includes
-# "<name>.robot.h", for C and C++, which declares the array <name>_robot_image for
-# view_robot_unchecked(), and has flashbvh::robot. FORMAT image makes no code: the folder of
-# <name>.robot, for open_robot(), is an include folder of each target that links the library, for .incbin.
-# FORMAT both makes both. The file may be MJCF or SDF, too. The options are those of `flashbvh robot`; lengths are in metres.
-# The robot is baked again when its file, the SRDF, the joint limits, one of the meshes or included files, an option or the
-# tool changes; which files, the tool says in a depfile.
+# Adds a library `name`, also called name::name, with the image of a robot. A target that links it
+# includes "<name>.robot.h", for C and C++, which declares the array <name>_robot_image for
+# view_robot_unchecked(), and has flashbvh::robot. FORMAT image makes no code: each target that links the
+# library includes the folder of <name>.robot, for .incbin and open_robot(). FORMAT both makes both. The
+# file may be MJCF or SDF, too. The options are those of `flashbvh robot`; lengths are in metres. The build
+# bakes the robot again if its file, the SRDF, the joint limits, a mesh, an included file, an option or the
+# tool changes; the tool lists the files in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_robot name)
-  # Depfiles as Ninja wants them, even if the caller requires an older CMake.
+  # Ninja needs this form of depfile, even if the caller requires an older CMake.
   cmake_policy(SET CMP0116 NEW)
   set(files URDF SRDF JOINT_LIMITS)
   set(single CELL LEAF_SIZE SIMPLIFY FIT STOP WARN TIME FORMAT)
@@ -69,12 +69,12 @@ function(flashbvh_add_robot name)
   flashbvh_robot_command(${name} ${arg_URDF} "${options}" "${depends}" ${arg_FORMAT})
 endfunction()
 
-# The custom command and the library that holds what it makes.
+# Adds the custom command and the library of the files that it makes.
 function(flashbvh_robot_command name urdf options files format)
   cmake_policy(SET CMP0116 NEW)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/flashbvh/${name})
   set(stem ${folder}/${name}.robot)
-  # A file that changes with the options: not every generator minds how a command is called.
+  # This file changes with the options, because not every generator rebuilds if a command line changes.
   file(CONFIGURE OUTPUT ${folder}/options.txt CONTENT "${urdf};${options}" @ONLY)
   flashbvh_host_tool(program depends)
   set(made ${stem}.h ${stem}.c)

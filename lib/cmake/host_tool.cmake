@@ -1,9 +1,9 @@
-# The program that bakes. It runs on this machine, whatever the build is for.
+# The program that bakes. It runs on this machine, whatever the target of the build is.
 set(FLASHBVH_HOST_TOOL "" CACHE FILEPATH "the program flashbvh, built for this machine")
 
-# Sets `program` to its path and `depends` to what has to be there before it runs. In this order:
-# FLASHBVH_HOST_TOOL, the target of this build, the installed package's program, and a build of its
-# own in the build folder.
+# Sets `program` to its path and `depends` to the files that must exist before it runs. Uses the first
+# of: FLASHBVH_HOST_TOOL, the target of this build, the installed package's program, and a separate
+# build in the build folder.
 function(flashbvh_host_tool program depends)
   if(FLASHBVH_HOST_TOOL)
     if(NOT EXISTS ${FLASHBVH_HOST_TOOL})
@@ -16,7 +16,7 @@ function(flashbvh_host_tool program depends)
     set(${program} $<TARGET_FILE:flashbvh_tool> PARENT_SCOPE)
     set(${depends} flashbvh_tool PARENT_SCOPE)
   elseif(TARGET flashbvh::flashbvh_tool)
-    # Not by the target's name: CMake would run it in the emulator of a cross build.
+    # The target's name is not used: CMake would run it in the emulator of a cross build.
     set(${program} $<TARGET_FILE:flashbvh::flashbvh_tool> PARENT_SCOPE)
     set(${depends} $<TARGET_FILE:flashbvh::flashbvh_tool> PARENT_SCOPE)
   elseif(FLASHBVH_SOURCE_DIR)
@@ -29,7 +29,7 @@ function(flashbvh_host_tool program depends)
   endif()
 endfunction()
 
-# What the program writes is C and C++ alike: for projects that have no C.
+# The program's output is valid C and C++. For projects without C, this selects C++.
 function(flashbvh_any_language)
   if(NOT CMAKE_C_COMPILER_LOADED)
     set(files ${ARGN})
@@ -38,8 +38,7 @@ function(flashbvh_any_language)
   endif()
 endfunction()
 
-# A build of its own: neither the flags nor the compiler, toolchain file or environment of this one
-# reach it.
+# Adds a separate build, independent of this build's flags, compiler, toolchain file and environment.
 function(flashbvh_build_host_tool built)
   set(folder ${CMAKE_BINARY_DIR}/flashbvh-host)
   set(${built} ${folder}/bin/flashbvh PARENT_SCOPE)

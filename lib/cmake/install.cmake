@@ -1,8 +1,8 @@
-# cmake --install: headers, the libraries' sources, the CMake package; of a native build also the
-# libraries and, if it was built, the program, with what shells complete.
+# cmake --install: headers, the libraries' sources and the CMake package. A native build also installs the
+# libraries and, if it was built, the program with its shell completions.
 #
-# The sources are there because firmware needs the libraries with its own compiler and flags: where the
-# package is used in a cross build it compiles them.
+# Firmware needs the libraries with its own compiler and flags, so a cross build that uses the package
+# compiles the installed sources.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/flashbvh)
@@ -21,7 +21,7 @@ if(TARGET flashbvh_tool)
   install(TARGETS flashbvh_tool EXPORT flashbvhToolTargets
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
-  # What shells complete, as the program prints it.
+  # Shell completions, as the program prints them.
   set(scripts ${PROJECT_BINARY_DIR}/completion)
   foreach(script bash-completion/completions/flashbvh zsh/site-functions/_flashbvh
       fish/vendor_completions.d/flashbvh.fish)
@@ -43,7 +43,7 @@ configure_package_config_file(lib/cmake/flashbvhConfig.cmake.in
   INSTALL_DESTINATION ${package_folder}
   PATH_VARS source_folder CMAKE_INSTALL_INCLUDEDIR
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-# Of any architecture: see above.
+# Valid for any architecture, because the package contains the sources.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake
   COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake

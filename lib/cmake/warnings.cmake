@@ -1,24 +1,23 @@
-# Warnings are errors in everything that we write ourselves; in a build that only uses flashbvh they
-# are its own business.
+# Warnings are errors in all our own code. A build that only uses flashbvh chooses its own warnings.
 option(FLASHBVH_WARNINGS "flashbvh's own warnings, as errors (GCC, Clang)" ${PROJECT_IS_TOP_LEVEL})
 
-# flashbvh_warnings(target): the warnings of all our code, tests and tools included.
+# flashbvh_warnings(target): sets the warnings of all our code, including tests and tools.
 function(flashbvh_warnings target)
   if(NOT FLASHBVH_WARNINGS)
     return()
   endif()
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wconversion -Wshadow -Wdouble-promotion -Werror)
-  # In Clang's C++ -Wconversion is also about signs, in GCC's it is not.
+  # Clang's -Wconversion includes signs in C++; GCC's does not.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
   if(FLASHBVH_SANITIZE)
-    # GCC finds values "maybe uninitialized" in the standard library where the sanitizers add paths.
+    # With sanitizers, GCC reports "maybe uninitialized" values in the standard library.
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endif()
 endfunction()
 
-# flashbvh_library_warnings(target): those, and on the boards a bound on every stack frame.
+# flashbvh_library_warnings(target): sets these warnings and, on the boards, a limit for every stack frame.
 function(flashbvh_library_warnings target)
   flashbvh_warnings(${target})
   if(FLASHBVH_WARNINGS AND CMAKE_SYSTEM_NAME STREQUAL "Generic")

@@ -1,4 +1,4 @@
-// The subcommands, and what they share: options, and what a slip of the command line must not cost.
+// The subcommands, their shared options, and checks that protect input files.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,11 +13,11 @@
 
 namespace flashbvh::tool {
 
-/// UserError if the file `output` is one of `inputs`, by whatever name.
+/// UserError if the file `output` is one of `inputs`, under any name.
 void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs);
 
-/// For commands that write no image: UserError as above, or if the file `output` is an image. It
-/// may be empty: no file.
+/// For commands that write no image: UserError as above, or if the file `output` is an image. An
+/// empty `output` means no file.
 void check_output(const std::string& output, const std::vector<std::string>& inputs);
 
 struct PosedImages {
@@ -33,23 +33,23 @@ CLI::Option* add_posed_images(CLI::App& command, PosedImages& to);
 /// Declares --float.
 void add_float_flag(CLI::App& command, PosedImages& to);
 
-/// Ends the command's help. `line`: what follows `flashbvh` in a command line that works; `what` it
-/// prints or makes, in a few words.
+/// Ends the command's help. `line`: the arguments after `flashbvh` in a working command line;
+/// `what` it prints or makes, in a few words.
 void add_example(CLI::App& command, const std::string& line, const std::string& what);
 
 std::vector<std::string> command_names(const CLI::App& app);
 
-/// "there is no command 'bak'; the nearest is 'bake'"; empty if there is.
+/// "there is no command 'bak'; the nearest is 'bake'"; empty if the command exists.
 std::string unknown_command(const CLI::App& app, const std::string& name);
 
-/// `type`: the value's name in the help, as "FILE".
+/// `type`: the value's name in the help, such as "FILE".
 template <class Value>
 CLI::Option* add_option(CLI::App& command, const char* name, Value& to, const char* type,
                         const std::string& what) {
   return command.add_option(name, to, what)->type_name(type);
 }
 
-/// Declares --clock; `to`: megahertz, a double or none of one.
+/// Declares --clock. `to`: megahertz, a double or an optional double.
 template <class Megahertz>
 CLI::Option* add_clock(CLI::App& command, Megahertz& to, const std::string& what) {
   const auto read = [](std::string& text) {
@@ -60,22 +60,22 @@ CLI::Option* add_clock(CLI::App& command, Megahertz& to, const std::string& what
   return add_option(command, "--clock", to, "CLOCK", what)->transform(CLI::Validator(read, ""));
 }
 
-/// Declares --flash, which flash_wait_states() names.
+/// Declares --flash; flash_wait_states() defines its names.
 CLI::Option* add_flash(CLI::App& command, std::string& to);
 
-/// One of `words`; the help shows the default.
+/// Declares an option with one of `words` as its value; the help shows the default.
 inline CLI::Option* add_choice(CLI::App& command, const char* name, std::string& to,
                                const std::vector<std::string>& words, const std::string& what) {
   return command.add_option(name, to, what)->check(CLI::IsMember(words))->capture_default_str();
 }
 
-/// Makes an option of a vector one that is given once for each element.
+/// Makes a vector's option one that the user gives once per element.
 inline CLI::Option* repeated(CLI::Option* option) {
   return option->type_size(1)->expected(1)->allow_extra_args(false)->multi_option_policy(
       CLI::MultiOptionPolicy::TakeAll);
 }
 
-/// Declares IMAGE; `to`: a path, or several.
+/// Declares IMAGE. `to`: one path or several.
 template <class Paths>
 void add_image(CLI::App& command, Paths& to, const char* type = "FILE.fbvh",
                const char* what = "Image (.fbvh)") {
@@ -91,10 +91,10 @@ inline void add_progress(CLI::App& command, bool& to) {
                    "Show a progress bar at once; default: on a terminal, after a second");
 }
 
-/// What the program returns; 2 is for UserError.
+/// The program's exit code; 2 is for UserError.
 enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2, kRefusedValues = 3 };
 
-/// `exit_code` is set when the command ran; it must outlive the parsing.
+/// Running the command sets `exit_code`, which must outlive the parsing.
 void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_check(CLI::App& app, ExitCode& exit_code);
@@ -110,10 +110,10 @@ void add_robot(CLI::App& app);
 void add_guard(CLI::App& app, ExitCode& exit_code);
 void add_audit(CLI::App& app, ExitCode& exit_code);
 void add_completion(CLI::App& app);
-/// Last: the other commands are what it knows.
+/// Must come last: its help covers the commands added before.
 void add_help(CLI::App& app);
 
-/// Declares a command that calls run(arguments); its options go to the arguments.
+/// Declares a command that calls run(arguments); the options fill the arguments.
 template <class Arguments, class Run>
 std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, const char* what,
                                              const Run& run) {
@@ -123,7 +123,7 @@ std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, co
   return {*command, *arguments};
 }
 
-/// One whose run() returns how the program exits.
+/// Declares a command whose run() returns the program's exit code.
 template <class Arguments, class Run>
 std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, const char* what,
                                              ExitCode& exit_code, const Run& run) {
@@ -132,7 +132,7 @@ std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, co
   });
 }
 
-/// Declares --unit, which can be given several times and takes one word each time.
+/// Declares --unit, which may be repeated and takes one word each time.
 void add_unit_option(CLI::App& command, std::vector<std::string>& given);
 
 }  // namespace flashbvh::tool

@@ -1,5 +1,5 @@
-// flashbvh completion SHELL: a script by which a shell completes commands, options and their
-// values, made from the commands that the program has.
+// flashbvh completion SHELL: prints a script that completes commands, options and their values in a
+// shell. The script is made from the program's commands.
 #include <algorithm>
 #include <iostream>
 
@@ -9,8 +9,8 @@
 namespace flashbvh::tool {
 namespace {
 
-/// A shell's script, and what in it completes a value: one of a set; a folder; a file whose name
-/// ends so; any file; anything else. % stands for the set, with blanks, or the end of the name.
+/// A shell's script, and its code to complete a value: a word of a set, a folder, a file with an
+/// ending, any file, or any other value. % stands for the set, separated by blanks, or the ending.
 struct Shell {
   const char* name;
   void (*print)(const Shell& shell, const CLI::App& app);
@@ -21,7 +21,7 @@ bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
 }
 
-/// The name of a value in the help, "LENGTH".
+/// The name of a value in the help, such as "LENGTH".
 std::string label_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   return type.substr(0, type.find(':'));
@@ -32,7 +32,8 @@ std::string with(std::string action, const std::string& value) {
   return place == std::string::npos ? action : action.replace(place, 1, value);
 }
 
-/// By the value's name in the help: KIND:{c,image} is one of a set, FILE or PAGE.html a file.
+/// The value's name in the help selects the code: KIND:{c,image} is a set, FILE and PAGE.html
+/// files.
 std::string action_of(const CLI::Option& option, const Shell& shell) {
   std::string set = option.get_type_name();
   constexpr std::string_view kBraces = "{}";
@@ -58,7 +59,7 @@ std::string escaped(const std::string& text, const std::string& what) {
   return result;
 }
 
-/// The beginning of a help text: one line, up to the first end of a clause.
+/// The beginning of a help text, up to the first end of a clause, as one line.
 std::string summary(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   for (const char* end : {". ", "; ", ": "}) {
@@ -78,7 +79,7 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   return names;
 }
 
-/// The command's options, in one line, each by one name.
+/// One name of each option of the command, in one line.
 std::string options_of(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -110,8 +111,8 @@ constexpr const char* kBashTail = R"(  esac
 complete -F _flashbvh flashbvh
 )";
 
-/// A case for each option with a value, then one for all that is no such value. Where positional
-/// arguments differ, the first counts.
+/// Prints a case for each option with a value, then one for all other words. If positional
+/// arguments differ, the first one counts.
 void print_bash_cases(const Shell& shell, const CLI::App& command) {
   const std::string name = "*' " + command.get_name() + " ";
   std::string positional = shell.other;
@@ -137,12 +138,12 @@ void print_bash(const Shell& shell, const CLI::App& app) {
   std::cout << kBashTail;
 }
 
-/// For a word $'like this', of which _arguments and _describe read a part.
+/// Escapes text for a part of a word $'like this' that _arguments and _describe read.
 std::string in_zsh(const std::string& text) {
   return escaped(escaped(text, "[]:\\"), "'\\");
 }
 
-/// What _arguments reads. Each option may be given again.
+/// Prints a specification for _arguments. Each option may be repeated.
 void print_zsh_argument(const Shell& shell, const CLI::Option& option) {
   const bool has_value = takes_value(option);
   const std::string label = option.get_positional() ? option.get_name(true) : label_of(option);

@@ -1,4 +1,4 @@
-// flashbvh help [COMMAND]: the same as --help.
+// flashbvh help [COMMAND]: prints the output of --help.
 #include <iostream>
 
 #include "cli/commands.hpp"

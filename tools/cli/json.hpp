@@ -1,4 +1,4 @@
-// JSON as all commands print it: fields in order, a line an object.
+// The JSON output of all commands: fields in order, one object per line.
 #pragma once
 
 #include <iostream>
@@ -13,7 +13,7 @@ namespace flashbvh::tool {
 
 using Json = nlohmann::ordered_json;
 
-/// On a line of standard output; bytes that are no UTF-8 are replaced.
+/// Prints a line on standard output; replaces bytes that are not valid UTF-8.
 inline void print_object(const Json& object) {
   std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
@@ -26,7 +26,7 @@ inline Json json_of(const Warnings& warnings) {
   return all;
 }
 
-/// A length in 1/256 cell, in the unit of the cell.
+/// Converts a length in 1/256 cell to the unit of the cell.
 inline double unit_length(std::int64_t fine, double cell) {
   return static_cast<double>(fine) * cell / kFineOne;
 }

@@ -1,4 +1,4 @@
-// What --simplify costs and saves: a row a length.
+// The table of the sizes that --simplify reaches: one row per length.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace flashbvh::tool {
 
-/// On standard output. `leaf_sizes`: of the columns.
+/// Prints to standard output. `leaf_sizes`: one per column.
 void print_lengths(const std::vector<simplify::LengthRow>& rows,
                    const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit);
 Json json_of(const std::vector<simplify::LengthRow>& rows,

@@ -24,8 +24,8 @@ int fail(const std::string& message) {
   return kBadInput;
 }
 
-/// "there is no option '--formt'; the nearest is '--format'", of the first argument of a command
-/// that is none of its options; empty if there is no such argument.
+/// "there is no option '--formt'; the nearest is '--format'", for the first argument that looks
+/// like an option but is none of the command's; empty if there is no such argument.
 std::string unknown_option(const CLI::App& command) {
   const auto rest = command.remaining();
   const auto first = std::find_if(rest.begin(), rest.end(),
@@ -42,7 +42,7 @@ std::string unknown_option(const CLI::App& command) {
   return "there is no option '" + given + "'" + nearest_hint(name, names, "--");
 }
 
-/// What is wrong with a command line, and where the help is.
+/// Prints the error of a command line, and the command that shows the help.
 int fail(const CLI::ParseError& error, const CLI::App& app) {
   const auto given = app.get_subcommands();
   const std::string command = given.empty() ? "flashbvh" : "flashbvh " + given[0]->get_name();
@@ -54,8 +54,8 @@ int run(int argc, char** argv) {
   CLI::App app("Bounding volume trees for microcontrollers: bakes meshes, looks at what it baked.",
                "flashbvh");
   ExitCode exit_code = kSuccess;
-  app.require_subcommand(0, 1);            // after a command, another one's name is an argument
-  app.allow_windows_style_options(false);  // "/part.stl" is a file everywhere
+  app.require_subcommand(0, 1);            // after a command, the name of another is an argument
+  app.allow_windows_style_options(false);  // "/part.stl" is a file on every system
   app.set_version_flag("--version", kVersion);
   add_bake(app);
   add_info(app);
@@ -89,7 +89,7 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() != 0) {
       return fail(error, app);
     }
-    app.exit(error);  // --help and --version
+    app.exit(error);  // prints --help and --version
     flush_output();
     return kSuccess;
   }

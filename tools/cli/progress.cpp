@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::seconds kPatience(1);
 constexpr std::size_t kBarWidth = 30;
-constexpr std::size_t kStepWidth = 40;  ///< the whole line fits 80 columns
+constexpr std::size_t kStepWidth = 40;  ///< so that the whole line fits 80 columns
 
 }  // namespace
 
@@ -24,7 +24,7 @@ Progress::Progress(double total, bool always) : total_(total), always_(always) {
   try {
     thread_ = std::thread([this] { draw_after_a_while(); });
   } catch (const std::system_error&) {
-    // No threads, as in WebAssembly: the bar comes with the next step after a while.
+    // Without threads, as in WebAssembly, the bar appears with the next step.
     has_no_thread_ = true;
   }
 }

@@ -1,4 +1,4 @@
-// A bar on standard error while a command works.
+// A progress bar on standard error while a command works.
 #pragma once
 
 #include <chrono>
@@ -9,17 +9,17 @@
 
 namespace flashbvh::tool {
 
-/// Shows nothing during the first second, and nothing at all if standard error is no terminal. The
-/// line is cleared at the end.
+/// Shows nothing during the first second, or if standard error is not a terminal. Clears the line
+/// at the end.
 class Progress {
  public:
-  /// `total`: of the weights of all steps. `always`: show it at once, wherever standard error goes.
+  /// `total`: sum of all steps' weights. `always`: shows the bar at once, on any standard error.
   Progress(double total, bool always);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// The step before is done; the next one begins.
+  /// Ends the last step and begins the next one.
   void begin(const std::string& step, double weight);
 
  private:

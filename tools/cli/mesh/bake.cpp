@@ -1,4 +1,4 @@
-// flashbvh bake: everything is read and baked before the first file is written.
+// flashbvh bake: reads and bakes all meshes before it writes the first file.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -36,7 +36,7 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
   }
 }
 
-/// The files of a mesh, whatever the format.
+/// Adds the files of a mesh, in each requested format.
 template <class Baked>
 void add_files(const Baked& baked, const BakeOrder& order, const OutputName& name, FileSet& files) {
   const std::string stem = (std::filesystem::path(order.folder) / name.stem).string();
@@ -83,7 +83,7 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
       mesh.tree);
 }
 
-/// Reading a mesh takes about as long as baking it; both grow with the file.
+/// The progress weights: reading takes about as long as baking; both grow with the file.
 std::vector<double> weights_of(const std::vector<std::string>& paths) {
   std::vector<double> weights;
   for (const std::string& path : paths) {
@@ -94,7 +94,7 @@ std::vector<double> weights_of(const std::vector<std::string>& paths) {
   return weights;
 }
 
-/// A mesh file, or one of its bodies: what it is called and its share of the work.
+/// The output name of a mesh file or of one of its bodies, and its share of the work.
 struct Part {
   OutputName name;
   double weight;
@@ -102,7 +102,7 @@ struct Part {
 
 struct Parts {
   std::vector<InputMesh> meshes;
-  std::vector<Part> parts;  ///< of each mesh
+  std::vector<Part> parts;  ///< one per mesh
 };
 
 Parts read_parts(const BakeOrder& order, const std::vector<double>& weights, Progress& progress,
@@ -128,7 +128,7 @@ Parts read_parts(const BakeOrder& order, const std::vector<double>& weights, Pro
   return all;
 }
 
-/// Of meshes that look as if they were in another unit than the others.
+/// Warns of meshes that seem to be in another unit than the others.
 void warn_of_odd_sizes(const std::vector<InputMesh>& meshes, const std::vector<BakeRow>& rows,
                        const std::string& unit, Warnings& warnings) {
   std::vector<Size> sizes(rows.size());
@@ -142,17 +142,17 @@ void warn_of_odd_sizes(const std::vector<InputMesh>& meshes, const std::vector<B
   }
 }
 
-/// How much wider than its mesh the lattice of one that bends is.
+/// The width of a deformable mesh's lattice, as a multiple of the mesh's width.
 constexpr double kRoomToBend = 2;
 
-/// What there is to say of a call.
+/// The results of a call, for the output.
 struct Outcome {
   std::vector<BakeRow> rows;
-  double simplified = 0;                     ///< how far it was allowed to
-  std::vector<simplify::LengthRow> lengths;  ///< of --dry-run
+  double simplified = 0;                     ///< the allowed deviation
+  std::vector<simplify::LengthRow> lengths;  ///< with --dry-run
 };
 
-/// To be filled with what is baked.
+/// An empty list, to be filled with the baked meshes.
 CoarseMeshes coarse_meshes(const BakeOrder& order, const BakeOptions& options) {
   const std::string unit = order.units.common();
   return {{}, {}, shown_leaf_sizes(order), {*options.cell, unit.empty() ? "" : " " + unit}};
@@ -171,8 +171,8 @@ void add_page(const BakeOrder& order, const CoarseMeshes& coarse, FileSet& files
   files.add(order.page, simplified_page(coarse));
 }
 
-/// Everything but what is written. `options`: the order's, with the cell that all the meshes share,
-/// and the leaf size that fits.
+/// Does all the work except writing. `options`: the order's, completed with the cell that all
+/// meshes share and the leaf size that fits.
 Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
                     Warnings& warnings) {
   const std::vector<double> weights = weights_of(order.meshes);

@@ -11,7 +11,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// As they are given.
+/// The options as given on the command line.
 struct Arguments {
   BakeOrder order;
   std::string format = "both";
@@ -30,7 +30,7 @@ struct Arguments {
   std::vector<std::string> drop;
 };
 
-/// Output files and names must not collide.
+/// The names of all outputs. UserError if files or names collide.
 std::vector<OutputName> output_names(const Arguments& arguments) {
   const std::string chosen = arguments.name.value_or("");
   if (arguments.name && chosen.empty()) {
@@ -56,7 +56,7 @@ std::vector<OutputName> output_names(const Arguments& arguments) {
   return names;
 }
 
-/// A length from the command line that firmware can hold in a float. `least`: the smallest.
+/// A length from the command line that a float in firmware can hold. `least`: the lower limit.
 double length_of(const std::string& option, const std::string& text, double least) {
   const std::optional<double> length = parse_number(text);
   if (!length || *length < least ||
@@ -67,7 +67,7 @@ double length_of(const std::string& option, const std::string& text, double leas
   return *length;
 }
 
-/// What an image can have at all.
+/// The largest size of an image.
 constexpr long long kMostBytes = std::numeric_limits<std::uint32_t>::max();
 
 std::int64_t bytes_of(const std::string& option, const std::string& text) {
@@ -84,7 +84,7 @@ BakeOptions options_of(const Arguments& arguments) {
   options.layout = arguments.layout == "pre" ? Layout::pre_indexed : Layout::post_indexed;
   options.index_width = arguments.index_bits == "16" ? IndexWidth::bits_16 : IndexWidth::bits_32;
   options.builder = median ? Builder::median : Builder::sah;
-  // One triangle a leaf and two children a node belong to the paper's median tree.
+  // The paper's median tree has one triangle per leaf and two children per node.
   options.leaf_size = arguments.leaf_size.value_or(median ? 1 : bake::kDefaultLeafSize);
   options.arity = arguments.arity.value_or(median ? 2 : bake::kDefaultArity);
   if (arguments.cell) {
@@ -135,7 +135,7 @@ BakeOrder order_of(const Arguments& arguments) {
   return order;
 }
 
-/// What meshes are taken as, and what is refused.
+/// Declares options that define how meshes are read, simplified and refused.
 void add_mesh_options(CLI::App& command, Arguments& a) {
   add_option(command, "--max-bytes", a.max_bytes, "N", "Refuse to write if an image is larger");
   add_option(

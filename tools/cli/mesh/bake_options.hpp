@@ -1,5 +1,4 @@
-// The options of `flashbvh bake`, typed: all that can be refused before a file is read is refused
-// here.
+// The options of `flashbvh bake`, typed. All checks that need no file happen here.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,26 +14,26 @@ namespace flashbvh::tool {
 
 struct BakeOrder {
   std::vector<std::string> meshes;
-  bool split = false;             ///< each body of a mesh is baked apart
-  std::vector<OutputName> names;  ///< of each mesh, all different; none if they are split
+  bool split = false;             ///< each body of a mesh becomes an image
+  std::vector<OutputName> names;  ///< one per mesh, all different; none if `split`
   std::string folder;
   bool writes_c = true;
   bool writes_images = true;
-  bool levels = false;                    ///< in images of post-indexed trees
-  bool dry_run = false;                   ///< writes nothing at all
-  bool deformable = false;                ///< the default cell leaves room to bend
+  bool levels = false;                    ///< stored in images of post-indexed trees
+  bool dry_run = false;                   ///< writes no file
+  bool deformable = false;                ///< the default cell leaves space for deformation
   std::optional<std::int64_t> max_bytes;  ///< of an image
-  std::optional<double> simplify;         ///< how far a simplified mesh may deviate
-  std::optional<std::int64_t> fit;  ///< what all images may take: as little simplified as that
-  bool has_leaf_size = false;       ///< the user chose it
+  std::optional<double> simplify;         ///< the largest deviation of a simplified mesh
+  std::optional<std::int64_t> fit;        ///< bytes of all images; simplifies as little as needed
+  bool has_leaf_size = false;             ///< the user chose the leaf size
   Units units;
   BakeOptions options;
-  std::string page;       ///< or empty
-  bool progress = false;  ///< a bar at once
-  bool json = false;      ///< the table as an object
+  std::string page;       ///< may be empty
+  bool progress = false;  ///< shows the progress bar at once
+  bool json = false;      ///< prints the table as an object
 };
 
-/// Declares them; `run` gets what they say. UserError if they make no sense.
+/// Declares the options; passes their values to `run`. UserError if they contradict each other.
 void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run);
 
 }  // namespace flashbvh::tool

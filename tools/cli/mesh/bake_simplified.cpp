@@ -12,7 +12,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of the largest mesh's longest side: a length that makes a shape another one.
+/// The longest deviation, as a part of the largest mesh's longest side: more distorts the shape.
 constexpr double kLongestPart = 1.0 / 20;
 
 double side_of_largest(const std::vector<InputMesh>& meshes) {
@@ -28,7 +28,7 @@ std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& mesh
   std::vector<simplify::Coarsening> all;
   for (const InputMesh& mesh : meshes) {
     if (!bake::fits(mesh.mesh, cell)) {
-      return {};  // bake() says so
+      return {};  // bake() reports the error
     }
     all.emplace_back(mesh.mesh, cell);
   }

@@ -1,4 +1,4 @@
-// What --simplify, --fit and --dry-run of `flashbvh bake` make of meshes.
+// Simplifies meshes for --simplify, --fit and --dry-run of `flashbvh bake`.
 #pragma once
 
 #include <vector>
@@ -9,23 +9,23 @@
 namespace flashbvh::tool {
 
 struct Simplified {
-  std::vector<simplify::Coarsening> meshes;  ///< none: to be baked as they are
-  double length = 0;                         ///< within which they keep
+  std::vector<simplify::Coarsening> meshes;  ///< empty: the meshes are baked unchanged
+  double length = 0;                         ///< the deviation that they keep
 };
 
-/// As the order says; sets the leaf size of `options` for --fit. UserError if it is less than
-/// rounding moves, or they do not fit. `meshes` outlive what is made of them. `names`: of the
-/// images.
+/// Simplifies as the order requests; for --fit, sets the leaf size of `options`. UserError if the
+/// length is smaller than rounding errors, or the images do not fit. `meshes` must outlive the
+/// result. `names`: of the images.
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                              const std::vector<std::string>& names, BakeOptions& options);
 
-/// What lengths cost, for lengths up to kLongestPart of the largest mesh.
+/// The sizes of the images for deviations up to kLongestPart of the largest mesh.
 std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
                                             const std::vector<InputMesh>& meshes,
                                             const std::vector<std::string>& names,
                                             const BakeOptions& options);
 
-/// Of its columns.
+/// The leaf sizes of the table's columns.
 std::vector<std::uint32_t> shown_leaf_sizes(const BakeOrder& order);
 
 }  // namespace flashbvh::tool

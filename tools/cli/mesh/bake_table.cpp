@@ -10,7 +10,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Bytes and counts of all, the depth and the deviation of the worst.
+/// The sum of bytes and counts, the largest depth and the largest deviation.
 BakeRow total_of(const std::vector<BakeRow>& rows) {
   BakeRow total;
   total.mesh = "total";

@@ -1,4 +1,4 @@
-// What `flashbvh bake` prints: a row a mesh, what firmware links first.
+// The output of `flashbvh bake`: one row per mesh; the first columns concern firmware.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace flashbvh::tool {
 
-/// What one mesh became.
+/// A baked mesh.
 struct BakeRow {
   std::string mesh;
-  std::uint64_t flash_bytes = 0;  ///< of the image
+  std::uint64_t flash_bytes = 0;  ///< size of the image
   std::size_t triangles = 0;
-  std::size_t source_triangles = 0;  ///< of the file
+  std::size_t source_triangles = 0;  ///< in the file
   std::size_t vertices = 0;
   std::size_t nodes = 0;
   std::size_t depth = 0;
@@ -27,19 +27,19 @@ struct BakeRow {
   bake::BendingCost bending = {};
 };
 
-/// On standard output, with a row for all of them if they are several.
+/// Prints to standard output, with a row of totals if there are several meshes.
 void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
 
-/// The rows, the cell and the warnings as one JSON object on standard output.
-/// `lengths`: of --dry-run, or null.
+/// Prints the rows, the cell and the warnings as one JSON object to standard output.
+/// `lengths`: the table of --dry-run, or null.
 void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
                      const Warnings& warnings, const Json& lengths);
 
-/// What simplifying to `length` did, of all together.
+/// Prints the effect of simplifying to `length`, for all meshes together.
 void print_simplified(const std::vector<BakeRow>& rows, double length, std::uint32_t leaf_size,
                       const Units& units);
 
-/// A line a mesh: what it takes to bend.
+/// Prints a line per mesh with the cost of deforming it.
 void print_bending(const std::vector<BakeRow>& rows);
 
 }  // namespace flashbvh::tool

@@ -1,8 +1,8 @@
-// flashbvh check: proves that an image is well-formed, and that it is a certain mesh.
+// flashbvh check: proves that an image is well-formed, and that it represents a given mesh.
 //
-// An image is a mesh if, rounded with the image's cell, triangle by triangle in the order of the
-// file, the mesh has the same corners as the image. The image may lack what `bake --drop` leaves
-// out.
+// An image represents a mesh if both have the same corners, triangle by triangle in the file's
+// order, after rounding with the image's cell. The image may omit triangles that `bake --drop`
+// leaves out.
 #include <iostream>
 #include <set>
 
@@ -33,13 +33,13 @@ LatticePoint point_of(const bake::LatticeMesh& mesh, std::uint32_t vertex) {
           std::int64_t{v.z} + mesh.origin[2]};
 }
 
-/// What an image may lack: triangles that `bake --drop` leaves out.
+/// Counts of missing triangles, as `bake --drop` leaves them out.
 struct LeftOut {
   std::size_t degenerate = 0;
   std::size_t duplicate = 0;
 };
 
-/// Compares an image with a mesh, both in the order of the source.
+/// Compares an image with a mesh, both in the source's order of triangles.
 class Comparison {
  public:
   Comparison(const ImageFile& image, const InputMesh& input)
@@ -85,7 +85,7 @@ class Comparison {
     return duplicates_.count(triangle) != 0;
   }
 
-  /// The image's corners may be turned: `bake --deformable` does.
+  /// Allows rotated corners, since `bake --deformable` rotates them.
   std::string difference(const SourceTriangle& triangle) const {
     std::string first;
     for (std::size_t turns = 0; turns < 3; ++turns) {
@@ -116,9 +116,9 @@ class Comparison {
   LeftOut left_out_;
 };
 
-/// UserError unless the image at `path` says of its shells, and whether they are closed, what its
-/// triangles say: the library doesn't look for the one, and detects the other by a sum. `of`: which
-/// mesh of the image, for the message.
+/// UserError unless the shells that the image stores, and whether they are closed, agree with its
+/// triangles. The library does not test the shells, and tests closedness by a sum. `of`: the mesh
+/// of the image, for the message.
 template <class Tree>
 void check_surface(const Tree& tree, const bake::LatticeMesh& mesh, const std::string& path,
                    const std::string& of) {
@@ -133,7 +133,7 @@ void check_surface(const Tree& tree, const bake::LatticeMesh& mesh, const std::s
   }
 }
 
-/// What the image's own surface is like.
+/// Warns of defects of the image's own surface.
 void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh, Warnings& warnings) {
   MeshDefects defects;
   defects.duplicates = duplicate_triangles(mesh.triangles);
@@ -150,14 +150,14 @@ struct CheckArguments {
   bool json = false;
 };
 
-/// What is known of an image that is well-formed.
+/// The results for a well-formed image.
 struct CheckResult {
   std::string name;
   std::string text;  ///< without the name
   ExitCode exit_code = kSuccess;
 };
 
-/// As `bake` reads it.
+/// Reads the mesh as `bake` does.
 InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings) {
   const Units units(arguments.units, {arguments.mesh});
   InputMesh input;
@@ -179,7 +179,7 @@ InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings)
   return input;
 }
 
-/// Adds how the mesh compares to the image.
+/// Adds the result of comparing the mesh with the image.
 void compare(const CheckArguments& arguments, const ImageFile& image,
              const std::vector<SourceTriangle>& triangles, CheckResult& result, Json& facts,
              Warnings& warnings) {
@@ -208,7 +208,7 @@ void compare(const CheckArguments& arguments, const ImageFile& image,
   }
 }
 
-/// Adds what the image holds to `facts`.
+/// Checks an image of a mesh; adds its properties to `facts`.
 CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& warnings) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
@@ -229,7 +229,7 @@ CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& w
   return result;
 }
 
-/// What check_surface() takes: the triangles in any order.
+/// A mesh for check_surface(), with the triangles in any order.
 bake::LatticeMesh mesh_of(const Mesh& link) {
   bake::LatticeMesh mesh;
   mesh.vertices.assign(link.vertices, link.vertices + link.vertex_count);
@@ -240,7 +240,7 @@ bake::LatticeMesh mesh_of(const Mesh& link) {
   return mesh;
 }
 
-/// The same.
+/// Checks an image of a robot; adds its properties to `facts`.
 CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
   if (!arguments.mesh.empty() || !arguments.body.empty()) {
     throw UserError(arguments.image,

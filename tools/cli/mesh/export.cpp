@@ -1,4 +1,4 @@
-// flashbvh export: the lattice mesh as OBJ, for other programs to look at and to check answers by.
+// flashbvh export: writes the lattice mesh as OBJ, for viewers and for programs that check answers.
 #include <optional>
 
 #include "cli/commands.hpp"
@@ -20,7 +20,7 @@ struct ExportArguments {
   bool floats = false;
 };
 
-/// A comment has the number of a triangle before which others were left out.
+/// Faces in OBJ. After missing triangles, a comment gives the number of the next triangle.
 std::string faces_of(const std::vector<SourceTriangle>& triangles) {
   std::string text;
   std::uint32_t next = 0;

@@ -1,4 +1,4 @@
-// flashbvh info: what is in an image.
+// flashbvh info: prints the contents of an image.
 #include <array>
 #include <iostream>
 
@@ -22,7 +22,7 @@ std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
           static_cast<double>(point[2]) * cell};
 }
 
-/// Names and values, in the order in which both outputs show them.
+/// Names and values, in the order of both outputs.
 Json facts_of(const ImageFile& image) {
   const ImageHeader& header = image.header();
   const NodeBox bounds =
@@ -88,7 +88,7 @@ std::string text_of(const Json& value) {
   return value.dump();
 }
 
-/// What the names leave open.
+/// The unit of a value; empty if the name implies it.
 std::string unit_of(const std::string& name, Unit unit) {
   if (name == "origin" || name == "box_cells") {
     return "cells";

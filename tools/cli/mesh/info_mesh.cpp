@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<std::uint32_t, 4> kLeafSizes = {1, 2, 4, 8};
 
-/// With 16-bit indices if they reach.
+/// Bakes with 16-bit indices if they suffice.
 AnyBakedTree tree_of(const InputMesh& mesh, const RoundedMesh& rounded, BakeOptions options) {
   try {
     return build_tree(mesh, rounded, options);
@@ -27,7 +27,7 @@ AnyBakedTree tree_of(const InputMesh& mesh, const RoundedMesh& rounded, BakeOpti
   }
 }
 
-/// The image has the file's name in it.
+/// The bytes of flash; the image contains the file's name.
 Json flash_of(AnyBakedTree tree, const std::string& path, std::uint32_t leaf_size) {
   return std::visit(
       [&](auto& baked) {
@@ -63,7 +63,7 @@ Json defects_as_json(const MeshDefects& defects) {
           {"twisted_edges", defects.edges.twisted}};
 }
 
-/// Names and values, in the order in which both outputs show them.
+/// Names and values, in the order of both outputs.
 Json facts_of(const InputMesh& mesh, Warnings& warnings) {
   BakeOptions options;
   options.cell = finest_cell(mesh);

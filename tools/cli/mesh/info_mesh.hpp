@@ -1,11 +1,11 @@
-// What baking a mesh would take.
+// The cost of baking a mesh.
 #pragma once
 
 #include <string>
 
 namespace flashbvh::tool {
 
-/// Prints it for the mesh file at `path`, baked with the finest cell; warns as `bake` does.
+/// Prints the cost for the mesh file at `path`, baked with the finest cell; warns as `bake` does.
 void info_of_mesh(const std::string& path, bool json);
 
 }  // namespace flashbvh::tool

@@ -8,7 +8,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// "kept; --drop degenerate leaves them out", or that they were.
+/// "; kept (--drop degenerate leaves them out)" or "; left out".
 std::string fate(bool dropped, const char* kind) {
   return dropped ? "; left out" : std::string("; kept (--drop ") + kind + " leaves them out)";
 }
@@ -31,13 +31,13 @@ double longest_side(const Size& size) {
   return *std::max_element(size.begin(), size.end());
 }
 
-/// Three digits, without an exponent where it is large.
+/// Three digits; large numbers are printed without an exponent.
 std::string side_text(double side) {
   return side >= 100 && side < 1e9 ? fixed(side, 0) : significant(side, 3);
 }
 
-/// How many times as long as the median of all but one; 1 if there is none. Of an even number of
-/// sides the median that is nearer counts.
+/// The ratio of a side to the median of all others; 1 if there are none. For an even number of
+/// others, the nearer median counts.
 double times_the_others(std::vector<double> sides, std::size_t which) {
   const double side = sides[which];
   sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(which));
@@ -102,7 +102,7 @@ void warn_of_place(const std::array<std::int32_t, 3>& origin, const std::string&
     distance += std::abs(std::int64_t{cells});
   }
   if (distance > kFar) {
-    // Entries of a rotation are rounded by 2^-23.
+    // The entries of a rotation are rounded to 2^-23.
     const double off = static_cast<double>(distance) / (1 << 23);
     warnings.add(path, concat("lies far from its frame's origin: rotated, it is placed within ",
                               significant(0.51 + off, 2),

@@ -1,4 +1,4 @@
-// What is said of a mesh that was baked; how large meshes are, and which look like another unit.
+// Warnings about baked meshes; sizes of meshes, and meshes that seem to be in another unit.
 #pragma once
 
 #include <array>
@@ -11,39 +11,39 @@
 
 namespace flashbvh::tool {
 
-/// A line for each kind of defect, and one if the mesh is known less exactly than the lattice of
-/// `options.cell` can represent.
+/// Adds a line for each kind of defect, and one if the mesh is known less exactly than the lattice
+/// of `options.cell` can represent.
 void warn_of_mesh(const InputMesh& mesh, const MeshDefects& defects, const BakeOptions& options,
                   Warnings& warnings);
 
-/// If the mesh is known less exactly than the lattice of `cell` can represent.
+/// Warns if the mesh is known less exactly than the lattice of `cell` can represent.
 void warn_of_precision(const InputMesh& mesh, double cell, Warnings& warnings);
 
-/// Of a surface that is not closed, or not oriented, or inside out. `path`: the mesh or image.
+/// Warns of a surface that is not closed, not oriented, or inside out. `path`: the mesh or image.
 void warn_of_surface(const MeshDefects& defects, const std::string& path, Warnings& warnings);
 
-/// If the mesh lies so far from its frame's origin that rotations place it less exactly by more
-/// than 1/32 cell. `origin`: of its lattice, in cells.
+/// Warns if the mesh is so far from its frame's origin that rotations displace it by more than an
+/// additional 1/32 cell. `origin`: of its lattice, in cells.
 void warn_of_place(const std::array<std::int32_t, 3>& origin, const std::string& path,
                    Warnings& warnings);
 
-/// Of a box that holds a mesh, along x, y and z.
+/// The size of a mesh's bounding box along x, y and z.
 using Size = std::array<double, 3>;
 
-/// In the mesh's unit; zeros if it has no vertex.
+/// The size in the mesh's unit; zeros if the mesh has no vertex.
 Size size_of(const bake::SourceMesh& mesh);
 
-/// "0.21 x 0.1 x 0.1 m", three digits each. `unit` may be empty.
+/// "0.21 x 0.1 x 0.1 m", with three digits each. `unit` may be empty.
 std::string size_text(const Size& size, const std::string& unit);
 
 /// A mesh that is at least kOddSize times as long as the others' median, or at most 1/kOddSize.
 constexpr double kOddSize = 50;
 struct OddSize {
   std::size_t which;
-  double times;  ///< the others' median, by the longest side
+  double times;  ///< multiple of the others' median, by the longest side
 };
 
-/// In ascending order. Of two meshes the larger one alone.
+/// Odd sizes in ascending order. Of two meshes, only the larger one.
 std::vector<OddSize> odd_sizes(const std::vector<Size>& sizes);
 
 /// "1000 times as long as the other links", "1/400 times as long as ..."; `others`: "links".

@@ -1,4 +1,4 @@
-// flashbvh report: a page in which meshes answer, with nothing in it that comes from elsewhere.
+// flashbvh report: writes a page that shows queries on meshes and needs no other files.
 #include <filesystem>
 #include <memory>
 
@@ -20,7 +20,7 @@ struct ReportArguments {
   ReportOptions options = {"", 400, {{}, 1000, 168}};
 };
 
-/// The file of poses, or all that the folder holds.
+/// The file of poses, or all files that the folder contains.
 std::vector<std::string> poses_read(const std::string& poses) {
   std::vector<std::string> read = {poses};
   std::error_code error;
@@ -50,7 +50,7 @@ void write_page(ReportArguments& arguments) {
   write_file(arguments.page, std::move(page));
 }
 
-/// A finite number above 0.
+/// The error message unless the text is a number from 0.001 to 1e9.
 std::string refuse_rate(const std::string& text) {
   const std::optional<double> rate = parse_number(text);
   return rate && *rate >= 1e-3 && *rate <= 1e9 ? "" : "must be a number from 0.001 to 1e9";

@@ -1,4 +1,4 @@
-// flashbvh bench: the paper's evaluation, section 9, on this machine.
+// flashbvh bench: runs the paper's evaluation, section 9, on this machine.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -29,7 +29,7 @@ void check(const Effort& effort) {
   }
 }
 
-/// False if the rows of a setup found different overlaps.
+/// Returns false if rows of a setup found different overlaps.
 bool run_all(const BenchArguments& arguments) {
   Objects objects;
   std::vector<SetupResult> results;

@@ -1,4 +1,4 @@
-// flashbvh clearance: the firmware's queries about distance, on the desktop.
+// flashbvh clearance: runs the firmware's distance queries on the desktop.
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -35,7 +35,7 @@ void print_json(std::size_t pose, const ClearanceArguments& arguments, const Cle
   }
   if (!found.nearest.empty()) {
     const NearestPair& pair = found.nearest[0];
-    if (!arguments.within) {  // of any pair that is near enough it would be taken for the meshes'
+    if (!arguments.within) {  // else this is any near pair's distance, not the meshes'
       line.update({{"distance", pair.distance * cell},
                    {"lower", unit_length(pair.points.lower, cell)},
                    {"upper", unit_length(pair.points.upper, cell)}});

@@ -1,4 +1,4 @@
-// flashbvh collide: the firmware's query, on the desktop.
+// flashbvh collide: runs the firmware's collision query on the desktop.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,12 +25,12 @@
 namespace flashbvh::tool {
 namespace {
 
-// What queries at some poses needed, in work and in instructions.
+// Work and instructions of queries at the given poses.
 
-/// Mean, 99th percentile and most.
+/// Mean, 99th percentile and maximum.
 using Three = std::array<std::uint64_t, 3>;
 
-/// As most_instructions(), for any work.
+/// most_instructions() for any amount of work.
 std::uint64_t instructions_of(const RunCosts& costs, const TreeSize& a, const TreeSize& b,
                               std::uint64_t work) {
   return instructions_of_start(costs, a, b) +
@@ -49,9 +49,8 @@ void print_row(const std::string& label, const Three& numbers) {
   std::cout << "\n";
 }
 
-/// Prints the mean, the 99th percentile and the most of the poses' work, and how many instructions
-/// that takes each core at most, which is proven of `ranked` alone. `work`: of each pose, not
-/// empty.
+/// Prints mean, 99th percentile and maximum of the poses' work, and each core's upper limit of
+/// instructions, which is proven only for `ranked`. `work`: one per pose, not empty.
 void print_summary(const ImageFile& a, const ImageFile& b, const std::string& algorithm,
                    const std::vector<std::uint64_t>& work, bool json) {
   const NeededWork needed = needed_work(work);
@@ -117,7 +116,7 @@ const char* verdict_of(const Answer& answer) {
   return intersects(answer) ? "intersect" : answer.inside.value_or(false) ? "inside" : "free";
 }
 
-/// Of one pose its verdict; of several how many intersect.
+/// The verdict of a single pose; for several poses, how many intersect.
 std::string verdict_of_all(const std::vector<Answer>& found) {
   if (found.size() == 1) {
     return verdict_of(found[0]);
@@ -151,7 +150,7 @@ void print_table_row(std::size_t pose, const Answer& answer) {
             << std::setw(14) << counts.leaf_pairs << std::setw(16) << counts.triangle_pairs << "\n";
 }
 
-/// Of a pose, in order of the pairs.
+/// Appends the pairs of a pose in the given order.
 void append_pairs(std::string& text, std::size_t pose, const Answer& answer,
                   const std::vector<std::size_t>& order) {
   for (const std::size_t i : order) {
@@ -159,7 +158,7 @@ void append_pairs(std::string& text, std::size_t pose, const Answer& answer,
   }
 }
 
-/// The same with both ends of the common part, in the images' unit.
+/// Appends the pairs, each with both ends of the common segment, in the images' unit.
 void append_contacts(std::string& text, std::size_t pose, const Answer& answer,
                      const std::vector<std::size_t>& order, double cell) {
   for (const std::size_t i : order) {
@@ -173,7 +172,7 @@ void append_contacts(std::string& text, std::size_t pose, const Answer& answer,
   }
 }
 
-/// The answer's pairs by number.
+/// The order of the answer's pairs by triangle numbers.
 std::vector<std::size_t> order_of(const Answer& answer) {
   std::vector<std::size_t> order(answer.pairs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -185,8 +184,8 @@ std::vector<std::size_t> order_of(const Answer& answer) {
   return order;
 }
 
-/// What no pose can exceed, what a run's bound is made of (lib/docs/bounded_time.md), and what the
-/// given poses needed, if any.
+/// Prints the maximum of all poses, the terms of a run's time bound (lib/docs/bounded_time.md), and
+/// the work of the given poses, if any.
 void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments& arguments,
                  const std::string& algorithm, const std::vector<std::uint64_t>& work) {
   const VisitBound bound = visit_bound(a.tree(), b.tree(), algorithm);
@@ -228,7 +227,7 @@ void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments&
             << ", triangles a leaf at most " << leaf_size << "\n";
 }
 
-/// All poses' answers, in their order.
+/// The answers for all poses, in order.
 std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& a,
                             const ImageFile& b, const std::string& algorithm) {
   std::vector<Answer> found;
@@ -241,7 +240,7 @@ std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& 
       answer.inside = one_is_inside(a, b, pose);
     }
     if (arguments.pairs.empty() && arguments.contacts.empty()) {
-      answer.pairs = {};  // there may be many
+      answer.pairs = {};  // may be many
     }
   }
   return found;

@@ -1,4 +1,4 @@
-// flashbvh inside: the firmware's point in solid, on the desktop.
+// flashbvh inside: runs the firmware's point-in-solid query on the desktop.
 #include <iomanip>
 #include <iostream>
 

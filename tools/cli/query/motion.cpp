@@ -1,5 +1,5 @@
-// flashbvh motion: the firmware's certificate that two bodies are apart at every moment between two
-// poses, on the desktop.
+// flashbvh motion: runs the firmware's certificate, on the desktop, that two bodies are apart at
+// every moment between two poses.
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -28,7 +28,7 @@ struct MotionArguments {
   bool json = false;
 };
 
-/// Of a motion between two images.
+/// The contacts of a motion between two images.
 struct FoundMotion {
   const ImageFile& a;
   const BodyMotion& motion;
@@ -51,7 +51,7 @@ void print_json(const FoundMotion& found) {
   }
 }
 
-/// "contact   0.331123   0.331456       12       7   1.5 0 3.25".
+/// Prints "contact   0.331123   0.331456       12       7   1.5 0 3.25".
 void print_part(const FoundMotion& found, const FoundContact& part) {
   const auto there = pose_numbers(found.motion.pose_at(part.to), found.a.cell());
   std::cout << "  " << std::left << std::setw(8) << outcome_name(part.outcome) << std::right
@@ -64,7 +64,7 @@ void print_part(const FoundMotion& found, const FoundContact& part) {
   std::cout << "\n";
 }
 
-/// The worst of all parts, of which `free` may be the last.
+/// The worst outcome of all parts; the last may be `free`.
 ContactOutcome outcome_of(const std::vector<FoundContact>& parts) {
   const ContactOutcome last = parts.back().outcome;
   return last == ContactOutcome::free && parts.size() > 1 ? ContactOutcome::close : last;

@@ -1,4 +1,4 @@
-// flashbvh ray: the firmware's rays, on the desktop.
+// flashbvh ray: runs the firmware's ray queries on the desktop.
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -27,13 +27,13 @@ struct RayArguments {
 
 using Hit = RayHit<std::uint32_t>;
 
-/// Of one ray, whatever the width of the mesh's indices.
+/// The hits of one ray, for meshes with 16-bit or 32-bit indices.
 struct Found {
   Segment segment;
   Status status = Status::done;
-  std::vector<Hit> hits;  ///< the nearest, or all, along the ray
+  std::vector<Hit> hits;  ///< the nearest, or all in order along the ray
   std::uint32_t visits = 0;
-  std::optional<std::int32_t> outwards;  ///< of a closed mesh
+  std::optional<std::int32_t> outwards;  ///< for a closed mesh
 };
 
 template <class Index>

@@ -1,4 +1,4 @@
-// flashbvh audit: which pairs of an SRDF may be disabled.
+// flashbvh audit: reports which disabled pairs of an SRDF can collide.
 #include <iomanip>
 #include <iostream>
 
@@ -18,7 +18,7 @@ struct AuditArguments : RobotArguments {
   bool json = false;
 };
 
-/// Text in columns as wide as their widest cell; the last is not padded.
+/// Prints text in columns as wide as their widest cell; the last column is not padded.
 void print_columns(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& row : rows) {

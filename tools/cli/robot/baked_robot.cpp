@@ -16,11 +16,11 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of a link, in pairs decided.
+/// The progress weight of baking a link; deciding a pair has weight 1.
 constexpr double kBakingWeight = 0.1;
 
-/// Trees on which pairs are decided. Their leaves are as large as those of firmware's trees, so
-/// that a witness is the same two triangles.
+/// Bakes trees for deciding pairs. Their leaves are as large as in firmware's trees, so that a
+/// witness is the same pair of triangles.
 std::vector<BakedPart> bake_wholes(const Model& model, double cell, const RobotArguments& arguments,
                                    Progress& progress, Warnings& warnings) {
   std::vector<BakedPart> wholes;
@@ -34,7 +34,7 @@ std::vector<BakedPart> bake_wholes(const Model& model, double cell, const RobotA
   return wholes;
 }
 
-/// UserError if firmware cannot hold a link. Takes no time unless it refuses.
+/// UserError if firmware cannot hold a link. Takes almost no time unless it refuses.
 void check_wholes(const RobotArguments& arguments, const BakedRobot& made) {
   if (arguments.simplify || arguments.fit) {
     return;
@@ -55,15 +55,15 @@ std::vector<Mesh> meshes_of(const std::vector<BakedLink>& links) {
   return meshes;
 }
 
-/// Parts of the time until when stages have to be done; what one leaves is the next one's. Without
-/// its zone a joint's links are guarded all over, so zones get most.
+/// The stages' deadlines as parts of the whole time; unused time goes to later stages. Zones get
+/// most: without its zone, a joint's links are guarded everywhere.
 constexpr double kPartForReaches = 0.1;
 constexpr double kPartForZones = 0.6;
 constexpr double kPartForPairs = 0.8;
 constexpr double kPartForParts = 0.9;
 constexpr double kPartForTables = 1;
 
-/// Gives stages their time.
+/// Computes the stages' deadlines.
 class StageTimes {
  public:
   explicit StageTimes(const RobotArguments& arguments) {
@@ -81,7 +81,7 @@ class StageTimes {
   std::optional<double> seconds_;
 };
 
-/// All that a joint moves and that may be guarded.
+/// All pairs that a joint moves and that may be guarded.
 std::vector<GuardedPair> moved_pairs(const Model& model) {
   std::vector<GuardedPair> pairs;
   for (std::size_t a = 0; a < model.links.size(); ++a) {
@@ -96,7 +96,7 @@ std::vector<GuardedPair> moved_pairs(const Model& model) {
   return pairs;
 }
 
-/// Proofs hold for firmware's own kinematics. UserError if firmware cannot hold the robot so fine.
+/// Proofs include firmware's own kinematics. UserError if firmware cannot hold such a fine robot.
 MatrixOptions matrix_options(const Model& model, const std::vector<WholeMesh>& meshes, double cell,
                              const AllDistances& distances, const Reaches& reaches) {
   MatrixOptions options;
@@ -110,7 +110,7 @@ MatrixOptions matrix_options(const Model& model, const std::vector<WholeMesh>& m
   return options;
 }
 
-/// UserError if firmware cannot hold distances so large.
+/// UserError if a distance is too large for firmware.
 void check_range(const Distances& distances, double cell) {
   const double most = kMaxGuardDistance * cell / kFineOne;
   if (distances.warn > most) {
@@ -121,8 +121,8 @@ void check_range(const Distances& distances, double cell) {
   }
 }
 
-/// What is always within its warn distance is not warned of: neighbours next to their zone, and
-/// pairs for which the user has not requested it.
+/// The guarded pairs. Pairs that are always within their warn distance get no warning: neighbours
+/// next to their zone, and pairs without distances of their own.
 std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
                                  const AllDistances& distances) {
   std::vector<GuardedPair> guarded;
@@ -141,7 +141,7 @@ std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
   return guarded;
 }
 
-/// A part of a link, as a link.
+/// Adds a part of a link as another link.
 std::size_t add_part(std::size_t of, bake::SourceMesh mesh, const std::string& where,
                      const RobotArguments& arguments, BakedRobot& made) {
   ModelLink part;
@@ -169,7 +169,7 @@ void check_parts(const Model& model, const std::string& path) {
   }
 }
 
-/// What a guard looks at of neighbours.
+/// Adds the parts of neighbours that a guard tests.
 void add_parts(const RobotArguments& arguments, BakedRobot& made) {
   std::vector<std::vector<ZoneParts>> parts(made.pairs.size());
   for_each_in_parallel(parts.size(), [&](std::size_t i) {
@@ -200,7 +200,7 @@ void add_parts(const RobotArguments& arguments, BakedRobot& made) {
   check_parts(made.model, arguments.urdf);
 }
 
-/// Of the parts; no looser than those of the whole links.
+/// Adds the reaches of the parts; none exceeds its whole link's.
 void add_reaches(BakedRobot& made) {
   const std::size_t first = made.reaches.size();
   made.reaches.resize(made.model.links.size());
@@ -225,7 +225,7 @@ void check_simplifying(const Model& model, const RobotArguments& arguments) {
   }
 }
 
-/// If parts next to joint zones took so much flash that zones were chosen for less.
+/// Warns if parts next to joint zones took so much flash that simplifying exceeds the zones' limit.
 void warn_of_fit(const SimplifiedLinks& simplified, const RobotArguments& arguments,
                  Warnings& warnings) {
   if (simplified.is_late()) {
@@ -241,7 +241,7 @@ double steps_of(const Model& model) {
   return kBakingWeight * (count + 1) + count * (count - 1) / 2;
 }
 
-/// Nothing of it is decided yet.
+/// A robot without any decisions.
 BakedRobot prepared(Model model, const AllDistances& distances, const RobotArguments& arguments,
                     Progress& progress, Warnings& warnings) {
   (void)zone_radii(model, arguments.zones);
@@ -260,8 +260,8 @@ BakedRobot prepared(Model model, const AllDistances& distances, const RobotArgum
   return made;
 }
 
-/// All but what firmware holds. `early`: by how much a guard may stop earlier than requested, in
-/// metres.
+/// Decides zones and pairs; bakes no trees for firmware. `early`: how much earlier than requested a
+/// guard may stop, in metres.
 void decide(const AllDistances& distances, const RobotArguments& arguments, const StageTimes& times,
             double early, Progress& progress, BakedRobot& made) {
   const ZoneRadii radii = zone_radii(made.model, arguments.zones);
@@ -282,7 +282,7 @@ void decide(const AllDistances& distances, const RobotArguments& arguments, cons
   made.deadline = times.until(kPartForTables);
 }
 
-/// What firmware gets of it, once all is decided.
+/// Bakes firmware's links and tables, once all pairs are decided.
 void bake_for_firmware(const AllDistances& distances, SimplifiedLinks& simplified,
                        BakedRobot& made) {
   const std::vector<GuardedPair> pairs = guarded(made.pairs, distances);

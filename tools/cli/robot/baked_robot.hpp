@@ -1,5 +1,5 @@
-// A robot for commands that need all of it: baked, its pairs decided, in fixed point; how large its
-// links are, and what looks like another unit, or is too coarse.
+// A complete robot for commands: baked, its pairs decided, in fixed point. Also the sizes of links,
+// and warnings of odd units and coarse cells.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -22,92 +22,92 @@
 
 namespace flashbvh::tool {
 
-/// Which robot, and how it is baked; lengths as they are given.
+/// The robot and its baking options; lengths are texts, as given.
 struct RobotArguments {
   std::string urdf;
   std::vector<std::string> packages;
   std::string joint_limits;
   bool visual_too = false;
   std::string srdf;
-  std::vector<std::string> believed;  ///< pairs that the SRDF disables
+  std::vector<std::string> believed;  ///< pairs of the SRDF to believe
   std::optional<std::string> cell;
   std::string stop = "0";
   std::optional<std::string> warn;
-  std::vector<std::string> pairs;  ///< with distances of their own
-  std::vector<std::string> zones;  ///< of joints
+  std::vector<std::string> pairs;  ///< pairs with their own distances
+  std::vector<std::string> zones;  ///< zones of joints
   std::optional<std::string> time;
   std::uint32_t leaf_size = bake::kDefaultLeafSize;
-  bool has_leaf_size = false;           ///< the user chose it
-  std::optional<std::string> simplify;  ///< how far what firmware gets may deviate
-  std::optional<std::string> fit;       ///< or what it may take
+  bool has_leaf_size = false;           ///< the user chose the leaf size
+  std::optional<std::string> simplify;  ///< the largest deviation of firmware's meshes
+  std::optional<std::string> fit;       ///< or their largest size in bytes
   bool progress = false;
 };
 
 /// Declares the robot's file, its packages, its joint limits and --visual-too.
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
-/// Declares them all: the same for all commands, so that they speak of the same robot.
+/// Declares all options of a robot: all commands share them and describe the same robot.
 void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
-/// Declares --time. `late`: what happens to what is not decided by then.
+/// Declares --time. `late`: the fate of pairs undecided by then.
 void add_time(CLI::App& command, RobotArguments& arguments, const std::string& late);
 
-/// So many deviations of simplified links earlier a guard may stop two of them: both by the meshes,
-/// both by the slack.
+/// A guard may stop two simplified links earlier by this many deviations: two for the meshes and
+/// two for the slack.
 constexpr double kEarlyByDeviation = 4;
 
-/// Its parts point into each other; it may be moved.
+/// Its members point into each other; moving the object is safe.
 struct BakedRobot {
   Model model;
   double cell;  ///< metres
   /// Trees on which pairs are decided: of the links, then of the parts of links that a guard tests.
   std::vector<BakedPart> wholes;
   std::vector<BakedLink> links;  ///< firmware's trees in the same order, once all is decided
-  std::vector<Size> sizes;       ///< of the links, in their own frames, in metres; of an image, too
-  Reaches reaches;               ///< of the links, and of the parts
-  std::vector<std::size_t> links_of_parts;  ///< of each part: its link
-  MatrixOptions options;   ///< with which its pairs were decided; until when parts are sought
-  Deadline deadline = {};  ///< of all
+  std::vector<Size> sizes;       ///< of links, in their frames, in metres; also of an image
+  Reaches reaches;               ///< of the links, then of the parts
+  std::vector<std::size_t> links_of_parts;  ///< the link of each part
+  MatrixOptions options;   ///< used to decide pairs; includes the deadline for parts
+  Deadline deadline = {};  ///< of the whole work
   std::vector<JointZone> zones;
-  std::vector<std::size_t> late_joints;  ///< with no zone when the time to find one was up
+  std::vector<std::size_t> late_joints;  ///< without a zone when its time was up
   std::vector<PairVerdict> pairs;
-  std::vector<UnguardedPair> unguarded;  ///< of an image, too
-  double simplified = 0;        ///< in metres, how far firmware's links were allowed to; 0: not
+  std::vector<UnguardedPair> unguarded;  ///< also of an image
+  double simplified = 0;        ///< allowed deviation of firmware's links in metres; 0: none
   std::uint32_t leaf_size = 0;  ///< of firmware's links
-  std::size_t own_bytes = 0;    ///< of the image, without meshes
+  std::size_t own_bytes = 0;    ///< size of the image without meshes
   std::unique_ptr<FixedRobot> fixed;
-  std::unique_ptr<RobotFile> file;  ///< instead of all three, of an image
+  std::unique_ptr<RobotFile> file;  ///< of an image, instead of `wholes`, `links`, `fixed`
 
   const Robot& robot() const { return file ? file->robot() : fixed->robot(); }
 };
 
-/// As it is described. UserError for it, and for what `arguments` say that is none.
+/// The robot as described. UserError for errors in its files or in `arguments`.
 Model described_robot(const RobotArguments& arguments, Warnings& warnings);
-/// The robot's files, the SRDF and the meshes, or the image: what no output may replace.
+/// The files of the robot, the SRDF and the meshes, or the image: no output may replace them.
 std::set<std::string> files_read(const RobotArguments& arguments, const Model& model);
 
-/// Without what firmware holds: its pairs decided.
+/// A robot with its pairs decided, but without firmware's data.
 BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
-/// Takes some seconds a pair where proofs are hard. UserError for all that can't be baked.
+/// Takes some seconds per pair if proofs are hard. UserError if it cannot be baked.
 BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& warnings);
 
-/// Its image: that which was read, or a new one of this name.
+/// The robot's image: the image that was read, or a new one with this name.
 std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& name);
 
-/// Of an image, as it was baked. UserError if it is none, or if `command` was given options of
-/// add_robot_options(): they are for baking.
+/// A robot read from an image, as it was baked. UserError if it is no image, or if `command` was
+/// given options of add_robot_options(), which are for baking.
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings);
 
-/// In metres, in the links' own frames.
+/// Sizes in metres, in the links' own frames.
 std::vector<Size> link_sizes(const Model& model);
-/// Of a model without meshes, by the baked ones. `cell`: theirs.
+/// Sizes of a model without meshes, from the baked meshes. `cell`: of the meshes.
 std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell);
 
-/// Of links whose size is odd among the others, and of meshes that are all far larger than where
-/// the joints lie. `path`: the URDF.
+/// Warns of links with odd sizes, and of meshes that are all far larger than the distances of the
+/// joints. `path`: the URDF.
 void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std::string& path,
                    Warnings& warnings);
 
-/// If the cell is coarser than a tenth of the stop distance, or a link has few cells. `place`: what
-/// the cell follows from. Lengths are in metres.
+/// Warns if the cell is coarser than a tenth of the stop distance, or a link has few cells.
+/// `place`: the option or file that determines the cell. Lengths are in metres.
 void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cell, double stop,
                   const std::string& place, Warnings& warnings);
 

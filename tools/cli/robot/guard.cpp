@@ -1,4 +1,4 @@
-// flashbvh guard: a trajectory through the guard that firmware runs, on the desktop.
+// flashbvh guard: runs a trajectory through firmware's guard on the desktop.
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -15,7 +15,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Most lines that tables and standard error list one by one.
+/// The largest number of lines in tables and on standard error.
 constexpr std::size_t kShownLines = 10;
 
 std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
@@ -72,7 +72,7 @@ void print_stretch(const GuardedTrajectory& guarded, const Stretch& stretch) {
             << "\n";
 }
 
-/// What is not free.
+/// Prints the stretches that are not free.
 void print_stretches(const GuardedTrajectory& guarded) {
   const std::vector<Stretch> stretches =
       stretches_of(guarded.robot, guarded.trajectory, guarded.answers);
@@ -144,7 +144,7 @@ void print_motions(const GuardedTrajectory& guarded) {
   }
 }
 
-/// Values that firmware refuses, on standard error.
+/// Prints values that firmware refuses to standard error.
 void print_refused(const GuardedTrajectory& guarded) {
   std::size_t refused = 0;
   for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
@@ -161,8 +161,8 @@ void print_refused(const GuardedTrajectory& guarded) {
   }
 }
 
-/// Pairs that are not guarded, counts, stretches that are not free, the closest moment, work, time,
-/// and motions that are not free.
+/// Prints unguarded pairs, counts, stretches and motions that are not free, the closest moment,
+/// work and time.
 void print_guarded(const GuardedTrajectory& guarded) {
   print_head(guarded);
   print_counts(guarded);
@@ -177,7 +177,7 @@ void print_guarded(const GuardedTrajectory& guarded) {
   }
 }
 
-/// kCheckFailed if any period is `stop` or `not_yet_known`, or a motion not free; kRefusedValues
+/// kCheckFailed if any period is `stop` or `not_yet_known`, or a motion is not free; kRefusedValues
 /// if firmware refuses any values.
 ExitCode exit_code_of(const GuardedTrajectory& guarded) {
   bool is_free_all = std::all_of(guarded.motions.begin(), guarded.motions.end(), is_free);
@@ -208,7 +208,7 @@ struct Guarded {
   Trajectory trajectory;
 };
 
-/// The trajectory is read before anything is baked.
+/// Reads the trajectory before it bakes.
 Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
   if (!arguments.core.empty()) {
     (void)measured_name(arguments.core);

@@ -9,7 +9,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Rounding to the lattice moves a point by less, in cells; more than that is simplified.
+/// In cells: rounding to the lattice moves points less than this; simplified links deviate more.
 constexpr double kRounded = 2;
 
 }  // namespace

@@ -71,7 +71,7 @@ Json quantiles_json(const PeriodQuantiles& quantiles) {
   return json;
 }
 
-/// Null if nothing is proven of the robot.
+/// Null if no time bound is proven for the robot.
 Json proven_json(const GuardTiming& timing) {
   if (!timing.proven) {
     return {};

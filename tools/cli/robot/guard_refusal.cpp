@@ -1,4 +1,4 @@
-// Why a guard refuses the values of a period, for people.
+// Explains why a guard refuses the values of a period.
 #include <cmath>
 
 #include "cli/robot/guard_output.hpp"
@@ -8,14 +8,14 @@ namespace flashbvh::tool {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-/// A value of a slide that is so many times its limits is taken for millimetres.
+/// A prismatic joint's value beyond so many times its limits is taken for millimetres.
 constexpr double kOtherUnit = 10;
 
 bool slides(const ModelJoint& joint) {
   return joint.type == JointType::prismatic;
 }
 
-/// Whether the value is so far off that it may be in degrees, or in millimetres.
+/// True if the value is so large that it may be in degrees, or in millimetres.
 bool has_other_unit(const ModelJoint& joint, double value) {
   const double most = std::fmax(std::fabs(joint.lower), std::fabs(joint.upper));
   return std::fabs(value) > (slides(joint) ? kOtherUnit * most : kTurn);
@@ -35,7 +35,7 @@ std::string refused_place(const GuardedTrajectory& guarded, const ModelJoint& jo
                 significant(value, 6), ": ");
 }
 
-/// Beyond what a coordinate can be.
+/// The error of a value beyond the range of a coordinate.
 std::string beyond_range(const GuardedTrajectory& guarded, const ModelJoint& moved, double value) {
   if (!slides(moved)) {
     return "firmware takes less than 8 turns, 50.27 radians; leave full turns out" +
@@ -46,7 +46,7 @@ std::string beyond_range(const GuardedTrajectory& guarded, const ModelJoint& mov
                 other_unit(moved, value));
 }
 
-/// `moved`: the joint that the value is of, which `joint` may follow.
+/// The error of a value beyond its limits. `moved`: the value's joint, which `joint` may follow.
 std::string beyond_limits(const ModelJoint& joint, const ModelJoint& moved, double value) {
   return concat(
       "its limits are ", significant(joint.lower, 6), " and ", significant(joint.upper, 6),

@@ -1,4 +1,4 @@
-// What flashbvh guard prints of a period's time.
+// Output of flashbvh guard about the time of periods.
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -32,7 +32,7 @@ void print_row(int width, const std::string& name, const std::string& replayed,
   std::cout << std::left << std::setw(13) << name << std::setw(width) << replayed << least << "\n";
 }
 
-/// "least work that keeps 'not yet known' below 0.1 % of periods: 96".
+/// Prints "least work that keeps 'not yet known' below 0.1 % of periods: 96".
 void print_least(const GuardTiming& timing) {
   std::cout << "least work that keeps 'not yet known' below 0.1 % of periods: "
             << (timing.least ? concat(timing.least->work) : "none does") << "\n";
@@ -43,7 +43,7 @@ void print_least(const GuardTiming& timing) {
   }
 }
 
-/// "proven: with 680 work at most 1881169, 3402817 cycles, 20.3 ms, 2025.5 %".
+/// Prints "proven: with 680 work at most 1881169, 3402817 cycles, 20.3 ms, 2025.5 %".
 void print_proven(const GuardTiming& timing) {
   if (!timing.proven) {
     std::cout << "proven: nothing of leaves with more than " << kMostBoundedLeaf << " triangles\n";

@@ -1,4 +1,4 @@
-// flashbvh robot: a URDF as an image for firmware, with what can collide.
+// flashbvh robot: bakes a URDF to an image for firmware, and reports the pairs that can collide.
 #include <filesystem>
 #include <set>
 
@@ -28,7 +28,7 @@ struct OutputArguments : RobotArguments {
 
 using ImageWords = std::vector<std::uint32_t>;
 
-/// UserError if it would replace what was read.
+/// Adds an output file. UserError if it would replace an input file.
 void add_output(const OutputArguments& arguments, const Model& model, const std::string& path,
                 std::string text, FileSet& files) {
   const std::set<std::string> read = files_read(arguments, model);
@@ -52,7 +52,7 @@ void add_files(const OutputArguments& arguments, const OutputName& name, const B
   }
 }
 
-/// What was read, as make and Ninja have it.
+/// The input files, as a depfile for make and Ninja.
 std::string dependencies(const OutputArguments& arguments, const OutputName& name,
                          const Model& model) {
   const auto escaped = [](const std::string& path) {
@@ -70,7 +70,7 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
   return text + "\n";
 }
 
-/// What lengths cost, if it is to be said.
+/// The sizes for deviations, if the output shows them.
 std::vector<simplify::LengthRow> lengths_of(const OutputArguments& arguments,
                                             const BakedRobot& robot) {
   const bool is_said = arguments.dry_run || (!arguments.page.empty() && robot.simplified > 0);
@@ -78,7 +78,7 @@ std::vector<simplify::LengthRow> lengths_of(const OutputArguments& arguments,
                  : std::vector<simplify::LengthRow>();
 }
 
-/// Simplified links with their own meshes; no parts, and none if links are as they were.
+/// Simplified links with their source meshes, without parts; empty if links are not simplified.
 CoarseMeshes coarse_links(const OutputArguments& arguments, const BakedRobot& robot,
                           const std::vector<simplify::LengthRow>& lengths) {
   CoarseMeshes all = {{}, lengths, shown_leaf_sizes(arguments), {robot.cell, " m"}};
@@ -103,7 +103,7 @@ void add_page(const OutputArguments& arguments, const BakedRobot& robot, const I
                  [&](const std::string& what, double share) { progress.begin(what, share); }));
 }
 
-/// Of `bytes`, if they are many: so many with leaves of kLargeLeaf triangles.
+/// If `bytes` is large: the size with leaves of kLargeLeaf triangles.
 std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked, std::size_t bytes,
                                                    const OutputArguments& arguments) {
   if (bytes <= kMuchFlash || baked.leaf_size >= kLargeLeaf || baked.simplified > 0) {

@@ -17,7 +17,7 @@ double metres(const std::string& option, const std::string& text) {
   return *length;
 }
 
-/// `place`: the options that say so.
+/// `place`: the options that the error message names.
 Distances distances_of(const std::string& stop_place, const std::string& stop,
                        const std::string& warn_place, const std::string& warn) {
   const Distances distances = {metres(stop_place, stop), metres(warn_place, warn)};

@@ -1,4 +1,4 @@
-// Options of a robot that commands share, and their meaning.
+// Options of a robot that commands share, parsed.
 #pragma once
 
 #include <optional>
@@ -11,37 +11,37 @@
 
 namespace flashbvh::tool {
 
-/// In metres.
+/// Distances in metres.
 struct Distances {
   double stop;
   double warn;
 };
 
-/// All that are guarded alike, and pairs with their own.
+/// The distances of most pairs, and pairs with their own distances.
 struct AllDistances {
   Distances usual;
   std::vector<GuardedPair> own;
 };
 
-/// UserError for all that they say that is none.
+/// UserError if a distance or a pair is invalid.
 AllDistances all_distances(const Model& model, const RobotArguments& arguments);
 Distances usual_distances(const RobotArguments& arguments);
-/// Of two links, their own heeded.
+/// The distances of two links: their own, if given.
 Distances distances_of(const AllDistances& distances, const PairVerdict& pair);
-/// The least one above 0; 0 if there is none.
+/// The smallest stop distance above 0; 0 if there is none.
 double least_stop(const AllDistances& distances);
 
-/// Above 0.
+/// A number above 0.
 double seconds(const std::string& text);
 std::optional<double> given_cell(const RobotArguments& arguments);
-/// Above 0, in metres. Precondition: it is given.
+/// Above 0, in metres. Precondition: the option was given.
 double simplify_length(const RobotArguments& arguments);
 std::size_t fit_bytes(const RobotArguments& arguments);
 Packages packages_of(const std::vector<std::string>& given);
 /// LINK,LINK. `place`: the option that names them.
 std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::string& place,
                                              const std::string& names);
-/// JOINT=LENGTH, each of a joint between two links that collide.
+/// JOINT=LENGTH, for joints between two links that collide.
 ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given);
 
 }  // namespace flashbvh::tool

@@ -16,7 +16,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of a Mesh on a 32-bit core.
+/// Size of a Mesh on a 32-bit core.
 constexpr std::size_t kMeshViewBytes = 64;
 
 template <class Rows, class NameOf>
@@ -85,7 +85,7 @@ void print_pairs(const Model& model, const std::vector<PairVerdict>& pairs) {
   }
 }
 
-/// A line at the top for those that no guard looks at.
+/// Prints a line at the top with the pairs that no guard tests.
 void print_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded) {
   if (!unguarded.empty()) {
     std::cout << "not guarded: " << names_of(model, unguarded) << "\n\n";
@@ -111,7 +111,7 @@ double deviation_of(const BakedRobot& robot) {
   return most;
 }
 
-/// What firmware gets in place of all triangles.
+/// The effect of simplifying firmware's links.
 std::string simplified_text(const BakedRobot& robot) {
   std::size_t before = 0;
   std::size_t after = 0;

@@ -1,5 +1,5 @@
-// What `flashbvh robot` prints, and `flashbvh info` of a robot's image: links, joints and pairs, in
-// the order of the firmware's arrays.
+// Output of `flashbvh robot`, and of `flashbvh info` for a robot's image: links, joints and pairs,
+// in the order of the firmware's arrays.
 #pragma once
 
 #include "cli/robot/baked_robot.hpp"
@@ -7,27 +7,27 @@
 
 namespace flashbvh::tool {
 
-/// Beyond so many bytes of flash a robot says what leaves of kLargeLeaf triangles save.
+/// Robots with more bytes of flash print the size with leaves of kLargeLeaf triangles.
 constexpr std::size_t kMuchFlash = 1 << 20;
 
 struct RobotFlash {
-  std::size_t bytes;                   ///< of the image
-  std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if it is to be said
+  std::size_t bytes;                   ///< size of the image
+  std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if to be printed
 };
 
-/// What lengths of --simplify cost.
+/// The sizes for deviations of --simplify.
 struct RobotLengths {
   const std::vector<simplify::LengthRow>& rows;
   std::vector<std::uint32_t> leaf_sizes;
 };
 
-/// Tables on standard output. `lengths`: or null.
+/// Prints tables to standard output. `lengths`: may be null.
 void print_robot(const BakedRobot& robot, const RobotFlash& flash, const RobotLengths* lengths);
-/// One object on one line.
+/// Prints one object on one line.
 void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
                       const RobotLengths* lengths);
 
-/// What is in a robot's image, in the same form.
+/// Prints a robot's image in the same formats.
 void print_robot_file(const RobotFile& file);
 void print_robot_file_json(const RobotFile& file);
 

@@ -12,10 +12,10 @@
 namespace flashbvh::tool {
 namespace {
 
-/// A link of fewer cells along its longest side is hardly itself.
+/// A link with fewer cells along its longest side loses its shape.
 constexpr double kFewCellsOfLink = 20;
 
-/// In the link's own frame.
+/// The size in the link's own frame.
 Size size_in_link(const Model& model, const ModelLink& link, bake::SourceMesh mesh) {
   const auto mount = std::find_if(model.mounts.begin(), model.mounts.end(),
                                   [&](const ModelMount& of) { return of.name == link.name; });
@@ -32,7 +32,7 @@ double longest(const Size& size) {
   return *std::max_element(size.begin(), size.end());
 }
 
-/// Between a joint and the one before it, and along those that slide, at most.
+/// The largest distance of a joint from its parent, or range of a prismatic joint, in metres.
 double longest_joint(const Model& model) {
   double most = 0;
   for (const ModelJoint& joint : model.joints) {
@@ -43,7 +43,7 @@ double longest_joint(const Model& model) {
   return most;
 }
 
-/// What makes the lattice's cell large: the largest link, or how far joints lie and slide.
+/// The cause of a large cell: the largest link, or the joints' distances and ranges.
 std::string cause_of(const Model& model, const std::vector<Size>& sizes) {
   const auto largest =
       std::max_element(sizes.begin(), sizes.end(),

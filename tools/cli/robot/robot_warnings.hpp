@@ -1,4 +1,4 @@
-// What of a decided robot its user should know.
+// Warnings about a decided robot.
 #pragma once
 
 #include <string>
@@ -7,20 +7,20 @@
 
 namespace flashbvh::tool {
 
-/// Of pairs with distances of their own that no joint moves.
+/// Warns of pairs with their own distances that no joint moves.
 void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const std::string& path,
                    Warnings& warnings);
 
-/// Of pairs that no guard looks at.
+/// Warns of pairs that no guard tests.
 void warn_of_unguarded(const BakedRobot& robot, const std::string& path, Warnings& warnings);
 
-/// Of pairs of which a guard would say the same wherever the robot stands.
+/// Warns of pairs for which a guard would report one verdict in all configurations.
 void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
                   const RobotArguments& arguments, Warnings& warnings);
 
 /// Joints whose zone was not found when the time for it was up.
 std::vector<std::size_t> late_joints(const BakedRobot& robot, const ZoneRadii& radii);
-/// Of these. `then`: what becomes of the links.
+/// Warns of these joints. `then`: the consequence for the links.
 void warn_of_late_zones(const BakedRobot& robot, const std::string& path, const std::string& then,
                         Warnings& warnings);
 

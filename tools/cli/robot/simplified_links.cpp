@@ -12,9 +12,9 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of the largest link: a length that makes it another one.
+/// The longest deviation, as a part of the largest link: more distorts the shape.
 constexpr double kLongestPartOfLink = 1.0 / 20;
-/// What fits is not known when joint zones are chosen, nor what parts next to them add.
+/// Joint zones are chosen before the fitting length, and the parts next to zones, are known.
 constexpr double kRoomForParts = 1.5;
 
 double longest_of(const Model& model) {
@@ -26,7 +26,7 @@ double longest_of(const Model& model) {
   return kLongestPartOfLink * longest;
 }
 
-/// What the reader may have rounded is not for simplifying.
+/// The reader's rounding error in metres; it reduces the deviation left for simplifying.
 double read_precision(const Model& model) {
   double most = 0;
   for (const ModelLink& link : model.links) {
@@ -35,7 +35,7 @@ double read_precision(const Model& model) {
   return most;
 }
 
-/// Larger ones spare more, and queries take more.
+/// Larger leaves save bytes, but queries cost more.
 std::vector<std::uint32_t> fitting_leaf_sizes(const RobotArguments& arguments) {
   std::vector<std::uint32_t> sizes = {arguments.leaf_size};
   for (const std::uint32_t size : {kLargeLeaf, kLargestLeaf}) {

@@ -1,4 +1,4 @@
-// What firmware gets of a robot's links: all their triangles, or fewer, as --simplify or --fit say.
+// Firmware's links of a robot: with all triangles, or fewer as --simplify or --fit request.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@ namespace flashbvh::tool {
 
 class SimplifiedLinks {
  public:
-  /// Before anything is decided. UserError if links can't be simplified so.
+  /// Call before pairs are decided. UserError if links can't be simplified as requested.
   SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments);
 
-  /// In metres, how much earlier than requested a guard may stop two links: simplified ones may be
-  /// nearer by both deviations than the URDF's, and its slack counts these once more. Zones are
-  /// chosen so.
+  /// How much earlier than requested a guard may stop two links, in metres. Simplified links may be
+  /// nearer than the URDF's by both deviations, and the slack counts both again. Zones are chosen
+  /// for this value.
   double early() const;
 
-  /// All links, and parts, for firmware. `own_bytes`: of the image, without its meshes. UserError
-  /// if --fit is too little, or firmware can't hold a link.
+  /// Bakes all links, and parts, for firmware. `own_bytes`: size of the image without its meshes.
+  /// UserError if --fit is too small, or firmware can't hold a link.
   std::vector<BakedLink> baked(const Model& model, std::size_t own_bytes);
-  /// How far it came with --fit was more than early() has room for.
+  /// True if --fit needed a larger deviation than early() allows for.
   bool is_late() const;
 
   double length() const { return length_; }  ///< in metres; 0: not simplified
@@ -37,10 +37,10 @@ class SimplifiedLinks {
   double length_ = 0;
   double expected_ = 0;
   std::uint32_t leaf_size_;
-  std::vector<simplify::Coarsening> meshes_;  ///< empty: nothing is to be simplified
+  std::vector<simplify::Coarsening> meshes_;  ///< empty: no link is simplified
 };
 
-/// Lengths and what they would cost, of all links and parts together. `own_bytes`: as above.
+/// Deviations and their sizes, for all links and parts together. `own_bytes`: as above.
 std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
                                               const RobotArguments& arguments,
                                               std::size_t own_bytes);
