@@ -20,21 +20,20 @@ meshes=$folder/meshes
 native=${FLASHBVH_NATIVE:-native}
 flashbvh=build/$native/bin/flashbvh
 
-# quietly COMMAND...: its output goes to a log, which is shown if it fails.
+# quietly COMMAND...: writes its output to a log and shows the log if the command fails.
 quietly() {
   "$@" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; echo "compare: this failed: $*" >&2; exit 1; }
 }
 
-# from_sources ARGUMENT...: apt-get with lists of its own, since Debian's sources may not be among those
-# of this machine.
+# from_sources ARGUMENT...: apt-get with its own lists, because this machine may not have Debian's sources.
 from_sources() {
   apt-get -o Dir::Etc::sourcelist="$apt/sources.list" -o Dir::Etc::sourceparts=/dev/null \
     -o Dir::State::lists="$apt/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= \
     -o APT::Sandbox::User= "$@"
 }
 
-# fetch_ode: the source of the ODE that is installed, unpacked in `ode`. OPCODE's code is in libode, its
-# headers are in no package.
+# fetch_ode: unpacks the source of the installed ODE in `ode`. OPCODE's code is in libode; no package has its
+# headers.
 fetch_ode() {
   version=$(dpkg-query -W -f '${source:Version}' libode-dev)
   ode=$folder/ode-$version
@@ -58,21 +57,21 @@ fetch_mug() {
   dpkg-deb -x "$folder"/libmujoco-samples_*.deb "$folder/mujoco"
 }
 
-# mesh NAME SHAPE SIZE...: of firmware_examples/meshes.py.
+# mesh NAME SHAPE SIZE...: makes a mesh with firmware_examples/meshes.py.
 mesh() {
   name=$1
   shift
   python3 firmware_examples/meshes.py "$@" >"$meshes/$name.obj"
 }
 
-# bake MESH...: those that are queried together share a cell. With one triangle a leaf, too, for poses
-# to be searched with.
+# bake MESH...: bakes meshes that are queried together, with one cell. Bakes them again with one triangle per
+# leaf, to search poses.
 bake() {
   quietly "$flashbvh" bake "$@" -o "$meshes" --format image
   quietly "$flashbvh" bake "$@" -o "$meshes/searched" --format image --leaf-size 1
 }
 
-# on_board BOARD FIGURES OUTPUT: its instructions for the meshes in a folder, for page.py.
+# on_board BOARD FIGURES OUTPUT: measures instructions on a board for the meshes of a folder, for page.py.
 on_board() {
   quietly cmake -S tools/compare/firmware -B "$folder/$3" -G Ninja -DFLASHBVH_BOARD="$1" \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/ports/toolchain/arm-none-eabi.cmake" \
@@ -82,7 +81,7 @@ on_board() {
     >"$folder/$3.txt"
 }
 
-# cached NAME: what CMake has of that name for the program.
+# cached NAME: the value of a CMake variable in the program's cache.
 cached() {
   sed -n "s/^$1:[A-Z]*=//p" "$program/CMakeCache.txt"
 }
@@ -117,7 +116,7 @@ measure() {
   "$program/compare" "$meshes" crate-brick $pairs >"$folder/lines.txt"
 }
 
-# with: the libraries and the compiler.
+# with: prints the versions of the libraries and of the compiler.
 with() {
   dpkg-query -W -f '${Package} ${Version}\n' libode-dev libfcl-dev libbullet-dev libembree-dev
   echo "$("$(cached CMAKE_CXX_COMPILER)" --version | head -n 1), $(cached CMAKE_CXX_FLAGS_RELWITHDEBINFO), $(uname -m)"

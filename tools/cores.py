@@ -33,7 +33,7 @@ HOST = [
      {**CLANG, "CMAKE_C_FLAGS_DEBUG": "-O1 -g", "CMAKE_CXX_FLAGS_DEBUG": "-O1 -g", "FLASHBVH_FUZZ": "ON",
       "FLASHBVH_BUILD_TOOL": "OFF", "FLASHBVH_BUILD_TESTS": "OFF"}),
 ]
-# What an edit of the library breaks first: the tests of the label `library`.
+# An edit of the library breaks these tests first: those with the label `library`.
 DEV_BUILD = {"dev": {"targets": ["library_tests"]}}
 DEV_TEST = {"dev": {"filter": {"include": {"label": "library"}}, "execution": {"noTestsAction": "error", "jobs": 2}}}
 
@@ -49,7 +49,7 @@ def configure_presets():
 
 
 def presets():
-    """The file's text, a preset a line."""
+    """The file's text, one preset per line."""
     configure = list(configure_presets())
     names = [preset["name"] for preset in configure]
     test = {"name": "base", "hidden": True, "output": {"outputOnFailure": True},

@@ -45,7 +45,7 @@ def program_of(row):
 
 
 def counted(row):
-    """The program's figures by name."""
+    """The program's figures, by name."""
     program = program_of(row)
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([ROOT / "ports/run", MACHINES[row["preset"]], program], cwd=folder, text=True,

@@ -28,7 +28,7 @@ ROW = "{:<30} {:>7} {:>8} {:>6} {:>9} {:>12} {:>7} {:>5}  {}"
 
 
 def lines(name, *kinds):
-    """The words of the lines of these kinds."""
+    """The words of each line; with `kinds`, only of lines that start with one of them."""
     for line in (DEMO / name).read_text().splitlines():
         words = line.split()
         if words and (not kinds or words[0] in kinds):
@@ -88,7 +88,7 @@ class Total:
 
 
 class Configuration:
-    """A table; of a pair the first traversal's row, and whether all are the host's and find the same."""
+    """A table: for each pair the first traversal's row, and whether all traversals agree with the host."""
     def __init__(self, name, answer, check):
         self.name, self.answer, self.check, self.kinematics = name, answer, int(check), 0
         self.pairs = {}
@@ -104,7 +104,7 @@ class Configuration:
         print_head()
         disjoint = 0
         for (a, b), ((counts, instructions, stack), same) in self.pairs.items():
-            # Pairs that were disjoint at the roots are only counted.
+            # Pairs that are disjoint at the roots are only counted.
             if counts[0] == 1 and same:
                 disjoint += 1
             else:

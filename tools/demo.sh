@@ -20,11 +20,11 @@ last=
 mkdir -p $demo
 
 step() { printf '\n== %s\n' "$1"; }
-# quietly COMMAND...: its output goes to a log, which is shown if it fails.
+# quietly COMMAND...: writes its output to a log and shows the log if the command fails.
 quietly() {
   "$@" >$demo/log 2>&1 || { cat $demo/log >&2; echo "demo: this failed: $*" >&2; exit 1; }
 }
-# build PRESET TARGET [OPTION...]: a line for each part that is compiled.
+# build PRESET TARGET [OPTION...]: prints a line for each compiled part.
 build() {
   preset=$1
   target=$2
@@ -38,7 +38,7 @@ build() {
   grep -qx "built $target" $demo/log ||
     { cat $demo/log >&2; echo "demo: building $target failed" >&2; exit 1; }
 }
-# run_arm OUTPUT [ARGUMENT]: the firmware in QEMU; a line for each configuration that it begins.
+# run_arm OUTPUT [ARGUMENT]: runs the firmware in QEMU; prints a line when it begins a configuration.
 run_arm() {
   output=$1
   shift
@@ -96,7 +96,7 @@ run_arm $demo/target_compact ranked
 python3 tools/demo.py compact || status=1
 
 step "7. A page in which the arm's links answer: flash, RAM, time"
-# Without neighbours, which the arm does not test.
+# Leaves out neighbours, which the arm does not test.
 rm -rf $demo/asked
 cp -r $demo/poses $demo/asked
 for link in $links; do
@@ -122,7 +122,7 @@ build $board robot_guard_kr5 -DFLASHBVH_KR5="$PWD/${kr5%/*}"
 arm-none-eabi-size build/$board/bin/robot_guard_kr5.elf
 FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_guard_kr5.elf |
   tee $demo/guarded
-# Except for durations, which do not count here, and for views, which hold pointers.
+# Leaves out durations, which differ here, and views, which hold pointers.
 answers_in() { sed '/^  a period/d; s/views of the robot [0-9]* bytes/views of the robot/' "$1"; }
 build/$native/bin/robot_guard_kr5 >$demo/guarded_here
 answers_in $demo/guarded >$demo/guarded_there

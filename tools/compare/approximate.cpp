@@ -1,5 +1,5 @@
-// Approximations of meshes: a capsule, spheres, a convex hull, a field of distances. Each decides
-// whether B collides with A at poses where flashbvh's exact answer is known. None has a margin.
+// Approximations of meshes: a capsule, spheres, a convex hull, a distance field. Each decides
+// whether B collides with A at poses with a known exact answer of flashbvh. None has a margin.
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -51,7 +51,7 @@ class Approximation {
  public:
   virtual ~Approximation() = default;
   virtual bool collide(const flashbvh::Pose& pose) = 0;
-  virtual std::size_t bytes() const = 0;  ///< of A's
+  virtual std::size_t bytes() const = 0;  ///< size of A's approximation
 };
 
 /// Distance of two segments, by Lumelsky's clamps (Ericson, Real-Time Collision Detection, 5.1.9).
@@ -69,7 +69,7 @@ double segments_apart(const Vector3d& p, const Vector3d& along_p, const Vector3d
   return (p + s * along_p - q - t * along_q).norm();
 }
 
-/// About the axis along which the vertices spread most, of the least radius there.
+/// A capsule along the axis of the largest vertex spread, with the smallest radius for that axis.
 class Capsules : public Approximation {
  public:
   Capsules(const Mesh& a, const Mesh& b) : a_(around(a)), b_(around(b)) {}
@@ -102,7 +102,7 @@ class Capsules : public Approximation {
     for (const Vector3d& v : vertices) {
       radius = std::max(radius, (v - middle - axis * axis.dot(v - middle)).norm());
     }
-    // As short as the caps allow.
+    // The shortest segment that the caps allow.
     double first = 1e9, last = -1e9;
     for (const Vector3d& v : vertices) {
       const double at = axis.dot(v - middle);
@@ -117,7 +117,7 @@ class Capsules : public Approximation {
   Capsule a_, b_;
 };
 
-/// About the parts of the tree, the largest opened first, until there are `kCount`.
+/// Spheres around parts of the mesh. The largest sphere is divided until there are `kCount`.
 class Spheres : public Approximation {
  public:
   static constexpr std::size_t kCount = 32;
@@ -156,7 +156,7 @@ class Spheres : public Approximation {
     }
     return {box.center(), radius, std::move(triangles)};
   }
-  /// The largest is cut across its longest side.
+  /// Divides the largest sphere's triangles along their longest side.
   static std::vector<Sphere> around(const Mesh& mesh) {
     std::vector<std::uint32_t> all(mesh.triangle_count);
     for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
@@ -199,7 +199,7 @@ class Spheres : public Approximation {
   std::vector<Sphere> a_, b_;
 };
 
-/// Of all vertices; Bullet's GJK.
+/// The convex hull of all vertices, with Bullet's GJK.
 class Hulls : public Approximation {
  public:
   Hulls(const Mesh& a, const Mesh& b) {
@@ -215,7 +215,7 @@ class Hulls : public Approximation {
     detector.getClosestPoints(input, nearest, nullptr);
     return nearest.m_hasResult && nearest.m_distance <= 0;
   }
-  /// Of the vertices on it, which are all that GJK looks at.
+  /// The size of the hull's vertices, the only data that GJK reads.
   std::size_t bytes() const override { return vertices_ * 3 * sizeof(float); }
 
  private:
@@ -235,7 +235,7 @@ class Hulls : public Approximation {
   std::size_t vertices_ = 0;
 };
 
-/// Signed distances from A at the corners of a grid, 16 bits each; of B its vertices are looked up.
+/// Signed distances from A at the points of a grid, 16 bits each, looked up at B's vertices.
 class Field : public Approximation {
  public:
   static constexpr int kSide = 24;
@@ -272,7 +272,7 @@ class Field : public Approximation {
     }
     return is_inside.side == flashbvh::PointSide::inside ? -distance : distance;
   }
-  /// By all triangles: the nearest point of each (Ericson, 5.1.5).
+  /// The smallest distance to all triangles (Ericson, 5.1.5).
   static double distance_to(const Mesh& mesh, const flashbvh::Point& point) {
     const Vector3d p = Vector3d(point.x, point.y, point.z) / kCellsOfUnit;
     double least = 1e30;
@@ -304,7 +304,7 @@ class Field : public Approximation {
     }
     return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
   }
-  /// Between the eight corners about it; beyond the grid nothing is.
+  /// Interpolates between the eight grid points around it; 1 outside the grid.
   double looked_up(const Vector3d& units) const {
     if (!box_.contains(units)) {
       return 1;

@@ -1,4 +1,4 @@
-// A baked mesh as Bullet takes it: its triangles in the order of the baked mesh.
+// A baked mesh for Bullet, with its triangles in the order of the baked mesh.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
@@ -9,7 +9,7 @@
 
 namespace compare {
 
-/// What Bullet's shapes look at, and do not copy.
+/// The arrays that Bullet's shapes refer to without copying.
 class BulletMesh {
  public:
   explicit BulletMesh(const flashbvh::Mesh& mesh) {

@@ -1,4 +1,4 @@
-// Pairs of triangles that intersect.
+// Compares pairs of triangles that intersect.
 #include <algorithm>
 #include <cstdio>
 
@@ -12,7 +12,7 @@ namespace {
 struct Named {
   const char* name;
   std::unique_ptr<Collider> library;
-  Heap made{};  ///< what making it took
+  Heap made{};  ///< allocated by its construction
 };
 
 std::vector<Named> all_libraries(const flashbvh::Mesh& a, const flashbvh::Mesh& b) {
@@ -36,7 +36,7 @@ std::vector<Named> all_libraries(const flashbvh::Mesh& a, const flashbvh::Mesh& 
 struct Found {
   std::size_t by_flashbvh = 0;
   std::size_t by_other = 0;
-  std::size_t by_one = 0;  ///< of the two alone
+  std::size_t by_one = 0;  ///< found by only one of the two
 };
 
 void add_pairs(std::vector<Pair> ours, std::vector<Pair> theirs, Found& found) {
@@ -90,7 +90,7 @@ class Collisions {
     }
   }
 
-  /// What was allocated to make each, and a query's allocations, of one walk over the poses.
+  /// Prints the allocations to make each library, and a query's mean allocations.
   void print_heap() {
     for (const Named& named : libraries_) {
       count_heap();
@@ -107,7 +107,7 @@ class Collisions {
       timed.push_back({named.name, named.library.get()});
     }
     print_times(timed, wanted, of_ + of_class, random_);
-    // With no other library between them to take the caches.
+    // Without other libraries in between, which would evict the caches.
     print_times({{"flashbvh_alone", timed[0].library}, {"opcode_alone", timed[1].library}}, wanted,
                 of_ + of_class, random_);
   }
@@ -117,7 +117,7 @@ class Collisions {
   PoseSearch search_;
   flashbvh::test::Random random_{kSeed};
   std::vector<Named> libraries_;
-  std::vector<Found> found_;  ///< as many
+  std::vector<Found> found_;  ///< one per library
 };
 
 }  // namespace

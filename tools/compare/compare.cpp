@@ -1,5 +1,5 @@
-// compare FOLDER A-B...: what each library takes for the same queries on two meshes, whose images
-// lie in FOLDER. Prints lines for page.py:
+// compare FOLDER A-B...: measures each library with equal queries on two meshes, whose images lie
+// in FOLDER. Prints lines for page.py:
 //     time MESHES MOTION CLASS LIBRARY nanoseconds a query
 //     pairs MESHES MOTION LIBRARY found by flashbvh, by the library, by one of the two alone
 //     heap MESHES MOTION LIBRARY allocations to make it, bytes they hold, allocations of a query
@@ -42,9 +42,9 @@ class Image {
   flashbvh::Mesh mesh_{};
 };
 
-/// More take minutes to fill a field of distances from.
+/// With more triangles, filling a distance field takes minutes.
 constexpr std::uint32_t kFewTriangles = 3000;
-/// Of a box: only queries with known answers are made of boxes.
+/// The triangles of a box. Boxes are used only for queries with known answers.
 constexpr std::uint32_t kBox = 12;
 
 void compare_pair(const std::string& folder, const std::string& names) {

@@ -1,7 +1,7 @@
-// The comparisons: their poses, how times are taken, what is allocated, and the libraries.
+// The comparisons: poses, time measurement, allocations, and the libraries.
 //
-// A library has two meshes and a set of poses, which it visits in turn: a Collider finds pairs of
-// triangles, a DistanceMeter distances, a RayCaster hits of rays.
+// A library has two meshes and visits a set of poses in turn: a Collider finds pairs of triangles,
+// a DistanceMeter distances, a RayCaster hits of rays.
 #pragma once
 
 #include <cstddef>
@@ -19,25 +19,25 @@
 
 namespace compare {
 
-/// Where B lies in A's frame.
+/// B's pose in A's frame.
 struct Placed {
   flashbvh::test::Rotation rotation;
   std::int32_t cells[3];
-  flashbvh::Pose pose;  ///< made of these
+  flashbvh::Pose pose;  ///< made of the two
 };
 
-/// All pairs, the first that is found, or the distance.
+/// The query's result: all pairs, the first found pair, or the distance.
 enum class Wanted { all, first, distance };
 
 /// Two triangles, by their numbers in the source meshes.
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A loop over all poses is one virtual call: nothing of it counts as the query's.
+/// One virtual call runs a loop over all poses, so that a query's time includes no call.
 class Competitor {
  public:
   virtual ~Competitor() = default;
 
-  /// Not timed: makes the library's own form of each pose.
+  /// Converts each pose to the library's own form. Not timed.
   virtual void set_poses(const std::vector<Placed>& poses) = 0;
   /// Queries each pose in turn; returns a number that depends on all answers.
   virtual std::size_t query_all(Wanted wanted) = 0;
@@ -45,11 +45,11 @@ class Competitor {
 
 class Collider : public Competitor {
  public:
-  /// All pairs under one of the poses, in any order.
+  /// All pairs at one of the poses, in any order.
   virtual std::vector<Pair> pairs(std::size_t pose) = 0;
 };
 
-/// A distance in cells: between these two.
+/// A distance in cells, between two bounds.
 struct Length {
   double lower;
   double upper;
@@ -57,19 +57,19 @@ struct Length {
 
 class DistanceMeter : public Competitor {
  public:
-  /// The distance under one of the poses.
+  /// The distance at one of the poses.
   virtual Length length(std::size_t pose) = 0;
 };
 
-// The meshes outlive what is made of them.
+// The meshes must outlive the objects made from them.
 
 enum class PoseMade { before, in_the_query };
 std::unique_ptr<Collider> with_flashbvh(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                                         PoseMade pose_made);
 
-/// `both`: matrices for A, the identity, and B; `of_b`: null for A, which saves a product.
+/// `both`: matrices for A (the identity) and B; `of_b`: null for A, which saves a product.
 enum class Matrices { both, of_b };
-/// Trees as ODE builds them.
+/// Uses trees with ODE's settings.
 std::unique_ptr<Collider> with_opcode(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                                       Matrices matrices);
 
@@ -77,11 +77,11 @@ std::unique_ptr<Collider> with_opcode(const flashbvh::Mesh& a, const flashbvh::M
 std::unique_ptr<Collider> with_fcl(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
 
 enum class Hint { none, last_pose };
-/// `last_pose`: each distance begins with the witness of a pose near by.
+/// `last_pose`: each query starts with the witness of a nearby pose as a hint.
 std::unique_ptr<DistanceMeter> distances_of_flashbvh(const flashbvh::Mesh& a,
                                                      const flashbvh::Mesh& b, Hint hint);
 
-/// `spheres`: swept over rectangles (RSS), as PQP has them; `boxes_and_spheres`: OBBRSS.
+/// `spheres`: swept over rectangles (RSS), as in PQP; `boxes_and_spheres`: OBBRSS.
 enum class Volumes { boxes_and_spheres, spheres };
 std::unique_ptr<DistanceMeter> distances_of_fcl(const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                                                 Volumes volumes);
@@ -89,15 +89,15 @@ std::unique_ptr<DistanceMeter> distances_of_fcl(const flashbvh::Mesh& a, const f
 /// GImpact: quantized boxes, binary32, no margin.
 std::unique_ptr<Collider> with_bullet(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
 
-/// Boxes by Embree, triangles by Moeller's test, binary32. B's scene of each pose is made by
-/// set_poses(), as Embree has no pose of a scene; it stops at no first hit.
+/// Boxes by Embree, triangles by Moeller's test, binary32. set_poses() makes a scene of B for each
+/// pose, because Embree's scenes have no pose; it does not stop at the first hit.
 std::unique_ptr<Collider> with_embree(const flashbvh::Mesh& a, const flashbvh::Mesh& b);
 
-/// Of one mesh, in cells.
+/// Casts rays at one mesh; lengths are in cells.
 class RayCaster {
  public:
   virtual ~RayCaster() = default;
-  /// How much of the way to the nearest hit, 0 to 1; more than 1 if nothing is hit.
+  /// The nearest hit's part of the segment, 0 to 1; more than 1 if nothing is hit.
   virtual double nearest(const flashbvh::Segment& segment) = 0;
 };
 
@@ -108,18 +108,18 @@ std::unique_ptr<RayCaster> ray_caster_of_bullet(const flashbvh::Mesh& mesh);
 
 struct Heap {
   std::size_t allocations;
-  std::size_t bytes;  ///< still held
+  std::size_t bytes;  ///< not freed
 };
 
-/// From here on. Between, and in what is timed, nothing is counted.
+/// Starts the count. Outside of the two calls, and in timed code, nothing is counted.
 void count_heap();
 Heap counted_heap();
 
 constexpr std::uint64_t kSeed = 20240607;
-/// Poses of a class, visited in turn, so that no branch predictor knows them by heart.
+/// Poses of a class, visited in turn, so many that branch predictors cannot learn them.
 constexpr std::size_t kPoses = 64;
 
-/// Two meshes, and the trees of theirs that poses are found with.
+/// Two meshes, and the trees used to search poses.
 struct PairOfMeshes {
   std::string name;
   figures::Meshes searched;
@@ -149,7 +149,7 @@ struct Timed {
   Competitor* library;
 };
 
-/// Prints what each takes for a query, in nanoseconds; `of`: what stands in front of its name.
+/// Prints the time of a query for each library, in nanoseconds. `of`: the text before its name.
 void print_times(const std::vector<Timed>& libraries, Wanted wanted, const std::string& of,
                  flashbvh::test::Random& random);
 

@@ -1,4 +1,4 @@
-// How far meshes are apart that do not intersect.
+// Compares distances of meshes that do not intersect.
 #include <algorithm>
 #include <cstdio>
 
@@ -11,7 +11,7 @@ namespace compare {
 namespace {
 
 constexpr Proximity kApart[] = {Proximity::separated, Proximity::small, Proximity::close};
-/// Of double precision: a larger part of a distance is a difference.
+/// For double precision: a larger relative error counts as a difference.
 constexpr double kTolerance = 1e-6;
 
 struct Named {
@@ -28,7 +28,7 @@ std::vector<Named> all_libraries(const flashbvh::Mesh& a, const flashbvh::Mesh& 
   return all;
 }
 
-/// How much one length lies outside of the other one's bounds, in cells.
+/// How far one distance lies outside the other's bounds, in cells.
 double difference(const Length& ours, const Length& theirs) {
   return std::max({0.0, ours.lower - theirs.upper, theirs.lower - ours.upper});
 }
@@ -56,7 +56,7 @@ class Distances {
   }
 
  private:
-  /// Poses beyond flashbvh's range of distances are left out.
+  /// False for poses beyond flashbvh's range of distances, which are left out.
   bool is_in_range(const Placed& placed) const {
     return distance(*meshes_.a, *meshes_.b, placed.pose).in_range;
   }

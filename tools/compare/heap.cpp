@@ -1,4 +1,4 @@
-// malloc() and its kin, in front of glibc's own: operator new and the libraries come through here.
+// Replaces malloc() and its relatives, which all libraries call, to count allocations.
 #include "comparison.hpp"
 
 #include <malloc.h>

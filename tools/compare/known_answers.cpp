@@ -1,6 +1,6 @@
-// Queries whose answers follow from how they are made: meshes that touch in a point, or come
-// within a cell of it, distances of boxes, and rays through vertices and edges of a mesh. All
-// numbers are integers below 2^24, or their quotients by 1,024: binary32 holds each.
+// Queries with answers known by construction: meshes that touch in a point or are within a cell of
+// it, distances of boxes, and rays through vertices and edges of a mesh. All numbers are integers
+// below 2^24, or their quotients by 1,024: binary32 holds each.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,9 +15,9 @@ using flashbvh::test::Random;
 namespace compare {
 namespace {
 
-constexpr std::size_t kQueries = 2000;  ///< of each kind and pair of meshes
+constexpr std::size_t kQueries = 2000;  ///< per kind and pair of meshes
 
-constexpr std::int64_t kFarthest = 400000;  ///< of a ray's ends
+constexpr std::int64_t kFarthest = 400000;  ///< distance of a ray's ends
 
 using Cells = std::array<std::int64_t, 3>;
 
@@ -30,7 +30,7 @@ Cells vertex_of(const Mesh& mesh, std::uint32_t i) {
   return {mesh.origin[0] + v.x, mesh.origin[1] + v.y, mesh.origin[2] + v.z};
 }
 
-/// The vertex that lies farthest along `way`.
+/// The farthest vertex along `way`.
 Cells farthest(const Mesh& mesh, const Cells& way) {
   Cells best = vertex_of(mesh, 0);
   for (std::uint32_t i = 1; i < mesh.vertex_count; ++i) {
@@ -40,7 +40,7 @@ Cells farthest(const Mesh& mesh, const Cells& way) {
   return best;
 }
 
-/// One of the 24 rotations of a cube: no vertex is rounded.
+/// One of the 24 rotations of a cube, so that no vertex is rounded.
 flashbvh::test::Rotation any_turn(Random& random) {
   const auto quarter = [&random] {
     flashbvh::test::Quaternion q{};
@@ -95,12 +95,12 @@ Cells any_way(Random& random, bool along_axis) {
   return way;
 }
 
-/// B where its foremost vertex against `way` is A's foremost along it: a plane between them has
-/// nothing else of one side. With `gap`, one cell farther off.
+/// Puts B's farthest vertex against `way` on A's farthest vertex along `way`: a plane separates the
+/// meshes except for these vertices. With `gap`, B is one cell farther away.
 Placed any_touching(const Mesh& a, const Mesh& b, bool gap, Random& random) {
   const flashbvh::test::Rotation turn = any_turn(random);
   const Cells way = any_way(random, random.below(2) == 0);
-  // The way in B's frame: the transpose.
+  // The direction in B's frame, by the transposed rotation.
   Cells back{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
@@ -143,7 +143,7 @@ void query_touching(const std::string& names, const Mesh& a, const Mesh& b) {
   }
 }
 
-/// Of boxes along the axes, `at` apart.
+/// The distance of axis-aligned boxes, with B at `at`.
 double distance_of_boxes(const Mesh& a, const Mesh& b, const Cells& at) {
   double square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -189,7 +189,7 @@ void query_distances(const std::string& names, const Mesh& a, const Mesh& b) {
   }
 }
 
-/// Through `twice` / 2, as far behind it as before it.
+/// A segment whose middle is `twice` / 2.
 flashbvh::Segment any_segment(const Cells& twice, Random& random) {
   const auto part = [&random] { return random.between(-100000, 100000); };
   const Cells from = {part(), part(), part()};
@@ -201,7 +201,7 @@ flashbvh::Segment any_segment(const Cells& twice, Random& random) {
           point(twice[0] - from[0], twice[1] - from[1], twice[2] - from[2])};
 }
 
-/// In a plane that the foremost vertex along `way` is a cell away from, or less: nothing is hit.
+/// A segment in a plane at most a cell beyond the farthest vertex along `way`: it hits nothing.
 flashbvh::Segment any_beside(const Mesh& mesh, Random& random) {
   const Cells way = any_way(random, /*along_axis=*/false);
   const Cells other = {random.between(-200, 200), random.between(-200, 200),
@@ -241,7 +241,7 @@ flashbvh::Segment any_ray(const Mesh& mesh, Aim aim, Random& random) {
   return any_segment({first[0] + second[0], first[1] + second[1], first[2] + second[2]}, random);
 }
 
-/// Wrong: a ray misses what it goes through, says that it is behind it, or hits what it passes by.
+/// Counts wrong answers: a ray misses its target, hits behind it, or hits a mesh that it passes.
 void query_rays(const std::string& name_of_mesh, const Mesh& mesh) {
   const std::pair<const char*, std::unique_ptr<RayCaster>> libraries[] = {
       {"flashbvh", ray_caster_of_flashbvh(mesh)},

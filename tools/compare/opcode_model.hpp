@@ -1,5 +1,5 @@
-// OPCODE's model of a baked mesh, on the desktop and on boards. Its headers come last, for their
-// macros: `for`, `null`, `override`.
+// OPCODE's model of a baked mesh, on the desktop and on boards. Include its headers last, because
+// they define the macros `for`, `null` and `override`.
 #pragma once
 
 #include <cstdlib>
@@ -16,7 +16,7 @@
 
 namespace compare {
 
-/// Its triangles in the order of the baked mesh.
+/// The triangles are in the order of the baked mesh.
 class OpcodeModel {
  public:
   explicit OpcodeModel(const flashbvh::Mesh& mesh) {
@@ -34,7 +34,7 @@ class OpcodeModel {
     interface_.SetPointers(triangles_.data(), vertices_.data());
     interface_.SetSingle(true);
     if (!model_.Build(settings())) {
-      std::abort();  // it could not build a tree
+      std::abort();  // the tree could not be built
     }
   }
   OpcodeModel(const OpcodeModel&) = delete;
@@ -43,7 +43,7 @@ class OpcodeModel {
   const Opcode::Model& model() const { return model_; }
 
  private:
-  /// As in ODE's dxTriMeshData: an optimised tree without leaves, not quantized.
+  /// The settings of ODE's dxTriMeshData: an optimised tree without leaves, not quantized.
   Opcode::OPCODECREATE settings() {
     const Opcode::BuildSettings rules(Opcode::SPLIT_BEST_AXIS | Opcode::SPLIT_SPLATTER_POINTS |
                                       Opcode::SPLIT_GEOM_CENTER);
@@ -56,7 +56,7 @@ class OpcodeModel {
   Opcode::Model model_;
 };
 
-/// Of row vectors.
+/// For row vectors.
 inline IceMaths::Matrix4x4 matrix_of(const flashbvh::Pose& pose) {
   IceMaths::Matrix4x4 matrix;
   matrix.Identity();

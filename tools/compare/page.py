@@ -16,11 +16,11 @@ NEAR = "separated", "small", "close"
 QUERIES = [(name, name) for name in NEAR] + [("intersecting", "intersecting, all pairs"),
                                               ("first", "intersecting, first hit")]
 LIBRARIES = [("flashbvh", "flashbvh"), ("opcode", "OPCODE"), ("fcl", "FCL"), ("bullet", "Bullet")]
-FINDERS = LIBRARIES + [("embree", "Embree")]  # of pairs; Embree has no other question
+FINDERS = LIBRARIES + [("embree", "Embree")]  # finders of pairs; Embree is used for no other query
 
 
 def words_of(file, kind=None):
-    """The words of each line, without the first one if it is the kind of line that is meant."""
+    """The words of each line; with `kind`, only of lines that start with it, without that word."""
     for line in file.read_text().splitlines():
         words = line.split()
         if kind is None:
@@ -30,7 +30,7 @@ def words_of(file, kind=None):
 
 
 def sums(rows):
-    """Adds up the numbers that follow a key."""
+    """Adds up the numbers of each key."""
     of = {}
     for key, *numbers in rows:
         of[key] = [a + float(b) for a, b in zip(of.get(key, [0] * len(numbers)), numbers)]
@@ -49,7 +49,7 @@ class Times:
                 for pair in self.meshes]
 
     def mean(self, *what):
-        """Geometric: each pair of meshes weighs the same."""
+        """The geometric mean: each pair of meshes has the same weight."""
         return exp(sum(map(log, self.ratios(*what))) / len(self.meshes))
 
     def range(self, *what):
@@ -59,7 +59,7 @@ class Times:
         for motion in MOTIONS:
             for kind, title in QUERIES:
                 at = motion, kind
-                # These stop at no first hit.
+                # These libraries do not stop at the first hit.
                 bullet, embree, worst = ("-", "-", "-") if kind == "first" else (
                     "%.3f" % self.mean(*at, "flashbvh", "bullet"), "%.2f" % self.mean(*at, "flashbvh", "embree"),
                     "%.2f" % max(self.ratios(*at, "flashbvh", "embree")))
@@ -125,7 +125,7 @@ def times(file):
 
 
 def known(file):
-    """How many queries with known answers each library answers wrongly; of boxes, then of the others."""
+    """Counts each library's wrong answers to queries with known answers: of boxes, then of other meshes."""
     lines = {tuple(key): numbers for *key, asked, wrong in words_of(file, "known")
              for numbers in [(asked, wrong)]}
     of = sums(((kind, "boxes" if mesh.startswith(("crate", "brick")) else "others", library), *numbers)
@@ -144,11 +144,11 @@ def known(file):
 
 
 def heap(file):
-    """What each library keeps of a triangle, and what is allocated; means over the pairs of meshes."""
+    """The bytes per triangle of each library, and its allocations; means over the pairs of meshes."""
     images = [(float(size), float(count)) for pair, size, count in words_of(file, "image")
               if pair != "crate-brick"]
     size, triangles = map(sum, zip(*images))
-    # Each pair is measured under both motions.
+    # Each pair is measured with both motions.
     of = sums((library, *numbers) for _, _, library, *numbers in words_of(file, "heap"))
     yield "           bytes a triangle:                  allocations:"
     yield "library             flash              RAM     to make two meshes    of a query, mean"
@@ -160,7 +160,7 @@ def heap(file):
 
 
 def approximations(file):
-    """How often an approximation of a mesh reports a collision, in percent of the poses of a class."""
+    """The percentage of poses of a class at which an approximation reports a collision."""
     lines = list(words_of(file, "approximation"))
     of = sums(((kind, of_class), poses, alarms) for _, _, of_class, kind, poses, alarms, _ in lines)
     sizes = sums((kind, size, 1) for *_, kind, _, _, size in lines)
@@ -175,7 +175,7 @@ def approximations(file):
 
 
 def costs_in(file):
-    """The core; of each pair of meshes, motion, class and library the mean, the most, and pairs found."""
+    """The core; then mean, most and pairs found, by pair of meshes, motion, class and library."""
     core, of = "", {}
     for core, *key, mean, most, found in words_of(file):
         of[tuple(key)] = float(mean), float(most), int(found)
@@ -185,7 +185,7 @@ def costs_in(file):
 
 
 def board(file):
-    """Instructions a query, of the robot's links: each pair has as many poses."""
+    """Instructions per query for the robot's links: each pair has the same number of poses."""
     core, of = costs_in(file)
     libraries = "flashbvh", "opcode", "float"
     meshes = list(dict.fromkeys(key[0] for key in of))
@@ -208,7 +208,7 @@ def board(file):
 
 
 def board_ratios(*files):
-    """flashbvh's instructions, divided by the others': of all pairs of meshes, geometric, and of the worst."""
+    """flashbvh's instructions divided by the others': the geometric mean of all pairs of meshes, and the worst."""
     core, of = costs_in(files[0])
     of = {key: costs for file in files for key, costs in costs_in(file)[1].items()}
     meshes = list(dict.fromkeys(key[0] for key in of))

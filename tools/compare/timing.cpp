@@ -8,15 +8,15 @@
 namespace compare {
 namespace {
 
-/// Samples of each library; their median counts.
+/// Samples per library; the result is their median.
 constexpr std::size_t kRounds = 25;
-/// What the fastest library's sample takes at least. All make as many walks over the poses: one,
-/// unless queries are short, so that none begins with a warmer branch predictor than the others.
+/// The shortest sample of the fastest library. All libraries make the same number of walks over the
+/// poses, so none starts with a warmer branch predictor. It is 1 unless queries are short.
 constexpr double kSampleNanoseconds = 10e3;
 
-/// Nanoseconds of a query, on the average of the poses.
+/// Nanoseconds per query, averaged over the poses.
 double sample(Competitor& library, Wanted wanted, int walks) {
-  static volatile std::size_t found;  // so that no query is left out
+  static volatile std::size_t found;  // keeps the compiler from removing queries
   const auto began = std::chrono::steady_clock::now();
   for (int i = 0; i < walks; ++i) {
     found = library.query_all(wanted);
@@ -30,8 +30,8 @@ double median(std::vector<double>& samples) {
   return samples[samples.size() / 2];
 }
 
-/// Medians of the samples, library by library. Every round has all of them, so that what slows the
-/// machine slows all, in an order of its own, since each leaves caches and predictors to the next.
+/// Medians of the samples per library. Every round runs all libraries, so slowdowns affect all, and
+/// in a new order, because each library leaves caches and predictors to the next.
 std::vector<double> time_all(const std::vector<Timed>& libraries, Wanted wanted,
                              flashbvh::test::Random& random) {
   double fastest = 1e9;

@@ -1,4 +1,4 @@
-// Vertices and poses of flashbvh in the numbers and the unit of the other libraries.
+// Converts flashbvh's vertices and poses to the numbers and the unit of the other libraries.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace compare {
 
-/// The unit of the other libraries' meshes: a power of two, so that every vertex is exact in
-/// binary32, and of a size that keeps their products of five lengths and areas far from its limits.
+/// The unit of the other libraries' meshes, in cells: a power of two, so every vertex is exact in
+/// binary32, and large enough that products of five lengths and areas stay far from its limits.
 inline constexpr double kCellsOfUnit = 1024;
 
 /// A vertex in the mesh's frame, in units.
@@ -26,7 +26,7 @@ inline double rotation_of(const flashbvh::Pose& pose, int row, int column) {
   return pose.rotation(row, column) / static_cast<double>(flashbvh::kRotationOne);
 }
 
-/// In units.
+/// A translation in units.
 inline double translation_of(const flashbvh::Pose& pose, int axis) {
   return (pose.translation(axis) + pose.fraction(axis) / 65536.0) / kCellsOfUnit;
 }

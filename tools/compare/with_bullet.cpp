@@ -11,7 +11,7 @@ using flashbvh::Mesh;
 namespace compare {
 namespace {
 
-/// Bullet reports each point of contact of two triangles; here each pair counts once.
+/// Bullet reports each contact point of two triangles; this counts each pair once.
 class Contacts : public btManifoldResult {
  public:
   using btManifoldResult::btManifoldResult;
@@ -27,7 +27,7 @@ class Contacts : public btManifoldResult {
   std::vector<std::pair<int, int>> pairs;
 };
 
-/// A shape over a mesh, as a body of a world.
+/// A mesh's shape as a body of a world.
 class Body {
  public:
   explicit Body(const Mesh& mesh) : mesh_(mesh), shape_(&mesh_.array()) {
@@ -69,7 +69,7 @@ class Bullet : public Collider {
     }
   }
 
-  /// All pairs, whatever is wanted: it stops at none.
+  /// Finds all pairs even if only the first is wanted: Bullet does not stop at a hit.
   std::size_t query_all(Wanted /*wanted*/) override {
     std::size_t count = 0;
     for (const btTransform& pose : poses_) {
@@ -89,7 +89,7 @@ class Bullet : public Collider {
   }
 
  private:
-  /// No pools for thousands of bodies: there are two.
+  /// Small pools: Bullet's defaults are for thousands of bodies, here there are two.
   static btDefaultCollisionConstructionInfo few() {
     btDefaultCollisionConstructionInfo info;
     info.m_defaultMaxPersistentManifoldPoolSize = 16;
@@ -136,7 +136,7 @@ class BulletRayCaster : public RayCaster {
     using btTriangleRaycastCallback::btTriangleRaycastCallback;
     btScalar reportHit(const btVector3& /*normal*/, btScalar fraction, int /*part*/,
                        int /*triangle*/) override {
-      share = fraction;  // nearer than those before
+      share = fraction;  // nearer than all earlier hits
       return fraction;
     }
     double share = kNoHit;

@@ -1,5 +1,5 @@
-// Embree: pairs of boxes by rtcCollide(), which takes scenes of boxes as they stand, and triangles
-// as its tutorial has them tested, by the caller: Moeller's intervals, in float_triangles.hpp.
+// Embree: rtcCollide() finds pairs of boxes in two scenes. The caller tests the triangles, as in
+// Embree's tutorial, by Moeller's intervals (float_triangles.hpp).
 #include <embree3/rtcore.h>
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ using flashbvh::Mesh;
 namespace compare {
 namespace {
 
-/// One thread, as all others.
+/// One thread, like all other libraries.
 class Device {
  public:
   Device() : device_(rtcNewDevice("threads=1")) {
@@ -30,7 +30,7 @@ class Device {
   RTCDevice device_;
 };
 
-/// Triangles where they lie, their planes, and Embree's tree of their boxes.
+/// Triangles in their final position, their planes, and Embree's tree of their boxes.
 class Scene {
  public:
   Scene(const Device& device, std::vector<Flat> triangles)
@@ -79,7 +79,7 @@ bool intersect(const Flat& a, const Flat& b) {
          crossing_intersect(a.corner, b.corner, a.normal, b.normal, of_a, of_b);
 }
 
-/// B's triangles under a pose; the mesh's own under none.
+/// B's triangles at a pose; without a pose, the mesh's own triangles.
 std::vector<Flat> triangles_of(const Mesh& mesh, const flashbvh::Pose* pose) {
   std::vector<Vec> vertices;
   for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
@@ -110,7 +110,7 @@ class WithEmbree : public Collider {
   WithEmbree(const Mesh& a, const Mesh& b)
       : mesh_a_(&a), mesh_b_(&b), a_(device_, triangles_of(a, nullptr)) {}
 
-  /// A scene of B for each pose.
+  /// Makes a scene of B for each pose.
   void set_poses(const std::vector<Placed>& poses) override {
     placed_.clear();
     for (const Placed& placed : poses) {

@@ -12,7 +12,7 @@ using flashbvh::Mesh;
 namespace compare {
 namespace {
 
-/// The model has its triangles in the order of the baked mesh.
+/// The model's triangles are in the order of the baked mesh.
 template <class Volume>
 std::shared_ptr<fcl::BVHModel<Volume>> model_of(const flashbvh::Mesh& mesh) {
   std::vector<fcl::Vector3d> vertices;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kMost = 1u << 16;
 PairQuery::Pair found[kMost];
 
-/// The rotation of `placed`, at `cells`.
+/// The rotation of `placed` with the translation `cells`.
 Pose pose_of(const Placed& placed, const std::int32_t (&cells)[3]) {
   return placed.pose.is_translation() ? Pose::translated(cells[0], cells[1], cells[2])
                                       : Pose::rigid(placed.rotation.entry, cells);
@@ -62,7 +62,7 @@ class Flashbvh : public Collider {
   }
 
  private:
-  /// A pose as the other libraries get it: binary32, in units.
+  /// A pose in the form that the other libraries get: binary32, in units.
   struct Rows {
     float entry[3][4];
   };
@@ -90,13 +90,13 @@ class Flashbvh : public Collider {
   const Mesh* b_;
   PoseMade pose_made_;
   std::vector<Placed> poses_;
-  std::vector<Rows> rows_;  ///< the same
+  std::vector<Rows> rows_;  ///< the poses in this form
 };
 
-/// How far B came since the pose before, in cells: tests/figures/clearance.cpp has the same.
+/// B's movement since the last pose, in cells, as in tests/figures/clearance.cpp.
 constexpr std::int32_t kStep = 10;
 
-/// B as it was one step before.
+/// B's pose one step earlier.
 Pose last_pose(const Placed& placed) {
   const std::int32_t cells[3] = {placed.cells[0] + kStep, placed.cells[1], placed.cells[2]};
   return pose_of(placed, cells);

@@ -1,6 +1,6 @@
 // Dynamic programming over pairs of nodes. best(a, b) is 1 if the boxes are disjoint or both nodes
-// are leaves; else 1 and the smaller of two sums: of best(child of a, b) over a's children, and of
-// best(a, child of b) over b's. What lies below a pair does not depend on how it was reached.
+// are leaves. Else it is 1 plus the smaller of two sums: of best(child of a, b) over a's children,
+// and of best(a, child of b) over b's. The visits below a pair do not depend on the path to it.
 #include "evaluate/run.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class BestRule {
   BestRule(const bake::BuildTree& a, const bake::BuildTree& b, const Point& translation)
       : a_(a), b_(b), translation_(translation) {}
 
-  /// Recursive: at most as deep as the two trees together.
+  /// Recursive; its depth is at most the sum of both trees' depths.
   std::uint64_t best(std::uint32_t i, std::uint32_t j) {
     const bake::BuildNode& node_a = a_.nodes[i];
     const bake::BuildNode& node_b = b_.nodes[j];

@@ -20,7 +20,7 @@ NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle
           nearest_points_of(a, b)};
 }
 
-/// Firmware's question, which also counts.
+/// Firmware's predicate with a counter of triangle tests.
 struct CountingWithin : Within {
   std::uint32_t tested = 0;
 
@@ -30,7 +30,7 @@ struct CountingWithin : Within {
   }
 };
 
-/// The counts of a query.
+/// A query with firmware's predicate and its counts.
 template <class Mesh>
 struct CountedWithin : Query<Ranked<Mesh>, CountingWithin> {
   CountedWithin(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t reach)

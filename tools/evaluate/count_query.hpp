@@ -1,4 +1,4 @@
-// A query run to its end, for its counts.
+// Runs a query to its end for its counts.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace flashbvh::scene {
 
-/// Where the walks of one traversal over two trees start: for a stack, with the array it needs.
+/// Initial cursors of one traversal over two trees, with the array that a stack needs.
 template <class Traversal>
 class WalkStart {
   using Cursor = typename Traversal::Cursor;
@@ -23,7 +23,7 @@ class WalkStart {
     }
   }
 
-  /// A cursor at the roots. The array is one: only one walk at a time.
+  /// A cursor at the roots. All cursors share one array: run only one walk at a time.
   Cursor cursor() {
     if constexpr (kStack) {
       return Cursor(entries_.data(), static_cast<std::uint32_t>(entries_.size()));
@@ -37,9 +37,9 @@ class WalkStart {
   std::vector<Entry> entries_;
 };
 
-/// Geometry tests and all, leaves as shapes unless the question is `BoxIntersection`; zeros if the
-/// query is refused. The pairs found are counted by the sink too: they must be
-/// counts.triangle_pairs.
+/// Includes geometry tests, with leaves as shapes unless the predicate is `BoxIntersection`.
+/// Returns zeros if the query is refused. The sink counts the found pairs, too; both counts must
+/// agree.
 template <class Traversal, class Predicate = Intersection>
 QueryStats count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                        const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {

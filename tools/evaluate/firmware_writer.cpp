@@ -35,10 +35,10 @@ TreeFiles write_tree(const std::string& object, const bake::BuildTree& tree,
   return {name, mesh_in_c(image, {name, name}, ""), 4 * image.size()};
 }
 
-/// What one firmware image holds.
+/// The contents of one firmware image.
 struct Image {
   std::string setups;             ///< lines of its table
-  std::set<std::string> objects;  ///< by their names
+  std::set<std::string> objects;  ///< the names of the objects
   std::uint64_t bytes = 0;
 };
 
@@ -73,7 +73,7 @@ class Distribution {
   }
 
  private:
-  /// Twice as many nodes, less one.
+  /// A tree has twice as many nodes as triangles, less one.
   static bool has_16_bits(const scene::PaperObject& object) { return object.faces() <= 32768; }
 
   const ObjectFiles& files_of(const scene::PaperObject& object) {
@@ -87,7 +87,7 @@ class Distribution {
     return objects_[name];
   }
 
-  /// Into the first image with capacity; false if there is none.
+  /// Puts a setup into the first image with capacity; false if there is none.
   bool place(const scene::Setup& setup, const std::string& head) {
     for (Image& image : images_) {
       Image filled = image;

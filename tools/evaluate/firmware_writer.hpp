@@ -1,4 +1,4 @@
-// The evaluation's setups as C++ for firmware: images, and a table of the walks on them.
+// Writes the evaluation's setups as C++ for firmware: images, and a table of the walks on them.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ struct FirmwareOptions {
 };
 
 /// Writes setups_1.cpp to setups_N.cpp, one for each image, and the trees that they include: each
-/// object with 16-bit indices, in both layouts, with levels. A setup goes to the first image that
-/// has capacity for it; the first image's table names the setups that found none. The same bytes on
-/// every machine. tests/figures/setups.hpp declares what the files define.
+/// object with 16-bit indices, in both layouts, with levels. A setup goes to the first image with
+/// capacity; the first image's table names the setups that fit no image. The files have the same
+/// bytes on every machine. tests/figures/setups.hpp declares their symbols.
 void write_firmware(const FirmwareOptions& options);
 
 }  // namespace flashbvh::tool

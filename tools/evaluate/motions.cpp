@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t kMoveNumbers = 10;
 constexpr double kDegrees = 360;
-/// A turn fits 32 bits below.
+/// The limit keeps turns within 32 bits.
 constexpr double kTooManyTurns = 8;
 
-/// Of a pose, or of a translation alone.
+/// A pose, or a translation alone.
 Pose pose_in(std::string_view text, double cell, const std::string& place) {
   const std::size_t count = words_of(text).size();
   if (count != 3 && count != 12) {

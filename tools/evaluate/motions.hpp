@@ -1,4 +1,4 @@
-// Motions of a body, as text and in the mesh's unit, and their first contacts.
+// Motions of a body, as text in the mesh's unit, and their first contacts.
 #pragma once
 
 #include <array>
@@ -11,31 +11,31 @@
 
 namespace flashbvh::tool {
 
-/// A pose as an option takes it: 12 numbers; 3, a translation; or the name of a file with either.
-/// UserError, naming the option or the file, if it is none.
+/// A pose from an option's value: 12 numbers; 3 numbers, a translation; or the name of a file with
+/// either. UserError, naming the option or the file, if it is none.
 Pose read_pose_argument(const std::string& given, double cell, const std::string& option);
 
-/// A Move in the mesh's unit; `direction` of any length but 0 where it turns.
+/// A Move in the mesh's unit; `direction` has any length, but not 0 if the move turns.
 struct UnitMove {
   std::array<double, 3> point;
   std::array<double, 3> direction;
-  double turns;  ///< 1 is a full one
+  double turns;  ///< 1 is a full turn
   std::array<double, 3> travel;
 };
 
-/// To the nearest 1/2,048 cell and 2^-28 of a turn. UserError, naming `place`, if that is out of
-/// range or the direction is 0.
+/// Rounds to the nearest 1/2,048 cell and 2^-28 of a turn. UserError, naming `place`, if the result
+/// is out of range or the direction is 0.
 Move lattice_move(const UnitMove& move, double cell, const std::string& place);
 
-/// One move a line, of 10 numbers: a point of the axis, its direction, degrees, the travel.
-/// UserError, naming the line, as above, or if there are none or more than kMostMoves.
+/// Reads one move per line, of 10 numbers: a point of the axis, its direction, degrees, the travel.
+/// UserError, naming the line, as above, or if there are no moves or more than kMostMoves.
 std::vector<Move> read_moves(const std::string& path, double cell);
 
 using FoundContact = FirstContactAnswerOf<std::uint32_t>;
 
-/// What is found of a motion: `free` and `contact` are the last; of `close` the first alone, or,
-/// with `all`, what comes behind it, too. `within`: in 1/256 cell. Both images are post-indexed
-/// partners. UserError, naming `place`, if the library refuses the motion.
+/// The outcomes of a motion. `free` or `contact` ends the list; so does the first `close`, unless
+/// `all` is true. `within`: in 1/256 cell. Both images are post-indexed partners. UserError, naming
+/// `place`, if the library refuses the motion.
 std::vector<FoundContact> first_contacts(const ImageFile& a, const ImageFile& b,
                                          const BodyMotion& motion, std::uint32_t within, bool all,
                                          const std::string& place);
@@ -43,7 +43,7 @@ std::vector<FoundContact> first_contacts(const ImageFile& a, const ImageFile& b,
 /// "free", "contact" or "close".
 const char* outcome_name(ContactOutcome outcome);
 
-/// Of a motion, 1 its end.
+/// A time as a part of the motion; 1 is its end.
 inline double share_of(std::uint32_t time) {
   return static_cast<double>(time) / kMotionEnd;
 }

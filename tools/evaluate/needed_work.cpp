@@ -1,16 +1,16 @@
-// Pairs are counted, not walked.
+// Counts pairs instead of walking them.
 //
-// `ranked` comes to a pair (a, b) through the proper ancestors of both nodes, in merged order of
-// rank, A's first on ties. If all boxes overlap it does so exactly if each ancestor of a is
-// descended into before b would be, and each of b before a would be. The last of them, the parents,
-// have the smallest ranks: (a, b) is visited exactly if
+// `ranked` reaches a pair (a, b) through the proper ancestors of both nodes, in merged order of
+// rank, A's first on ties. If all boxes overlap, it visits the pair exactly if it descends into
+// each ancestor of a before b, and into each ancestor of b before a. The last ancestors, the
+// parents, have the smallest ranks. So it visits (a, b) exactly if
 //     rank(parent(a)) >= rank(b)   and   rank(parent(b)) > rank(a),
-// where a leaf's rank is 0 and a root's parent is above all. Ranks are few: nodes are counted by
-// their own and their parent's.
+// where a leaf's rank is 0 and a root's parent is above all. There are few ranks, so nodes are
+// counted by their own and their parent's rank.
 //
-// Any other traversal visits a pair once at most; and if every node that is no leaf has two
-// children or more, its visits form a tree whose inner nodes have two children or more and whose
-// leaves are at most the pairs of leaves.
+// All other traversals visit a pair at most once. If all inner nodes have at least two children,
+// the visits form a tree whose inner nodes have at least two children, and whose leaves are at most
+// all pairs of leaves.
 #include "evaluate/needed_work.hpp"
 
 #include <algorithm>
@@ -22,10 +22,10 @@ namespace {
 
 constexpr std::size_t kRanks = std::size_t{kRootParentRank} + 1;
 
-/// Nodes by the rank of their parent and their own.
+/// Counts of nodes by the rank of their parent and their own rank.
 using RankCounts = std::array<std::array<std::uint64_t, kRanks>, kRanks>;
 
-/// `visit(child, parent)` for each node but the root.
+/// Calls `visit(child, parent)` for each node except the root.
 template <class Tree, class Visit>
 void for_each_child(const Tree& tree, const Visit& visit) {
   for (std::uint32_t parent = 0; parent < tree.node_count; ++parent) {
@@ -54,7 +54,7 @@ RankCounts count_ranks(const Tree& tree) {
   return counts;
 }
 
-/// at_least[p][r]: nodes whose parent's rank is p or more and whose own is r or less.
+/// at_least[p][r]: nodes with a parent of rank p or more and an own rank of r or less.
 RankCounts accumulate(RankCounts counts) {
   for (std::size_t parent = kRanks; parent-- != 0;) {
     for (std::size_t own = 0; own < kRanks; ++own) {
@@ -97,7 +97,7 @@ std::uint64_t visits_of_any(const Tree& a, const Tree& b) {
   return std::min(pairs, 2 * std::uint64_t{a.leaf_count} * b.leaf_count - 1);
 }
 
-/// As far as work depends on it.
+/// The sizes that work depends on.
 template <class Tree>
 TreeSize size_of(const Tree& tree) {
   std::uint32_t leaf_size = 1;
@@ -111,8 +111,8 @@ template <class Tree>
 VisitBound bound_of(const Tree& a, const Tree& b, const std::string& algorithm) {
   const bool ranked = algorithm == "ranked" || algorithm == "ranked-stack";
   const std::uint64_t visits = ranked ? ranked_visits(a, b) : visits_of_any(a, b);
-  // Each takes a visit, and has as many below it as a node has children at least; but `leaf` begins
-  // with one for each leaf of A.
+  // Each shape takes a visit and has below it at least as many visits as a node has children; but
+  // `leaf` begins with one shape for each leaf of A.
   const std::uint64_t shapes = algorithm == "leaf"                          ? a.leaf_count
                                : has_single_child(a) || has_single_child(b) ? visits / 2
                                                                             : visits / 3;
@@ -124,7 +124,7 @@ VisitBound bound_of(const Tree& a, const Tree& b, const std::string& algorithm) 
 }  // namespace
 
 std::vector<Core> cores_in_cycles() {
-  // A Cortex-M0+ runs a Cortex-M0's instructions.
+  // A Cortex-M0+ executes as many instructions as a Cortex-M0.
 #define FLASHBVH_CORE_OF(core, c_name, text, ...) {text, kCortexM0, k##core##Cycles},
   std::vector<Core> cores = {FLASHBVH_FOR_EACH_CORE_IN_CYCLES(FLASHBVH_CORE_OF)};
 #undef FLASHBVH_CORE_OF

@@ -1,5 +1,5 @@
-// What queries at some poses needed, what a core can take for it at most, and the most that any
-// pose can take: if all boxes overlap.
+// The work of queries at given poses, the upper limits of its cost on a core, and the maximum for
+// any pose: all boxes overlap.
 #pragma once
 
 #include <cstdint>
@@ -13,43 +13,43 @@
 
 namespace flashbvh::tool {
 
-/// The work that queries at some poses needed.
+/// Statistics of the work of queries at some poses.
 struct NeededWork {
   std::uint64_t most = 0;
-  std::uint64_t percentile_99 = 0;  ///< 99 of 100 needed no more
+  std::uint64_t percentile_99 = 0;  ///< 99 of 100 queries needed no more
   double mean = 0;
 };
 
-/// Precondition: not empty.
+/// Precondition: `work` is not empty.
 NeededWork needed_work(std::vector<std::uint64_t> work);
 
-/// What a baked header has as NAME_TREE_SIZE.
+/// The value of NAME_TREE_SIZE in a baked header.
 TreeSize tree_size(const ImageHeader& header);
 
-/// A core by its name in the documents, and what is proven of it.
+/// A core by its name in the documents, and its proven costs.
 struct Core {
   const char* name;
   RunCosts costs;
   std::optional<RunCycles> cycles = {};
 };
 
-/// Those of time_bound.hpp.
+/// The cores of time_bound.hpp.
 #define FLASHBVH_CORE_OF(core, c_name, text, ...) {text, k##core},
 inline constexpr Core kCores[] = {FLASHBVH_FOR_EACH_CORE(FLASHBVH_CORE_OF)};
 #undef FLASHBVH_CORE_OF
 
-/// Those, with cycles where they are proven, after cores that differ from one of them in cycles.
+/// All cores, with proven cycles where they exist; first the cores that differ only in cycles.
 std::vector<Core> cores_in_cycles();
 
 struct VisitBound {
   std::uint64_t visits = 0;
-  std::uint64_t leaf_pairs = 0;      ///< of the visits
-  std::uint64_t triangle_pairs = 0;  ///< that are tested at these
+  std::uint64_t leaf_pairs = 0;      ///< among the visits
+  std::uint64_t triangle_pairs = 0;  ///< tested at these leaf pairs
   std::uint64_t work = 0;
 };
 
-/// Attained where all boxes overlap: exact for `ranked` and `ranked-stack`; for the others, which
-/// follow other orders, at most twice what they visit then if no node has a single child.
+/// Attained if all boxes overlap: exact for `ranked` and `ranked-stack`. For the others, which use
+/// other orders, it is at most twice the visits if no node has a single child.
 /// Precondition: both trees are of one kind, and walks(algorithm, their layout). O(nodes).
 VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm);
 

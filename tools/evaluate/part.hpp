@@ -1,4 +1,4 @@
-// What cycles and their time depend on in addition to the core: the part's clock and flash.
+// The clock and flash of a part: with the core, they determine cycles and time.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace flashbvh::tool {
 
-/// "168MHz", "168 MHz" or "32768kHz" in megahertz; from 0.001 to 100,000, or none.
+/// Converts "168MHz", "168 MHz" or "32768kHz" to megahertz, from 0.001 to 100,000; else none.
 std::optional<double> parse_clock(const std::string& text);
 
-/// Of each read, with no cache trusted, by the names in ports/cycles/tables/flash.csv; 0 of "none".
+/// Wait states of each uncached read, by the names in ports/cycles/tables/flash.csv; "none" has 0.
 const std::map<std::string, std::uint32_t>& flash_wait_states();
 
 }  // namespace flashbvh::tool

@@ -62,7 +62,7 @@ double defect(const Matrix& r) {
                   shortest(kMaxTranslation * cell), " (", kMaxTranslation, " cells)");
 }
 
-/// Cells, and what is left of them in 1/65,536.
+/// Cells, and the remaining 1/65,536 of a cell.
 struct AxisTranslation {
   std::int32_t cells;
   std::int16_t fraction;
@@ -101,7 +101,7 @@ std::int32_t cells_of(std::string_view word, double cell, const std::string& pla
   return static_cast<std::int32_t>(cells);
 }
 
-/// From three words on.
+/// The point of three words, from `first` on.
 Point point_of(const Words& words, std::size_t first, double cell, const std::string& place) {
   return {cells_of(words[first], cell, place), cells_of(words[first + 1], cell, place),
           cells_of(words[first + 2], cell, place)};
@@ -112,7 +112,7 @@ Segment ray_of(const Words& words, double cell, const std::string& place) {
   for (std::size_t i = 0; i < 7; ++i) {
     number[i] = static_cast<float>(number_of(words[i], place));
   }
-  if (number_of(words[6], place) < 0) {  // which may round to 0
+  if (number_of(words[6], place) < 0) {  // a small one could round to 0
     throw UserError(place, "is no ray: the reach is negative; give one from 0");
   }
   const MadeSegment made =

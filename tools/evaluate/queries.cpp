@@ -9,7 +9,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Few enough that no count of one run wraps.
+/// Small enough that no count of one run overflows.
 constexpr std::uint32_t kWorkPerRun = 1u << 30;
 
 void add(WideCounts& sum, const QueryStats& now, const QueryStats& before) {
@@ -40,7 +40,7 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
     add(answer.counts, query.stats(), before);
   }
   if (answer.status == Status::full) {
-    answer.status = Status::done;  // the first pair is all that was requested
+    answer.status = Status::done;  // only the first pair was requested
   }
   return answer;
 }

@@ -1,4 +1,4 @@
-// Queries on images: pairs by the name of a traversal, and distances.
+// Queries on images: pairs, by the name of a traversal, and distances.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,22 @@ namespace flashbvh::tool {
 /// All names, the default of post-indexed images first.
 std::vector<std::string> traversal_names();
 
-/// Whether the traversal walks trees of this layout.
+/// True if the traversal walks trees of this layout.
 bool walks(const std::string& traversal, Layout layout);
 
-/// Whether a query can take the two: trees of one kind, lattices of one cell.
+/// True if one query accepts both: trees of one kind, lattices of one cell.
 bool are_partners(const ImageFile& a, const ImageFile& b);
 
-/// UserError, with the remedy, unless they are partners.
+/// UserError with a remedy unless the images are partners.
 void check_partners(const ImageFile& a, const ImageFile& b);
 
-/// Triangles by their numbers in the source files.
+/// Two triangles, by their numbers in the source files.
 struct FoundPair {
   std::uint32_t a;
   std::uint32_t b;
 };
 
-/// As flashbvh::QueryStats, but wide enough for any two meshes.
+/// Like flashbvh::QueryStats, but wide enough for any two meshes.
 struct WideCounts {
   std::uint64_t visits = 0;
   std::uint64_t overlaps = 0;
@@ -48,12 +48,12 @@ struct Answer {
   Status status = Status::done;  ///< `done` or an error
   WideCounts counts;
   std::uint64_t work = 0;
-  std::vector<FoundPair> pairs;   ///< in the order in which the query reports them
-  std::vector<Contact> contacts;  ///< of each pair, if requested
-  std::optional<bool> inside;     ///< without pairs: whether one mesh is inside the other, if known
+  std::vector<FoundPair> pairs;   ///< in the order of the query's reports
+  std::vector<Contact> contacts;  ///< one per pair, if requested
+  std::optional<bool> inside;     ///< if there are no pairs: one mesh is inside the other, if known
 };
 
-/// What a query returns in addition to counts and pairs.
+/// Requested results in addition to counts and pairs.
 struct Asked {
   bool first = false;  ///< to end at the first pair
   bool contacts = false;
@@ -67,7 +67,7 @@ Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::
 /// UserError, naming `place` and the pose by its number, if the query ended with an error.
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose);
 
-/// Of two triangles, in cells of A's frame as it was drawn.
+/// The distance of two triangles, in cells of A's frame in the source file.
 struct NearestPair {
   FoundPair triangles;
   double distance;  ///< to the nearest double
@@ -76,25 +76,25 @@ struct NearestPair {
 
 struct ClearanceAnswer {
   Status status = Status::done;
-  bool in_range = true;              ///< false: of the distance only both bounds are known
-  std::uint32_t lower = 0;           ///< of a distance, in 1/256 cell
-  std::uint32_t upper = UINT32_MAX;  ///< UINT32_MAX: so much or more
+  bool in_range = true;              ///< false: only both bounds of the distance are known
+  std::uint32_t lower = 0;           ///< of the distance, in 1/256 cell
+  std::uint32_t upper = UINT32_MAX;  ///< UINT32_MAX: this or more
   std::vector<NearestPair> nearest;  ///< one, or none; within a distance: all, sorted
   std::uint64_t visits = 0;
-  std::uint64_t triangle_pairs = 0;  ///< tested
+  std::uint64_t triangle_pairs = 0;  ///< number of tests
 };
 
-/// UserError, with the remedy, if `image` is pre-indexed: distances walk post-indexed trees.
+/// UserError with a remedy if `image` is pre-indexed: distance queries walk post-indexed trees.
 void check_has_clearance(const ImageFile& image);
 
 enum class Rounding : std::uint8_t { downwards, upwards };
 
-/// A length in 1/256 cell; what is a whole number but for a double's rounding is it. UserError,
-/// naming `what`, if it is no number from 0 to `most`.
+/// Converts a length to 1/256 cell. A double's rounding error never changes a whole number.
+/// UserError, naming `what`, if it is not a number from 0 to `most`.
 std::uint32_t fine_length(double length, double cell, std::uint32_t most, Rounding rounding,
                           const std::string& what = "--within");
 
-/// The distance, for each pose with the nearest pair before as its hint: `hint` is changed. Both
+/// The distance at a pose. The last pose's nearest pair is the hint, and `hint` is updated. Both
 /// trees are of one kind, post-indexed.
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                           Witness<std::uint32_t>& hint);
@@ -103,12 +103,12 @@ ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                                 std::uint32_t distance, bool all);
 
-/// Of two meshes whose triangles do not intersect, by flashbvh::one_is_inside(); nothing if one is
-/// not closed, or pre-indexed.
+/// Runs flashbvh::one_is_inside() for two meshes without intersecting triangles; nothing if one
+/// mesh is not closed, or pre-indexed.
 std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose);
 
-/// `ask(meshes...)` as firmware's queries take them, of post-indexed trees of one kind; else
-/// nothing.
+/// Calls `ask(meshes...)`, with meshes as in firmware's queries, for post-indexed trees of one
+/// kind; else returns nothing.
 template <class Found, class Ask, class... Others>
 std::optional<Found> ask_post(const Ask& ask, const AnyTree& any, const Others&... others) {
   return std::visit(
@@ -125,7 +125,7 @@ std::optional<Found> ask_post(const Ask& ask, const AnyTree& any, const Others&.
       any);
 }
 
-/// query(mesh); UserError if the image is pre-indexed.
+/// Calls query(mesh); UserError if the image is pre-indexed.
 template <class Found, class Query>
 Found query_post_mesh(const ImageFile& image, const Query& query) {
   std::optional<Found> found = ask_post<Found>(query, image.tree());

@@ -6,16 +6,16 @@
 namespace flashbvh::tool {
 
 /// The splitmix64 generator (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
-/// Generators", OOPSLA 2014), always from the same start.
+/// Generators", OOPSLA 2014), with a fixed start.
 class Random {
  public:
-  /// From -most to most.
+  /// A number from -most to most.
   std::int64_t within(std::int64_t most) {
     const auto count = static_cast<std::uint64_t>(2 * most + 1);
     return static_cast<std::int64_t>(((next() >> 32) * count) >> 32) - most;
   }
 
-  /// From 0 to below 1.
+  /// A number from 0 to below 1.
   double part() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
  private:

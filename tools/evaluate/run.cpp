@@ -32,8 +32,8 @@ struct BothLayouts {
   }
 };
 
-/// The paper's tree over one object, split at the median, and the tree of `flashbvh bake`; both
-/// have one triangle a leaf.
+/// An object's tree of the paper, split at the median, and its tree of `flashbvh bake`; both have
+/// one triangle per leaf.
 struct Trees {
   bake::LatticeMesh mesh;
   bake::BuildTree median = bake::build_median(mesh, 1);
@@ -63,7 +63,7 @@ const Trees& Objects::get(const scene::PaperObject& object) {
 
 namespace {
 
-/// The pose is read again each time, so that no repetition can be optimised away.
+/// The pose is read again each time, so that the compiler cannot remove repetitions.
 struct VolatilePose {
   volatile std::int32_t x, y, z;
   Pose now() const { return Pose::translated(x, y, z); }
@@ -84,7 +84,7 @@ Row make_row(const std::string& name, Leaves leaves, const typename Traversal::T
           }};
 }
 
-/// Adds a row for each order, on the layout that it has in the paper.
+/// Adds a row for each traversal order, in the layout of the paper.
 template <class Predicate, class Index>
 void add_orders(std::vector<Row>& rows, Leaves leaves, const BothLayouts<Index>& a,
                 const BothLayouts<Index>& b, const Point& translation) {
@@ -132,7 +132,7 @@ std::vector<Row> rows_of(const scene::Setup& setup, const Trees& a, const Trees&
   return rows;
 }
 
-/// Of this process alone, as the paper's timer: what else the machine does is left out.
+/// The time of this process alone, as in the paper; other work of the machine does not count.
 double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

@@ -9,7 +9,7 @@ namespace flashbvh::scene {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-constexpr double kGrid = 1 << kMaxSubdivisions;  // exact midpoints down to the last subdivision
+constexpr double kGrid = 1 << kMaxSubdivisions;  // midpoints are exact down to the last subdivision
 constexpr std::uint32_t kSegments = 22;
 
 struct ProfilePoint {
@@ -17,7 +17,7 @@ struct ProfilePoint {
   double height;
 };
 
-/// From below the bottom up the outer wall, over the rim, down the inner wall. In rim radii.
+/// From the bottom up the outer wall, over the rim, down the inner wall. Lengths in rim radii.
 constexpr ProfilePoint kRings[] = {
     {0.25, -0.80}, {0.46, -0.77}, {0.58, -0.62}, {0.65, -0.42}, {0.72, -0.22}, {0.79, -0.02},
     {0.86, 0.18},  {0.92, 0.38},  {0.97, 0.58},  {1.00, 0.76},  {0.82, 0.80},  {0.76, 0.60},
@@ -26,12 +26,12 @@ constexpr double kOuterPole = -0.80;
 constexpr double kInnerPole = -0.51;
 constexpr std::uint32_t kRingCount = sizeof kRings / sizeof kRings[0];
 
-/// Splitting an edge makes two triangles more. Edges along these two rings, at segment 0.
+/// Edges along these two rings, at segment 0, are split; each split adds two triangles.
 constexpr std::uint32_t kSplitRings[] = {5, 14};
 static_assert(2 * kSegments * kRingCount + 2 * 2 == kPaperFaces, "two fans, bands, two splits");
 
-/// The sine of step / kSegments of a turn, rounded to 2^-24, so that it does not depend on the
-/// library's last bit.
+/// The sine of step / kSegments of a turn, rounded to 2^-24, so that it does not depend on the last
+/// bit of the math library.
 double sine(std::uint32_t step) {
   return std::round(std::sin(kTurn * (step % kSegments) / kSegments) * 16777216.0) / 16777216.0;
 }
@@ -66,7 +66,7 @@ void add_bands(bake::LatticeMesh& mesh) {
   }
 }
 
-/// The bottom, seen from below, and the inner bottom, seen from above.
+/// Adds the bottom, seen from below, and the inner bottom, seen from above.
 void add_fans(bake::LatticeMesh& mesh, double size) {
   const auto outer = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.push_back({0, 0, on_grid(kOuterPole * size)});
@@ -85,7 +85,7 @@ Vertex midpoint(const Vertex& p, const Vertex& q, double grid) {
   return {half(p.x + q.x), half(p.y + q.y), half(p.z + q.z)};
 }
 
-/// Puts a vertex into the middle of an edge: each of the two triangles there becomes two.
+/// Puts a vertex in the middle of an edge and splits both of its triangles.
 void split_edge(bake::LatticeMesh& mesh, std::uint32_t from, std::uint32_t to) {
   const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.push_back(midpoint(mesh.vertices[from], mesh.vertices[to], kGrid));
@@ -104,7 +104,7 @@ void split_edge(bake::LatticeMesh& mesh, std::uint32_t from, std::uint32_t to) {
   }
 }
 
-/// One vertex in the middle of each edge, the same for both of its triangles.
+/// One vertex in the middle of each edge, shared by both of its triangles.
 class Midpoints {
  public:
   explicit Midpoints(bake::LatticeMesh& mesh) : mesh_(mesh) {}
@@ -159,9 +159,9 @@ constexpr PaperObject kLying = {0, kFullRadius, Orientation::lying};
 constexpr PaperObject kUpsideDown = {0, kFullRadius, Orientation::upside_down};
 constexpr PaperObject kTenth = {0, kFullRadius / 10, Orientation::upright};
 
-/// Two upright tumblers side by side, wall through wall: tables 6 and 8.
+/// Two upright tumblers side by side, with intersecting walls: tables 6 and 8.
 constexpr Point kIntersecting = {-2900, 13600, 800};
-/// The small tumbler in the thick bottom of the large one, clear of all of its triangles' boxes.
+/// The small tumbler is in the thick bottom of the large one, outside all of its triangles' boxes.
 constexpr Point kInTheWall = {-1300, 1500, 7900};
 
 }  // namespace
@@ -202,7 +202,7 @@ const std::array<Setup, 20> kSetups = {{
     {3, "Separation test 2", kUpright, kUpsideDown, {-3000, 27000, -5000}, 100000},
     {3, "Separation test 3", kUpright, kLying, {6000, -2000, 24000}, 100000},
 
-    // One tumbler stacked into the other, half way and all the way; one next to the other.
+    // One tumbler inside the other, half way and all the way; then side by side.
     {4, "Close proximity test 1", kUpright, kUpright, {400, -300, 11000}, 1000},
     {4, "Close proximity test 2", kUpright, kUpright, {0, 0, 9000}, 1000},
     {4, "Close proximity test 3", kUpright, kUpsideDown, {-900, 16300, -3600}, 10000},

@@ -1,9 +1,9 @@
 // The setups of the paper's section 9, tables 2 to 8. Translation only. Each pose was chosen for
-// what its table is about, by the counts of `volume-stack` and of the geometry; tests/scene holds
-// each setup to it.
+// its table's subject, by the counts of `volume-stack` and of the geometry; tests/scene verifies
+// each setup.
 //
-// The object in place of the paper's, which is not public, is a tumbler with a thick bottom,
-// three-lobed, closed, with an outer and an inner wall, of 796 triangles as there.
+// The paper's object is not public. A tumbler replaces it: thick bottom, three lobes, closed, with
+// an outer and an inner wall, and 796 triangles like the paper's.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ namespace flashbvh::scene {
 constexpr std::uint32_t kPaperFaces = 796;
 constexpr std::uint32_t kMaxSubdivisions = 4;
 
-/// The rim's radius, without its lobes, of an object in full size; in cells.
+/// The rim's radius of a full-size object, without its lobes, in cells.
 constexpr std::int32_t kFullRadius = 12000;
 
-/// How the tumbler is rotated when it is made; the bottom is at -z when upright.
+/// The tumbler's rotation when it is made; the bottom of an upright one is at -z.
 enum class Orientation : std::uint8_t {
   upright,
   lying,        ///< a quarter of a turn about x: the bottom at +y
@@ -29,18 +29,18 @@ enum class Orientation : std::uint8_t {
 };
 
 struct PaperObject {
-  std::uint32_t subdivisions;  ///< 0 to kMaxSubdivisions: each time a triangle becomes four
+  std::uint32_t subdivisions;  ///< 0 to kMaxSubdivisions: each turns a triangle into four
   std::int32_t radius;         ///< of the rim, in cells, at most kFullRadius
   Orientation orientation;
 
   constexpr std::uint32_t faces() const { return kPaperFaces << (2 * subdivisions); }
 };
 
-/// As in "upright_796_radius_12000".
+/// For example "upright_796_radius_12000".
 std::string name_of(const PaperObject& object);
 
-/// The mesh, the same on every machine; triangles turn counterclockwise seen from outside. The
-/// vertices before the subdivision are multiples of 16 cells: all subdivisions are one surface.
+/// The mesh, equal on every machine; triangles are counterclockwise seen from outside. Vertices
+/// before subdivision are multiples of 16 cells, so all subdivisions describe one surface.
 bake::LatticeMesh make_mesh(const PaperObject& object);
 
 struct Setup {
@@ -49,7 +49,7 @@ struct Setup {
   PaperObject a;
   PaperObject b;
   Point translation;          ///< of B in A's frame, in cells
-  std::uint32_t repetitions;  ///< the paper's, for one sample of the time
+  std::uint32_t repetitions;  ///< of the paper, for one sample of the time
 };
 
 constexpr std::uint32_t kFirstTable = 2;
@@ -58,7 +58,7 @@ constexpr std::uint32_t kLastTable = 8;
 /// In the order of the tables.
 extern const std::array<Setup, 20> kSetups;
 
-/// What a table is about, in a few words.
+/// A table's subject, in a few words.
 const char* table_title(std::uint32_t table);
 
 }  // namespace flashbvh::scene

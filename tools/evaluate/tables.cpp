@@ -8,11 +8,11 @@ namespace flashbvh::tool {
 namespace {
 
 using Line = std::vector<std::string>;
-/// One setup, or those that a line sums up.
+/// One setup, or the setups of a line of sums.
 using Results = std::vector<const SetupResult*>;
 
-/// A column of a summary: a count of a row, its part of the same count of the row `of`, or, without
-/// a count, the row's time.
+/// A column of a summary: a count of a row, its ratio to the same count of the row `of`, or the
+/// row's time if there is no count.
 struct Column {
   std::string head;
   std::string row;
@@ -63,7 +63,7 @@ double ratio(const Results& results, const std::string& row, const std::string& 
          static_cast<double>(sum_of(results, of, &QueryStats::visits));
 }
 
-/// Of the fastest sample.
+/// The time of the fastest sample.
 std::string microseconds(const SetupResult& result, const std::string& row) {
   return fixed(1e6 * times_of(result.row(row)->seconds).least / result.repetitions, 3);
 }
@@ -208,7 +208,7 @@ std::string summary_tables(const std::vector<SetupResult>& results) {
   }
   for (const Row& row : results.front().rows) {
     if (row.leaves != Leaves::boxes) {
-      break;  // after the orders on the paper's tree
+      break;  // only after the orders on the paper's tree
     }
     times.columns.push_back({row.name, row.name, "", nullptr});
   }

@@ -1,5 +1,5 @@
-// Instructions of a query by flashbvh, OPCODE and a tree in floats, of each pair of meshes and
-// class of poses of lib/docs/figures.md. Prints lines:
+// Measures instructions of a query by flashbvh, OPCODE and a tree of floats, for each pair of
+// meshes and class of poses in lib/docs/figures.md. Prints lines:
 //     CORE A-B MOTION CLASS LIBRARY mean most pairs-found
 #include <initializer_list>
 

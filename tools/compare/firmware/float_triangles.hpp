@@ -1,4 +1,4 @@
-// Triangles in binary32: by the signs of heights, and by intervals on the line of their planes.
+// Triangle tests in binary32: signs of heights, then intervals on the line of both planes.
 #pragma once
 
 namespace compare {
@@ -28,7 +28,7 @@ inline Vec normal_of(const Vec (&corner)[3]) {
   return cross(corner[1] - corner[0], corner[2] - corner[0]);
 }
 
-/// Of corners over a plane.
+/// Heights of the corners over a plane.
 struct Heights {
   float of[3];
 
@@ -40,7 +40,7 @@ struct Heights {
   }
 };
 
-/// From low to high.
+/// An interval; low <= high.
 struct Interval {
   float low, high;
 };
@@ -61,7 +61,7 @@ inline bool disjoint(const Interval& a, const Interval& b) {
   return a.high < b.low || b.high < a.low;
 }
 
-/// By the normals of the edges within the plane.
+/// For coplanar triangles: separating axes are the normals of the edges within the plane.
 inline bool coplanar_intersect(const Vec (&a)[3], const Vec (&b)[3], const Vec& normal) {
   for (int i = 0; i < 3; ++i) {
     const Vec of_a = cross(normal, a[(i + 1) % 3] - a[i]);
@@ -74,10 +74,10 @@ inline bool coplanar_intersect(const Vec (&a)[3], const Vec (&b)[3], const Vec& 
   return true;
 }
 
-/// Where the triangle crosses the other's plane, along the line of both: `at` projects its corners
-/// on the line, `height` is theirs over the plane.
+/// The triangle's intersection with the other plane, as an interval on the line of both planes.
+/// `at`: its corners projected on the line; `height`: their heights over the plane.
 inline Interval crossed(const float (&at)[3], const float (&height)[3]) {
-  // The corner that is alone on its side.
+  // The corner alone on one side of the plane.
   const int lone = height[0] * height[1] > 0                     ? 2
                    : height[0] * height[2] > 0                   ? 1
                    : height[1] * height[2] > 0 || height[0] != 0 ? 0
@@ -90,8 +90,8 @@ inline Interval crossed(const float (&at)[3], const float (&height)[3]) {
   return {least(to_u, to_v), most(to_u, to_v)};
 }
 
-/// Whether two triangles intersect of which neither is on one side of the other's plane: Moeller, A
-/// Fast Triangle-Triangle Intersection Test (1997), by intervals on the line of their planes. No
+/// True if two triangles intersect; neither may lie on one side of the other's plane. Intervals on
+/// the line of both planes (Moeller, A Fast Triangle-Triangle Intersection Test, 1997), without
 /// tolerance.
 inline bool crossing_intersect(const Vec (&a)[3], const Vec (&b)[3], const Vec& normal_a,
                                const Vec& normal_b, const Heights& of_a, const Heights& of_b) {
@@ -99,7 +99,7 @@ inline bool crossing_intersect(const Vec (&a)[3], const Vec (&b)[3], const Vec& 
     return coplanar_intersect(a, b, normal_a);
   }
   const Vec line = cross(normal_a, normal_b);
-  // The axis along which the line is longest, in place of a product.
+  // Projects on the axis along which the line is longest, which replaces a product.
   const float x = line.x < 0 ? -line.x : line.x;
   const float y = line.y < 0 ? -line.y : line.y;
   const float z = line.z < 0 ? -line.z : line.z;

@@ -1,4 +1,4 @@
-// A library on a board: two meshes, queries about them, in the order of the poses.
+// A library on a board: two meshes and their queries, in the order of the poses.
 #pragma once
 
 #include <stdint.h>
@@ -10,10 +10,10 @@ namespace compare {
 class Library {
  public:
   virtual ~Library() = default;
-  /// Not counted: trees are built here, of floats, and what was built before is freed.
+  /// Frees the last trees and builds new ones, in floats. Not counted.
   virtual void set_meshes(const flashbvh::Mesh& a, const flashbvh::Mesh& b) = 0;
-  /// Not counted: makes the caller's form of the pose, integers or a matrix of floats. What a query
-  /// makes of it is counted.
+  /// Makes the caller's form of the pose, integers or a matrix of floats. Not counted; conversions
+  /// within the query are counted.
   virtual void set_pose(const flashbvh::Pose& pose) = 0;
   /// Pairs of triangles that intersect; with `first`, at most one.
   virtual uint32_t query(bool first) = 0;

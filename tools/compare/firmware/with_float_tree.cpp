@@ -1,6 +1,6 @@
-// The paper's tree and its algorithm 2, in binary32: boxes along the axes, split top-down along
-// the longest one until a triangle is left; a stack, the larger volume descended. Under
-// rotation boxes are tested along the axes of both frames.
+// The paper's tree and its algorithm 2, in binary32: axis-aligned boxes, split top-down along the
+// longest axis down to single triangles. A stack traversal descends into the larger volume. Rotated
+// boxes are tested along the axes of both frames.
 #include <algorithm>
 #include <vector>
 
@@ -16,20 +16,20 @@ namespace {
 struct Node {
   Vec middle;
   Vec half;
-  float volume;    ///< below 0: a leaf
-  uint32_t first;  ///< its children: this one and the next; of a leaf the triangle
+  float volume;    ///< negative: a leaf
+  uint32_t first;  ///< the first of two adjacent children; in a leaf, the triangle
 
   bool is_leaf() const { return volume < 0; }
 };
 
-/// B's pose in A's frame, as a caller in floats has it.
+/// B's pose in A's frame, as a caller with floats has it.
 struct Matrix {
   Vec rows[3];
   Vec translation;
   bool is_rotated;
 };
 
-/// Its parts in binary32: `part(axis)`.
+/// The vector of `part(axis)`, in binary32.
 template <class Part>
 Vec vector_of(const Part& part) {
   return {static_cast<float>(part(0)), static_cast<float>(part(1)), static_cast<float>(part(2))};
@@ -68,7 +68,7 @@ class Tree {
   const Flat* triangles() const { return triangles_.data(); }
 
  private:
-  /// For what turning rounds off; a tenth of the distance between vertices.
+  /// Covers rounding errors of rotations; a tenth of the distance between vertices.
   static constexpr float kSlack = 1e-5f;
 
   void fill(uint32_t at, uint32_t begin, uint32_t end) {
@@ -97,7 +97,7 @@ class Tree {
     if (is_leaf) {
       return;
     }
-    // At the mean of the triangles' middles, which makes a better tree than their median.
+    // Splits at the mean of the triangles' centres, which makes a better tree than their median.
     const auto sum = [longest](const Flat& t) {
       return t.corner[0].*longest + t.corner[1].*longest + t.corner[2].*longest;
     };
@@ -123,25 +123,25 @@ Vec magnitudes(const Vec& v) {
   return {__builtin_fabsf(v.x), __builtin_fabsf(v.y), __builtin_fabsf(v.z)};
 }
 
-/// Whether middles so far `apart` along an axis are farther off than both halves reach.
+/// True if boxes with centres `apart` along an axis are separated on it.
 bool parts(float apart, float half, float other) {
   return __builtin_fabsf(apart) > half + other;
 }
 
-/// A box in the other frame: where its middle lies, and how far it reaches along the axes.
+/// A box in the other frame: its centre and its half sizes along the axes.
 struct Seen {
   Vec middle;
   Vec half;
 };
 
-/// B is moved.
+/// B is translated.
 struct Moved {
   Vec t;
 
   explicit Moved(const Matrix& pose) : t(pose.translation) {}
   Seen seen_of_a(const Node& a) const { return {a.middle - t, a.half}; }
   Seen seen_of_b(const Node& b) const { return {b.middle + t, b.half}; }
-  /// Of a box and another one, seen from it.
+  /// Tests a box against another one in its frame.
   static bool overlap(const Node& box, const Seen& other) {
     return !parts(other.middle.x - box.middle.x, box.half.x, other.half.x) &&
            !parts(other.middle.y - box.middle.y, box.half.y, other.half.y) &&
@@ -154,8 +154,8 @@ struct Moved {
   static Vec turned_back(const Vec& normal) { return normal; }
 };
 
-/// B is turned and moved. One of two boxes is looked at with both children of the other: what of it
-/// is the same for both is worked out once.
+/// B is rotated and translated. One box is tested against both children of the other, so values
+/// common to both tests are computed once.
 struct Turned {
   Vec rows[3];
   Vec columns[3];
@@ -186,7 +186,7 @@ struct Turned {
   Seen seen_of_b(const Node& b) const {
     return {product(rows, b.middle) + t, product(row_sizes, b.half)};
   }
-  /// The axes of the box's own frame first, then those of the other's, `other`'s own.
+  /// Tests the axes of the box's own frame first, then the axes of `other`'s frame.
   static bool overlap(const Node& box, const Seen& seen, const Vec (&to_other)[3],
                       const Vec (&sizes)[3], const Node& other) {
     const Vec way = seen.middle - box.middle;
@@ -289,7 +289,7 @@ class FloatTree : public Library {
   bool intersect(const Placed& placed, const Node& leaf_a, const Node& leaf_b) const {
     const Flat& a = a_.triangles()[leaf_a.first];
     const Flat& b = b_.triangles()[leaf_b.first];
-    // Planes are placed first: they part most, and are one vector each.
+    // Planes are transformed first: they separate most pairs, and need one vector each.
     const Heights of_b(placed.turned_back(a.normal), a.offset - dot(a.normal, placed.t), b.corner);
     if (of_b.are_on_one_side()) {
       return false;

@@ -1,4 +1,4 @@
-// OPCODE as tools/compare/with_opcode.cpp has it: two matrices.
+// OPCODE with two matrices, as in tools/compare/with_opcode.cpp.
 #include <memory>
 
 #include "library.hpp"
