@@ -16,7 +16,7 @@ case ${1:-} in
 esac
 folder=$PWD/build/compare
 meshes=$folder/meshes
-# FLASHBVH_NATIVE: the preset whose host program bakes.
+# FLASHBVH_NATIVE: the preset of the host program that bakes.
 native=${FLASHBVH_NATIVE:-native}
 flashbvh=build/$native/bin/flashbvh
 

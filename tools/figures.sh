@@ -28,5 +28,5 @@ case $mode in
   *) ensure_packages $host_packages $board_packages $riscv_packages ;;
 esac
 [ $mode = print ] || fetch_kr5 build/kr5
-# FLASHBVH_NATIVE: the preset whose host program bakes.
+# FLASHBVH_NATIVE: the preset of the host program that bakes.
 exec python3 -B tests/figures/figures.py measure $mode "$urdf" "${FLASHBVH_NATIVE:-native}" "$@"

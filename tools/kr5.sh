@@ -1,5 +1,5 @@
-# Sourced: fetch_kr5 FOLDER sets `kr5` to the folder of a KUKA KR5's meshes and `urdf` to the file of
-# its joints, from Debian's package dart-doc (BSD-2-Clause), which is kept in FOLDER.
+# Sourced: fetch_kr5 FOLDER sets `kr5` to the folder of a KUKA KR5's meshes and `urdf` to its joints' file.
+# Both come from Debian's package dart-doc (BSD-2-Clause), which is kept in FOLDER.
 
 fetch_kr5() {
   kr5=$1/dart/usr/share/doc/dart/data/urdf/KR5/meshes

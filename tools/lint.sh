@@ -18,8 +18,8 @@ dear=-clang-analyzer-*,-performance-unnecessary-value-param,-bugprone-stringview
 status=0
 python=$(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')
 
-# lint NAME CHECKS SOURCE...    The sources as one text, since they include the same headers; what is
-# found is said by source and line.
+# lint NAME CHECKS SOURCE...    checks the sources as one text, because they include the same headers;
+# reports findings by source and line.
 lint() {
   text=$texts/$1.cpp
   checks=$2
@@ -34,8 +34,8 @@ lint() {
 
 lint lib "" lib/src/*/*.cpp
 lint cycles "" ports/cycles/*.cpp
-# Rooms whose names do not clash, together: the headers of the standard library are half of the work.
-# What stands in for another source where there are no processes, or readers, by itself.
+# Components whose names do not clash are checked together: the standard library's headers are half of the work.
+# Sources that replace others, where there are no processes or readers, are checked separately.
 instead="tools/mesh/import_here.cpp tools/robot/read/foreign_unread.cpp"
 lint bakes "$dear" $(printf '%s\n' tools/text/*.cpp tools/mesh/*.cpp tools/bake/*.cpp tools/image/*.cpp \
   tools/robot/*.cpp tools/robot/*/*.cpp | grep -vxF "$(printf '%s\n' $instead)")
@@ -44,9 +44,9 @@ lint cli "$dear" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
-    # Two programs; one wants the headers of libsdformat.
+    # There are two programs; one needs the headers of libsdformat.
     readers) lint readers "$dear" tools/readers/reader.cpp tools/readers/mjcf*.cpp ;;
-    # tools/compare wants the headers of the libraries that it compares; tools/release has no source, and
+    # tools/compare needs the headers of the libraries that it compares, tools/release has no source, and
     # tools/npm has sources for another machine.
     compare | npm | release) ;;
     live) lint live "$dear" tools/live/live_section.cpp ;; # arm.cpp is for another machine

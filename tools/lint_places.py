@@ -1,5 +1,5 @@
-"""lint_places.py TEXT SOURCE...: copies standard input; a line that begins with a place in TEXT, which is the
-sources one after the other, then names the place in the source."""
+"""lint_places.py TEXT SOURCE...: copies standard input. TEXT is the concatenation of the sources; at the start of a
+line, a position in TEXT is replaced by the position in the source."""
 import re
 import sys
 from bisect import bisect_left

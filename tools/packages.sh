@@ -1,4 +1,4 @@
-# Sourced: ensure_packages PACKAGE... installs those of Debian's packages that are missing.
+# Sourced: ensure_packages PACKAGE... installs missing packages of Debian.
 
 ensure_packages() {
   missing=
@@ -29,28 +29,28 @@ ensure_packages() {
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev
   libmujoco-dev libsdformat-dev liburdfdom-dev nlohmann-json3-dev libyaml-cpp-dev catch2 python3"
 test_packages="ccache clang-format doxygen fish zsh"
-# The sanitizers, and the fuzzer, without which the corpora alone are replayed.
+# The sanitizers and the fuzzer; without the fuzzer, tests only replay the corpora.
 sanitizer_packages="clang lld libclang-rt-14-dev"
-# Exact rationals, for the oracle of distances.
+# Exact rationals for the distance oracle.
 oracle_packages="libgmp-dev"
-# 32-bit programs that this machine runs, for the digest that every compiler must get.
+# Compiles 32-bit programs that run on this machine, for the digest that all compilers must produce.
 digest_packages="g++-i686-linux-gnu"
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm python3-pyelftools"
-# The tests take C++'s headers from the Arm compiler: that for RISC-V has none.
+# The tests take C++ headers from the Arm compiler, because the RISC-V compiler has none.
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-arm-none-eabi-dev
   qemu-system-misc"
-# What pages of robots are compiled with, for WebAssembly.
+# Compiles the WebAssembly of interactive pages.
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
 xtensa_packages="gcc-xtensa-lx106 picolibc-xtensa-lx106-elf libstdc++-arm-none-eabi-dev qemu-system-misc"
-# What builds and checks a release's packages.
+# Builds and checks a release's packages.
 release_packages="arduino-builder debhelper dh-python dpkg-dev help2man libxml2-utils lintian python3-dateutil
   python3-jsonschema python3-kconfiglib python3-pip python3-pykwalify python3-ruamel.yaml
   python3-setuptools python3-wheel python3-yaml"
-# The program for machines without Debian: compilers, and what runs it.
+# The program for machines without Debian: compilers and emulators.
 archive_packages="$live_packages dpkg-dev emscripten g++-mingw-w64-x86-64-posix libutfcpp-dev nodejs wine64"
 # The Python package and its tests.
 python_packages="pybind11-dev python3-dev python3-matplotlib python3-numpy mypy"
-# What checks the proofs (tools/prove.sh).
+# Checks the proofs (tools/prove.sh).
 proof_packages="coq gappa cvc5"

@@ -12,7 +12,7 @@ mkdir -p $work
 fetch_kr5 build/kr5
 { cmake --preset "$native" && cmake --build --preset "$native" --target flashbvh_tool; } >$work/log
 "build/$native/bin/flashbvh" robot "$urdf" --name arm --stop 0.005 --warn 0.03 -o $work --report $work/arm.html >>$work/log
-# The robot alone, at the last collision of the matrix.
+# Shows only the robot, at the last collision of the matrix.
 {
   sed '$d' $work/arm.html | sed '$d'
   cat <<'HTML'

@@ -33,7 +33,7 @@ def run_doxygen(folder, *options):
 
 
 def json_fields(command):
-    """The names of the fields that a command prints with --json, from the sources that print it."""
+    """The names of the fields in a command's --json output, from the sources that print it."""
     sources = [path for path in sorted((ROOT / "tools/cli").rglob("*.cpp"))
                if path.stem == command or path.stem.startswith(command + "_")]
     text = "".join(path.read_text() for path in sources)
@@ -47,7 +47,7 @@ def filled(text, indent=""):
 
 
 def commands(flashbvh):
-    """Each command's own help: arguments, options, what it prints and exits with."""
+    """The help of each command: arguments, options, output and exit codes."""
     names = re.findall(r"^  (\w+)  ", text_of(flashbvh, "--help").split("Subcommands:")[1], re.M)
     for name in names:
         lines = [line.rstrip() for line in text_of(flashbvh, name, "--help").splitlines()]
@@ -60,21 +60,21 @@ def commands(flashbvh):
 
 
 def cmake_functions():
-    """The comment that each file of lib/cmake with a public function begins with."""
+    """The leading comment of each file of lib/cmake with a public function."""
     for name in ("flashbvh_add_mesh", "flashbvh_add_robot"):
         comment = re.match(r"(?:#.*\n)+", (ROOT / f"lib/cmake/{name}.cmake").read_text()).group()
         yield f"### {name}\n\n```\n" + re.sub(r"^# ?", "", comment, flags=re.M).strip() + "\n```\n"
 
 
 def public_functions(tree):
-    """From one of doxygen's files: (header, name) of each function that a caller can call."""
+    """Yields (header, name) of each public function in one of doxygen's files."""
     for member in tree.iter("memberdef"):
         if member.get("kind") == "function" and member.get("prot") == "public":
             yield member.find("location").get("file"), member.findtext("name")
 
 
 def calls():
-    """By header: its functions, and its classes' with the class before them."""
+    """For each header its functions, and those of its classes prefixed by the class."""
     found = {}
     with tempfile.TemporaryDirectory() as folder:
         run_doxygen(folder)

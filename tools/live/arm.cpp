@@ -1,5 +1,5 @@
-// What the page of a robot queries of flashbvh: the library as firmware has it, for WebAssembly.
-// Values are radians and metres in doubles.
+// flashbvh's queries for the page of a robot: the firmware's library, for WebAssembly. Values are
+// radians and metres in doubles.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/robot.h"
 #include "flashbvh/robot/guard.hpp"
@@ -17,7 +17,7 @@ constexpr uint32_t kMostFine = kMaxGuardDistance;
 constexpr double kFrameCells = 1 << kFrameBits;  // of a frame's translation
 constexpr double kOne = 1 << 30;                 // of a rotation
 
-/// Of all guarded pairs, and where its links are nearest.
+/// The smallest distance of all guarded pairs, and the nearest points.
 struct Nearest {
   double distance;  ///< metres
   double points[6];
@@ -37,7 +37,7 @@ GuardAnswer answer;
 Nearest nearest;
 double matrix[16];
 
-/// Of kBase the base's.
+/// A joint's frame; the base's for kBase.
 Frame frame_of_joint(uint32_t joint) {
   if (joint != kBase) {
     return frames[joint];
@@ -50,7 +50,7 @@ Frame frame_of(uint32_t link) {
   return frame_of_joint(robot.links[link].joint);
 }
 
-/// The first joint that a value moves by itself.
+/// The first joint that a value moves directly.
 uint32_t joint_of(uint32_t variable) {
   uint32_t joint = 0;
   while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
@@ -64,13 +64,13 @@ bool slides(uint32_t variable) {
   return robot.joints[joint_of(variable)].type == JointType::prismatic;
 }
 
-/// Of a coordinate, radians or metres.
+/// The unit of a coordinate, in radians or metres.
 double unit_of(uint32_t variable) {
   constexpr double kTurn = 6.283185307179586;
   return slides(variable) ? cell() / kFrameCells : kTurn / kFullTurn;
 }
 
-/// Of a point of A's frame, in the base's.
+/// Converts a point of A's frame to the base's.
 void set_point(const Frame& frame, const FinePoint& point, double* out) {
   const double p[3] = {point.x / kFineCells, point.y / kFineCells, point.z / kFineCells};
   for (int i = 0; i < 3; ++i) {
@@ -80,7 +80,7 @@ void set_point(const Frame& frame, const FinePoint& point, double* out) {
   }
 }
 
-/// From cells that count from `origin` in a frame.
+/// Sets the matrix from cells of a frame, relative to `origin`, to the base.
 void set_matrix(const Frame& frame, const int32_t (&origin)[3]) {
   for (int i = 0; i < 3; ++i) {
     double at = frame.translation[i] / kFrameCells;
@@ -96,7 +96,7 @@ void set_matrix(const Frame& frame, const int32_t (&origin)[3]) {
 
 }  // namespace
 
-/// The image in the room; a Status.
+/// Opens the image in the allocated memory; returns a Status.
 EXPORT uint32_t open(uint32_t bytes) {
   const Status status = open_robot(room_taken, bytes, meshes, kMostMeshes, robot);
   if (status != Status::done) {
@@ -138,7 +138,7 @@ EXPORT const char* name_of_link(uint32_t link) {
 EXPORT bool is_slide(uint32_t variable) {
   return slides(variable);
 }
-/// Of a joint without limits half a turn either way.
+/// A joint without limits gets half a turn in each direction.
 EXPORT double lower(uint32_t variable) {
   const RobotJoint& joint = robot.joints[joint_of(variable)];
   return unit_of(variable) * (joint.type == JointType::continuous ? -kFullTurn / 2 : joint.lower);
@@ -160,8 +160,8 @@ EXPORT double warn_of(uint32_t pair) {
   return pairs[pair].warn / kFineCells * cell();
 }
 
-/// Metres, of all pairs but those that were baked with shorter ones than the longest: their links
-/// are near each other wherever the robot is, and they keep theirs where these are no shorter.
+/// Sets the distances of all pairs, in metres. Pairs baked with less than the longest distance are
+/// always near each other; they keep their distances unless the new ones are shorter.
 EXPORT void set_distances(double stop, double warn) {
   const auto fine = [](double metres) {
     const double steps = metres / cell() * kFineCells + 1;
@@ -185,7 +185,7 @@ EXPORT void set_distances(double stop, double warn) {
   set(&RobotPair::warn, fine(warn < stop ? stop : warn));
 }
 
-/// Of the joints that carry a link the last that a value moves, or kNoVariable.
+/// The last variable that moves a link, or kNoVariable.
 EXPORT uint32_t variable_of_link(uint32_t link) {
   for (uint32_t joint = robot.links[link].joint; joint != kBase;
        joint = robot.joints[joint].parent) {
@@ -196,7 +196,7 @@ EXPORT uint32_t variable_of_link(uint32_t link) {
   return kNoVariable;
 }
 
-/// Sets a value, within its limits.
+/// Sets a value and clamps it to its limits.
 EXPORT void set_value(uint32_t variable, double value) {
   const double steps = value / unit_of(variable);
   const RobotJoint& joint = robot.joints[joint_of(variable)];
@@ -207,7 +207,7 @@ EXPORT void set_value(uint32_t variable, double value) {
   }
   values[variable] = coordinate;
 }
-/// As firmware has values.
+/// The value in firmware's units.
 EXPORT int32_t coordinate_of(uint32_t variable) {
   return values[variable];
 }
@@ -215,20 +215,20 @@ EXPORT void set_coordinate(uint32_t variable, int32_t coordinate) {
   values[variable] = coordinate;
 }
 
-/// Puts the links where the values have them.
+/// Updates the links' frames from the values.
 EXPORT void place() {
   if (set_coordinates(robot, values, coordinates) == Status::done) {
     set_frames(robot, coordinates, frames);
   }
 }
 
-/// Of a guard that knows nothing yet: a Verdict.
+/// The Verdict of a guard without previous knowledge.
 EXPORT uint32_t verdict() {
   Guard guard(robot, state, state_size);
   answer = guard.prime(values);
   return static_cast<uint32_t>(answer.verdict);
 }
-/// Of the last verdict.
+/// The pair of the last verdict.
 EXPORT uint32_t pair_of_answer() {
   return answer.pair;
 }
@@ -236,20 +236,20 @@ EXPORT uint32_t distance_of_answer() {
   return answer.distance;
 }
 
-/// Column by column: a link's vertices in the base's frame, in metres.
+/// A matrix, column by column, from a link's vertices to the base's frame, in metres.
 EXPORT const double* matrix_of(uint32_t link) {
   set_matrix(frame_of_joint(robot.links[link].joint), meshes[link].origin);
   return matrix;
 }
-/// The same of cells of a joint's frame.
+/// A matrix like matrix_of(), from cells of a joint's frame.
 EXPORT const double* matrix_of_joint(uint32_t joint) {
   constexpr int32_t kNone[3] = {};
   set_matrix(frame_of_joint(joint), kNone);
   return matrix;
 }
 
-/// Measures all guarded pairs, each from where it was nearest before: of the nearest, the distance,
-/// two points in the base's frame, and which it is; null if there is none.
+/// Measures all guarded pairs, each with its last nearest pair as a hint. Returns the smallest
+/// distance, two points in the base's frame and the pair; null if there is none.
 EXPORT const Nearest* measure() {
   nearest = {1e300, {}, kNoPair};
   for (uint32_t i = 0; i < robot.pair_count; ++i) {

@@ -1,14 +1,14 @@
-// A robot that answers, by the library that firmware has (arm.cpp). `data` is what live_section.cpp wrote.
+// An interactive robot with firmware's library (arm.cpp). live_section.cpp writes `data`.
 
 const VERDICTS = ["free", "warn", "not yet known", "stops", "refused"];
 
-// What flashbvh says of one robot. Numbers are radians and metres.
+// flashbvh's answers about one robot. Numbers are radians and metres.
 class Arm {
   static async from({ library, image, zones }) {
     return new Arm(await library_of(library), bytes_of(image), zones);
   }
 
-  // `zones`: a joint, a point in cells of its frame, and metres about it, each.
+  // `zones`: for each a joint, a point in cells of its frame, and a radius in metres.
   constructor(library, image, zones) {
     this.library = library;
     put(library, image, bytes => library.open(bytes));
@@ -19,7 +19,7 @@ class Arm {
     this.links = each(library.link_count(), i => ({
       name: this.#text(library.name_of_link(i)), variable: library.variable_of_link(i) }));
     this.pairs = each(library.pair_count(), i => [library.first_of_pair(i), library.second_of_pair(i)]);
-    // A part of a link, for what is near a joint, has the link's name, and comes later.
+    // A part of a link, used near a joint, has the link's name and a higher index.
     this.links.forEach(link => { link.whole = this.links.findIndex(({ name }) => name === link.name); });
     this.stop = Math.max(0, ...this.pairs.map((_, i) => library.stop_of(i)));
     this.warn = Math.max(0, ...this.pairs.map((_, i) => library.warn_of(i)));
@@ -34,7 +34,7 @@ class Arm {
     return new TextDecoder().decode(memory.subarray(place, memory.indexOf(0, place)));
   }
 
-  // Of a link; of a part nothing.
+  // A link's mesh; empty for a part.
   mesh(link) {
     return this.links[link].whole === link ? arrays_of(this.library, link) :
       { vertices: new Int16Array(), triangles: new Uint16Array() };
@@ -49,7 +49,7 @@ class Arm {
       { middle: placed(matrix(this.library.matrix_of_joint(joint)), [x, y, z]).slice(0, 3), radius }));
   }
 
-  // Verdict, and of all guarded pairs the nearest: metres, two points, two links; or null.
+  // The verdict, and the nearest of all guarded pairs: metres, two points, two links; or null.
   answer() {
     const verdict = this.library.verdict();
     const pair = this.library.pair_of_answer();

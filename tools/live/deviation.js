@@ -1,4 +1,4 @@
-// A mesh on what was baked of it: faces and lines, and where they are farthest apart.
+// A source mesh and its baked mesh: faces and lines, and the point of the largest deviation.
 
 class DeviationStage extends Stage {
   constructor(section, { name, original, coarse, most, text }) {
@@ -21,7 +21,7 @@ class DeviationStage extends Stage {
     this.draw();
   }
 
-  // Of triangles that face the viewer.
+  // Draws the edges of triangles that face the viewer.
   marks() {
     const eye = this.view.eye();
     const points = [];

@@ -1,9 +1,9 @@
-"""embed.py OUTPUT NAME=FILE,FILE...: C++ strings, each of its files one after the other; of .wasm in base64."""
+"""embed.py OUTPUT NAME=FILE,FILE...: writes C++ strings, each with its files concatenated; .wasm files in base64."""
 import base64
 import sys
 from pathlib import Path
 
-LONGEST = 4000  # of a piece: compilers need not take more
+LONGEST = 4000  # of a piece: compilers need not accept longer ones
 
 
 def text_of(path):

@@ -1,7 +1,7 @@
-// The section of the page: the robot, a slider for each value, the distances, what the guard says.
+// The page's section: the robot, a slider for each value, the distances, the guard's verdict.
 
 class Live extends Stage {
-  // `data`: of the page; with `names` it has a trajectory.
+  // `data`: from the page; with `names` it has a trajectory.
   constructor(section, arm, data) {
     super(section, "The robot. Arrow keys turn it, plus and minus come nearer and go away.");
     this.arm = arm;
@@ -85,7 +85,7 @@ class Live extends Stage {
     return [...zones, ...this.answer.nearest ? this.line(this.answer.nearest.line) : []];
   }
 
-  // A ball's outline, nearly.
+  // The approximate outline of a ball.
   #dashes({ middle, radius }) {
     const [right, up] = this.axes();
     return Array.from({ length: 64 }, (_, i) => {
@@ -101,7 +101,7 @@ class Live extends Stage {
     return (x, y) => this.#drag(variable, link, point, x, y);
   }
 
-  // In the link's own lattice: the vertex that is seen nearest to a pixel.
+  // The link's vertex, in its own lattice, that appears nearest to a pixel.
   #nearest_vertex(link, [x, y]) {
     const { vertices } = this.arm.mesh(link);
     let least = Infinity, best = [0, 0, 0];
@@ -114,7 +114,7 @@ class Live extends Stage {
     return best;
   }
 
-  // Moves a link's joint so that its point follows the pointer, along the way that it can.
+  // Moves a link's joint so that its point follows the pointer, as far as the joint allows.
   #drag(variable, link, point, x, y) {
     const pixel = () => this.view.pixel(placed(this.arm.matrices[link], point));
     const { lower, upper, slides } = this.arm.variables[variable];
@@ -125,7 +125,7 @@ class Live extends Stage {
     this.arm.place();
     const way = pixel().map((after, i) => (after - before[i]) / (this.arm.values[variable] - value));
     const squared = way[0] ** 2 + way[1] ** 2;
-    // Seen from its end a joint turns by the pointer's way, not by the point's.
+    // If the view is along its axis, the pointer's movement turns the joint, not the point's.
     const step = squared < 100 ? (x - y) / 150 : (x * way[0] + y * way[1]) / squared;
     this.set(variable, value + Math.min(Math.max(step, -0.3), 0.3));
   }

@@ -21,7 +21,7 @@ std::string base64(const std::uint8_t* bytes, std::size_t size) {
   }
   return text;
 }
-/// As they lie in memory, which is little-endian wherever the program runs.
+/// The bytes in memory, which is little-endian on all supported machines.
 template <class Number>
 std::string base64(const std::vector<Number>& numbers) {
   return base64(reinterpret_cast<const std::uint8_t*>(numbers.data()),
@@ -76,7 +76,7 @@ std::string deviation_of(const LiveDeviation& mesh) {
                 ",\"text\":\"", mesh.text, "\"}");
 }
 
-/// `data`: JSON.
+/// `data`: in JSON.
 std::string section_of(const char* id, const char* title, const std::string& data,
                        const char* script) {
   return concat("<style>\n", kLiveCss, "</style>\n<section id=", id, " class=live hidden>\n<h2>",

@@ -1,4 +1,4 @@
-// The section of a page in which a robot answers.
+// The interactive section of a page.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace flashbvh::tool {
 
-/// Whether the program was built with the library that answers.
+/// True if the program was built with the library for interactive pages.
 bool has_live_section();
 
-/// Where a robot goes, and what its guard said there.
+/// A robot's trajectory, and its guard's verdicts.
 struct LivePeriods {
-  std::vector<float> values;       ///< so many a period, one after the other
-  std::string verdicts;            ///< a digit a period
-  std::vector<std::string> names;  ///< "line 12 (0.35)"
+  std::vector<float> values;       ///< of all periods, one after the other
+  std::string verdicts;            ///< one digit per period
+  std::vector<std::string> names;  ///< such as "line 12 (0.35)"
 };
 
 /// A ball that moves with a joint of the image.
@@ -26,52 +26,52 @@ struct LiveZone {
   double radius;                 ///< metres
 };
 
-/// HTML: the robot's image, the library, and their script. `periods`: to be played, or
-/// none. Without script it stays hidden; "" if the program was built without the library.
+/// HTML of the robot's image, the library and their script. `periods`: to play, or none. Hidden
+/// without script; "" if the program was built without the library.
 std::string live_section(const std::vector<std::uint32_t>& image,
                          const std::vector<LiveZone>& zones, const LivePeriods& periods = {});
 
-/// Lines of a colour of the page, between each two vertices of the image.
+/// Lines in a colour of the page, between pairs of the image's vertices.
 struct LiveMarks {
-  std::string colour;  ///< "p1"
+  std::string colour;  ///< such as "p1"
   std::vector<std::uint32_t> vertices;
 };
 
-/// Most meshes of a page that answer.
+/// The largest number of meshes in an interactive page.
 constexpr std::size_t kMostLiveMeshes = 64;
 
 /// A post-indexed image with 16-bit indices.
 struct LiveMesh {
   std::string name;
   std::string image;  ///< its bytes
-  std::string unit;   ///< "mm"; may be none
+  std::string unit;   ///< such as "mm"; may be empty
   std::vector<LiveMarks> marks;
 };
 
-/// Two of the meshes, by their places, and where the second was.
+/// Two of the meshes, by their indices, and poses of the second.
 struct LivePair {
   std::size_t a;
   std::size_t b;
-  std::vector<std::string> poses;  ///< 12 numbers each
-  std::vector<std::string> names;  ///< "pose 3"
-  std::string verdicts;            ///< a digit a pose
+  std::vector<std::string> poses;  ///< each of 12 numbers
+  std::vector<std::string> names;  ///< such as "pose 3"
+  std::string verdicts;            ///< one digit per pose
 };
 
-/// The same of meshes. `first`: the pair that is shown first, or behind all pairs a mesh alone. ""
-/// without meshes, too.
+/// HTML of meshes and pairs. `first`: the pair, or after all pairs the single mesh, to show first.
+/// "" without meshes or library.
 std::string live_section(const std::vector<LiveMesh>& meshes, const std::vector<LivePair>& pairs,
                          std::size_t first);
 
-/// A mesh on what was baked of it, about where they are farthest apart, in steps of any length.
+/// A source mesh and its baked mesh around the point of largest deviation, in any length unit.
 struct LiveDeviation {
   std::string name;
-  std::vector<std::int16_t> original;  ///< nine a triangle
+  std::vector<std::int16_t> original;  ///< nine numbers per triangle
   std::vector<std::int16_t> coarse;
   double most;       ///< the deviation
-  std::string text;  ///< the same with its unit
+  std::string text;  ///< the deviation with its unit
 };
 
-/// HTML: a section in which one of them is turned. Needs no library; hidden without script.
+/// HTML of a section that shows one of the meshes. Needs no library; hidden without script.
 std::string deviation_section(const std::vector<LiveDeviation>& meshes);
 
 }  // namespace flashbvh::tool

@@ -28,13 +28,13 @@ double cell(uint32_t mesh) {
   return size;
 }
 
-/// Where an image is to be copied to.
+/// Allocates memory for an image.
 EXPORT void* room(uint32_t bytes) {
   room_taken = take(bytes);
   return const_cast<void*>(room_taken);
 }
 
-/// Three halves a vertex, three a triangle.
+/// Three 16-bit numbers per vertex and per triangle.
 EXPORT const void* vertices(uint32_t mesh) {
   return meshes[mesh].vertices;
 }

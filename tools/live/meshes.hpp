@@ -1,5 +1,5 @@
-// What the libraries of all pages share, for WebAssembly: memory, and baked meshes in it. All
-// memory lies behind what is linked, and is never given back.
+// Shared by the WebAssembly libraries of all pages: memory, and baked meshes in it. All memory lies
+// after the linked data, and is never freed.
 #pragma once
 
 #include <stddef.h>
@@ -15,16 +15,16 @@ constexpr uint32_t kMostMeshes = 64;
 constexpr double kFineCells = 256;  // steps of a distance in a cell
 
 extern flashbvh::Mesh meshes[kMostMeshes];
-extern const void* room_taken;  // the last one
+extern const void* room_taken;  // the last allocation for an image
 
-/// Zeros, at a multiple of 8.
+/// Allocates zeros at a multiple of 8.
 void* take(size_t bytes);
 template <class Type>
 Type* take(size_t count) {
   return static_cast<Type*>(take(count * sizeof(Type)));
 }
 
-/// Of a mesh, in its unit.
+/// A mesh's cell in its unit.
 double cell(uint32_t mesh = 0);
 
 }  // namespace live

@@ -1,4 +1,4 @@
-// The section of the page: a pair of its meshes, or one of them alone, of which the reader chooses.
+// The page's section: the reader chooses a pair of meshes or a single mesh.
 begin("live", async (section, data) => {
   const meshes = await Meshes.from(data);
   const views = [...data.pairs, ...meshes.all.map((_, a) => ({ a }))];

@@ -1,4 +1,4 @@
-// What the page of meshes queries of flashbvh: the library as firmware has it, for WebAssembly.
+// flashbvh's queries for the page of meshes: the firmware's library, for WebAssembly.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 #include "flashbvh/image.hpp"
@@ -14,47 +14,47 @@ namespace {
 
 constexpr uint32_t kMostLit = 1000;
 constexpr uint32_t kMostCounted = 100000;
-constexpr uint32_t kMostWayWork = 1000000;  // a tenth of a second, or so
+constexpr uint32_t kMostWayWork = 1000000;  // about a tenth of a second
 
-/// Rows of the rotation, in 2^-30; cells, and 1/65,536 of them.
+/// Rows of the rotation in 2^-30, then cells and 1/65,536 of cells.
 struct PoseWords {
   int32_t rotation[3][3];
   int32_t cells[3];
   int32_t fraction[3];
 };
 
-/// Two triangles that intersect, from A's origin on.
+/// Two intersecting triangles, relative to A's origin.
 struct Lit {
   Triangle a;
   Triangle b;
 };
 
-/// Of B at the pose. Points are in cells of A's frame.
+/// The answers for B at the pose. Points are in cells of A's frame.
 struct Measured {
-  uint32_t status;     ///< of the first query that refused; nothing else holds then
-  uint32_t pairs;      ///< of triangles that intersect, at most kMostCounted
-  uint32_t is_inside;  ///< without such a pair: one lies in the other
-  uint32_t in_range;   ///< else there are neither triangles nor points
-  uint32_t lower;      ///< of the distance, in 1/256 cell
+  uint32_t status;     ///< of the first refused query; all other fields are then undefined
+  uint32_t pairs;      ///< number of intersecting triangle pairs, at most kMostCounted
+  uint32_t is_inside;  ///< without such a pair: one mesh is inside the other
+  uint32_t in_range;   ///< if 0, there are no triangles or points
+  uint32_t lower;      ///< lower bound of the distance, in 1/256 cell
   uint32_t triangles[2];
   double points[2][3];
 };
 
-/// B's straight way to the pose from the one before. Times are in 2^-30 of it.
+/// B's straight motion from the last pose to the pose. Times are in 2^-30 of it.
 struct Way {
-  uint32_t status;   ///< `suspended`: it takes too long
+  uint32_t status;   ///< `suspended`: the query took too long
   uint32_t outcome;  ///< a ContactOutcome
   uint32_t from;
   uint32_t to;
 };
 
-/// What a segment hits first.
+/// The first hit of a segment.
 struct Hit {
   uint32_t is_hit;
   uint32_t triangle;  ///< its id
   uint32_t slot;
   int32_t side;
-  uint32_t distance;  ///< from its start, in 1/256 cell
+  uint32_t distance;  ///< from the segment's start, in 1/256 cell
   double point[3];    ///< in cells
 };
 
@@ -81,7 +81,7 @@ void set_cells(const FinePoint& point, double (&cells)[3]) {
 
 }  // namespace
 
-/// The image in the last room, as a mesh by its number; a Status.
+/// Opens the last allocated image as mesh number `mesh`; returns a Status.
 EXPORT uint32_t open(uint32_t mesh, uint32_t bytes) {
   return code(open_image(room_taken, bytes, meshes[mesh]));
 }
@@ -92,7 +92,7 @@ EXPORT double cell_size(uint32_t mesh) {
   return cell(mesh);
 }
 
-/// Where the pose's words are to be written, and then put in place: a Status.
+/// The memory for a pose; place() then sets it and returns a Status.
 EXPORT void* pose_words() {
   return &words;
 }
@@ -105,15 +105,15 @@ EXPORT uint32_t place() {
   return code(pose.status());
 }
 
-/// The first triangles of the last measure() that intersect.
+/// The first intersecting triangles of the last measure().
 EXPORT const void* lit_triangles() {
   return lit;
 }
-/// Of each such pair.
+/// The ids of each of these pairs.
 EXPORT const void* ids_of_lit() {
   return lit_ids;
 }
-/// Begins with the pair that was nearest before, if these are the meshes of it.
+/// Starts with the last nearest pair as a hint if the meshes are the same.
 EXPORT const void* measure(uint32_t a, uint32_t b) {
   static uint32_t before[2] = {UINT32_MAX, UINT32_MAX};
   if (before[0] != a || before[1] != b) {
@@ -156,7 +156,7 @@ EXPORT bool is_closer(uint32_t a, uint32_t b, uint32_t limit) {
   return closer_than(meshes[a], meshes[b], pose, limit).yes;
 }
 
-/// Of the last two poses that were put in place.
+/// Certifies the motion between the last two poses.
 EXPORT const void* certify(uint32_t a, uint32_t b) {
   const BodyMotion motion = BodyMotion::between(pose_before, pose);
   FirstContact query(meshes[a], meshes[b], motion);
@@ -165,8 +165,8 @@ EXPORT const void* certify(uint32_t a, uint32_t b) {
   return &way;
 }
 
-/// Where a segment's ends are to be written, six words in cells of the mesh's frame, and then what
-/// it hits first.
+/// The memory for a segment's ends, six words in cells of the mesh's frame; cast() then finds its
+/// first hit.
 EXPORT void* segment_words() {
   return &segment;
 }

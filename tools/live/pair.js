@@ -1,9 +1,9 @@
-// Meshes that answer, by the library that firmware has (pair.cpp). Points and matrices are in cells of a mesh's frame,
-// from its origin on: A's, where there are two. Lengths and poses are in the meshes' unit.
+// Interactive meshes with firmware's library (pair.cpp). Points and matrices are in cells of a mesh's frame (of two
+// meshes, A's), relative to its origin. Lengths and poses are in the meshes' unit.
 
 const ROTATION_ONE = 2 ** 30, FRACTION_ONE = 65536, FINE_ONE = 256;
 
-// Halves away from zero; what no word holds is refused as its end.
+// Rounds halves away from zero; clamps to the range of words, whose ends the library refuses.
 const word_of = number => Math.min(Math.max(Math.sign(number) * Math.round(Math.abs(number)), -(2 ** 31)), 2 ** 31 - 1);
 
 class Meshes {
@@ -11,7 +11,7 @@ class Meshes {
     return new Meshes(await library_of(library), meshes);
   }
 
-  // `meshes`: each { name, image, unit, marks }, the first two in base64.
+  // `meshes`: a list of { name, image, unit, marks }, the first two in base64.
   constructor(library, meshes) {
     this.library = library;
     this.all = meshes.map(({ name, image, unit, marks }, i) => {
@@ -32,7 +32,7 @@ class Meshes {
     return [...new Float64Array(this.library.memory.buffer, place, count)];
   }
 
-  // Puts B there, in A's frame: nine numbers of its rotation, three of its translation. A Status.
+  // Sets B's pose in A's frame: nine numbers of its rotation, three of its translation. Returns a Status.
   place(a, pose) {
     const fractions = pose.slice(9).map(part => Math.sign(part) * Math.round(Math.abs(part) / this.all[a].cell * FRACTION_ONE));
     const cells = fractions.map(part => Math.floor((part + FRACTION_ONE / 2) / FRACTION_ONE));
@@ -42,15 +42,15 @@ class Meshes {
     return this.library.place();
   }
 
-  // From B's lattice to A's, column by column.
+  // A matrix from B's lattice to A's, column by column.
   matrix(a, b, pose) {
     const [from, to] = [this.all[b].origin, this.all[a].origin];
     const at = [0, 1, 2].map(i => [0, 1, 2].reduce((sum, j) => sum + pose[3 * i + j] * from[j], pose[9 + i] / this.all[a].cell - to[i]));
     return new Float32Array([0, 1, 2].flatMap(j => [pose[j], pose[3 + j], pose[6 + j], 0]).concat(at, 1));
   }
 
-  // Of B where it was placed. `lit`: how many pairs of those that intersect have their `corners`, and `ids` of triangles
-  // of A and B in turns.
+  // The answers for B at its pose. `lit`: the number of intersecting pairs with `corners` and `ids`, alternately of
+  // triangles of A and B.
   measure(a, b) {
     const place = this.library.measure(a, b);
     const [status, pairs, inside, in_range, lower, ...triangles] = this.#words(place, 7);
@@ -65,8 +65,8 @@ class Meshes {
     return this.library.is_closer(a, b, Math.min(Math.floor(length / this.all[a].cell * FINE_ONE), 2 ** 28)) !== 0;
   }
 
-  // Of B's straight way from one pose to another: whether it is free, 0, touches, 1, or comes within a cell, 2, and
-  // after what share of it. A status other than 0: it is not known.
+  // B's straight motion from one pose to another. `outcome`: 0 free, 1 touches, 2 comes within a cell; `share`: the
+  // part of the motion before that. A status other than 0: undecided.
   way(a, b, from, to) {
     this.place(a, from);
     this.place(a, to);
@@ -74,7 +74,7 @@ class Meshes {
     return { status, outcome, share: end / 2 ** 30 };
   }
 
-  // What the segment between two points, rounded to cells, hits first: or nothing.
+  // The first hit of the segment between two points, which are rounded to cells; or nothing.
   cast(mesh, from, to) {
     const { origin, triangles, vertices, cell } = this.all[mesh];
     const ends = [from, to].map(point => point.map((part, i) => word_of(part + origin[i])));
@@ -93,7 +93,7 @@ class Meshes {
   }
 }
 
-// A line of numbers that is read, written and copied.
+// A text field for numbers that can be read, written and copied.
 const numbers_field = (name, count, set) => {
   const text = element("textarea", { rows: 3, spellcheck: false });
   text.onchange = () => {

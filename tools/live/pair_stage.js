@@ -1,24 +1,24 @@
-// Two meshes of a page: B is moved and turned, or steps through the poses that the page was made with.
+// Two meshes of a page: the user moves and turns B, or steps through the page's poses.
 
 const MODES = ["move", "turn", "view"];
 
 const product = (p, q) => Array.from({ length: 9 }, (_, at) =>
   [0, 1, 2].reduce((sum, k) => sum + p[3 * Math.floor(at / 3) + k] * q[3 * k + at % 3], 0));
 
-// By an angle about an axis of length 1, row by row.
+// The rotation by an angle about an axis of length 1, row by row.
 const rotation_about = ([x, y, z], angle) => {
   const [s, c] = [Math.sin(angle), Math.cos(angle)], d = 1 - c;
   return [c + d * x * x, d * x * y - s * z, d * x * z + s * y, d * x * y + s * z, c + d * y * y, d * y * z - s * x,
     d * x * z - s * y, d * y * z + s * x, c + d * z * z];
 };
 
-// About x, then y, then z, as URDF has them: and back.
+// Rotations about x, then y, then z, as in URDF, and their inverse.
 const rotation_of = ([roll, pitch, yaw]) => product(rotation_about([0, 0, 1], yaw),
   product(rotation_about([0, 1, 0], pitch), rotation_about([1, 0, 0], roll)));
 const angles_of = r => [Math.atan2(r[7], r[8]), Math.asin(Math.min(Math.max(-r[6], -1), 1)), Math.atan2(r[3], r[0])];
 const six_of = pose => [...pose.slice(9), ...angles_of(pose)];
 
-// Of triangles of nine numbers: lines.
+// The edges of triangles of nine numbers, as lines.
 const edges_of = corners => {
   const edges = new Float32Array(2 * corners.length);
   for (let at = 0; at < corners.length; at += 9) {
@@ -31,7 +31,7 @@ const edges_of = corners => {
 };
 
 class PairStage extends Stage {
-  // `pair`: { a, b, poses, names, verdicts }, of each pose 12 numbers as text and a name; may have none.
+  // `pair`: { a, b, poses, names, verdicts }; poses are texts of 12 numbers and may be absent.
   constructor(section, meshes, { a, b, poses, names, verdicts }) {
     super(section, "Two meshes. Arrow keys move the second, page up and page down too; with Shift they turn it, with Alt " +
       "the view; plus and minus come nearer and go away.");
@@ -82,7 +82,7 @@ class PairStage extends Stage {
       element("label", {}, element("span", { textContent: "closer than" }), this.limit_input, this.unit));
   }
 
-  // 12 numbers. Six stay as they were chosen: three angles are not worked out again while they are being set.
+  // Sets 12 numbers. Keeps the six values that the user chose, so that angles are not recomputed while being set.
   set(pose, six = six_of(pose)) {
     this.pose = pose;
     this.six = six;
@@ -117,7 +117,7 @@ class PairStage extends Stage {
       (pairs > 12 ? ` \u2026${lit < pairs ? ` The first ${lit} pairs are drawn.` : ""}` : "") : "";
   }
 
-  // From the pose before, as text.
+  // The motion from the last pose, as text.
   #way(from, to) {
     const { status, outcome, share } = this.meshes.way(this.a, this.b, from, to);
     if (status !== 0) return "; the straight way there is not decided";
@@ -125,7 +125,7 @@ class PairStage extends Stage {
     return `; the straight way there ${["is free", `touches ${after}`, `comes within a cell ${after}`][outcome]}`;
   }
 
-  // Of the verdict: what, and more about it.
+  // The verdict and details about it.
   #text() {
     const { status, pairs, inside, in_range, distance, triangles } = this.answer;
     const [a, b] = this.names;
@@ -154,17 +154,17 @@ class PairStage extends Stage {
     return [{ kind: "TRIANGLES", points: corners, colour: half }, { kind: "LINES", points: edges_of(corners), colour: red }];
   }
 
-  // Along the axes(), in cells.
+  // Moves along the axes(), in cells.
   #move(steps) {
     const way = [0, 1, 2].map(i => this.axes().reduce((sum, axis, k) => sum + axis[i] * steps[k], 0) * this.cell);
     this.set(this.pose.map((part, i) => (i < 9 ? part : part + way[i - 9])));
   }
-  // About one of these axes and B's middle, which stays.
+  // Turns about one of these axes through B's centre, which stays in place.
   #spin(axis, angle) {
     const { middle, origin } = this.meshes.all[this.b];
     const at = r => [0, 1, 2].map(i => [0, 1, 2].reduce((sum, j) => sum + r[3 * i + j] * (middle[j] + origin[j]), 0) * this.cell);
     const before = this.pose.slice(0, 9);
-    // By way of the angles: a product of many turns stays a rotation.
+    // Conversion to angles and back keeps a product of many turns a rotation.
     const turned = rotation_of(angles_of(product(rotation_about(this.axes()[axis], angle), before)));
     const [from, to] = [at(before), at(turned)];
     this.set([...turned, ...this.pose.slice(9).map((part, i) => part + from[i] - to[i])]);

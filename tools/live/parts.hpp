@@ -1,5 +1,5 @@
-// What embed.py makes of this folder's files; libraries are empty where there was no Clang for
-// them.
+// Strings that embed.py makes of this folder's files. Libraries are empty if there was no Clang to
+// compile them.
 #pragma once
 
 namespace flashbvh::tool {

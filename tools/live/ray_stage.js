@@ -1,4 +1,4 @@
-// One mesh of a page: a ray where the reader clicks it, and marks of what is odd about it.
+// One mesh of a page: a ray through the point that the reader clicks, and marks of defects.
 
 class RayStage extends Stage {
   constructor(section, meshes, { a }) {
@@ -17,7 +17,7 @@ class RayStage extends Stage {
     this.draw();
   }
 
-  // As far behind the middle of the view as it begins in front of it.
+  // The ray ends as far behind the view's centre as it starts in front of it.
   #cast_at(x, y) {
     const { from, way } = this.view.ray(x, y);
     const { middle, size } = this.view;

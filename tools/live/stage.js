@@ -1,17 +1,17 @@
-// What all pages share: a canvas with meshes that are turned, come nearer and are dragged, by mouse, touch and keyboard.
+// Shared by all pages: a canvas with meshes that mouse, touch and keyboard rotate, zoom and drag.
 
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 const bytes_of = text => Uint8Array.from(atob(text), character => character.charCodeAt(0));
 
-// An element of the page, with its properties and what is in it.
+// A new element with its properties and children.
 const element = (name, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(name), properties);
   made.append(...children);
   return made;
 };
 
-// A slider and a number for one value: `set(value)` is called with what the reader chooses, `show(value)` shows it.
+// A slider and a number field for one value: calls `set(value)` with the reader's choice; `show(value)` displays it.
 const slider = (name, lower, upper, [unit, long_unit, scale], digits, set) => {
   const range = element("input", { type: "range", min: lower, max: upper, step: "any" });
   const number = element("input", { type: "number", step: "any" });
@@ -38,7 +38,7 @@ const OWN_CODE = " Verdict, distance and points are worked out by flashbvh's own
   "image that the firmware holds.";
 const name_of = base64 => new TextDecoder().decode(bytes_of(base64));
 
-// Subclasses have marks(), write(), and where they differ matrices(), colours(), grab() and key().
+// Subclasses define marks() and write(), and may override matrices(), colours(), grab() and key().
 class Stage {
   #colours = {};
   #timer = 0;
@@ -51,23 +51,23 @@ class Stage {
     this.canvas.setAttribute("aria-label", label);
   }
 
-  // The page's elements: `bar` below the canvas, or nothing; what is set; how to use it.
+  // Lays out the page's elements: `bar` (or null) below the canvas, the controls, and a note on their use.
   lay_out(bar, controls, note) {
     return element("div", { className: "stage" }, this.says, element("div", { className: "arm" },
       element("div", {}, this.canvas, ...bar ? [bar] : []), element("div", { className: "values" }, ...controls)),
     element("p", { className: "note", textContent: note }));
   }
 
-  // `meshes`: of View.
+  // `meshes`: as in View.
   open(meshes) {
     this.view = new View(this.canvas, meshes);
     this.#frame(meshes);
     this.#listen();
   }
 
-  // What a drag that begins at a pixel on that mesh, or on none, then does with each movement; nothing: it turns the view.
+  // The handler for drags that start at a pixel on a mesh, or on none; undefined: the drag turns the view.
   grab() {}
-  // Whether a key was taken.
+  // Returns true if it handled the key.
   key(event) {
     const way = KEYS[event.key];
     if (way) this.turn(0.1 * way[0], 0.1 * way[1]);
@@ -87,7 +87,7 @@ class Stage {
     this.draw();
   }
 
-  // Where the meshes are and their colours: of one that stays where it is.
+  // The transformations and colours of the meshes: by default one mesh that does not move.
   matrices() {
     return [IDENTITY];
   }
@@ -95,7 +95,7 @@ class Stage {
     return [this.colour("--inner")];
   }
 
-  // All as it stands.
+  // Fits the view to all meshes in their current positions.
   #frame(meshes) {
     const lower = [Infinity, Infinity, Infinity], upper = [-Infinity, -Infinity, -Infinity];
     const matrices = this.matrices();
@@ -120,15 +120,15 @@ class Stage {
     });
   }
 
-  // Of the page, which has others in the dark.
+  // A colour of the page, which differs in dark mode.
   colour(name) {
     const text = this.#colours[name] ||= getComputedStyle(this.section).getPropertyValue(name).trim()
       .replace(/^#(.)(.)(.)$/, "#$1$1$2$2$3$3");
     return [1, 3, 5].map(i => parseInt(text.slice(i, i + 2), 16) / 255).concat(1);
   }
 
-  // Of an answer: draws it, and write()s it, if it has another verdict at once, else at most ten times a second: writing
-  // takes a quarter of a frame.
+  // Shows an answer: draws at once; calls write() at once if the verdict changed, else at most ten times per second,
+  // because writing takes a quarter of a frame.
   answered(verdict) {
     if (!this.canvas.isConnected) return;
     if (this.section.dataset.verdict !== `${verdict}`) this.write();
@@ -139,24 +139,24 @@ class Stage {
     this.draw();
   }
 
-  // In the base's frame: to the right, up, towards the viewer.
+  // The view's axes in the base's frame: right, up, towards the viewer.
   axes() {
     const eye = this.view.eye();
     return [0, 1, 2].map(i => [eye[i], eye[4 + i], eye[8 + i]]);
   }
 
-  // A line between two points of the base's frame, and its ends.
+  // A line between two points of the base's frame, and its end points.
   line(points) {
     return ["LINES", "POINTS"].map(kind => ({ kind, points, colour: this.colour("--text") }));
   }
 
-  // A verdict's colour, what it is, and more about it.
+  // Shows a verdict's colour, its text, and details.
   say(verdict, what, more) {
     this.says.replaceChildren(element("span", { className: `key v${verdict}` }), element("b", { textContent: what }), more);
     this.section.dataset.verdict = verdict;
   }
 
-  // With two fingers the view comes nearer.
+  // Two fingers zoom.
   #listen() {
     const { canvas } = this;
     const held = new Map();
@@ -190,7 +190,7 @@ class Stage {
   }
 }
 
-// What has this in its data shows it, by mouse and by keyboard.
+// Elements with this data attribute show their value when clicked or chosen by keyboard.
 const offer = (section, name, set) => {
   for (const place of document.querySelectorAll(`[data-${name}]`)) {
     const show = () => {
@@ -209,7 +209,7 @@ const offer = (section, name, set) => {
   }
 };
 
-// Once the page is there: `make(section, data)`, or why it cannot.
+// Once the page is loaded: runs `make(section, data)`, or shows the error.
 const begin = (id, make) => addEventListener("DOMContentLoaded", async () => {
   const section = document.getElementById(id);
   section.hidden = false;
@@ -220,7 +220,7 @@ const begin = (id, make) => addEventListener("DOMContentLoaded", async () => {
   }
 });
 
-// One of several, which the reader chooses: `make(i)` builds what is shown of it.
+// A choice of one of several: `make(i)` builds its view.
 const choose = (section, names, first, make) => {
   const choice = element("select", { onchange: () => show(+choice.value) },
     ...names.map((textContent, value) => element("option", { value, textContent })));
@@ -250,7 +250,7 @@ const put = (library, image, open) => {
   if (status !== 0) throw new Error(`the image is refused, status ${status}`);
 };
 
-// Of a mesh, copied.
+// Copies of a mesh's arrays.
 const arrays_of = (library, mesh) => ({
   vertices: new Int16Array(library.memory.buffer, library.vertices(mesh), 3 * library.vertex_count(mesh)).slice(),
   triangles: new Uint16Array(library.memory.buffer, library.triangles(mesh), 3 * library.triangle_count(mesh)).slice() });

@@ -1,6 +1,6 @@
-// Places one after the other: their verdicts as a time line, which is played and stepped through.
+// A sequence of positions: a time line of their verdicts, to play and to step through.
 class Trajectory {
-  // `verdicts`: a digit a place; `show(i)` puts what is shown there, and returns the place's name and verdict.
+  // `verdicts`: one digit per position; `show(i)` displays a position and returns its name and verdict.
   constructor(verdicts, what, show) {
     this.verdicts = verdicts;
     this.show = show;
@@ -17,7 +17,7 @@ class Trajectory {
     this.place.oninput = () => this.go(+this.place.value);
   }
 
-  // The time line, in the colours of the section, and the first place.
+  // Draws the time line in the colours of the section, and shows the first position.
   attach(section) {
     const colours = [0, 1, 2, 3, 4].map(i => getComputedStyle(section).getPropertyValue(`--v${i}`));
     const pen = this.line.getContext("2d");
@@ -36,7 +36,7 @@ class Trajectory {
     this.name.textContent = this.show(this.period);
   }
 
-  // All of it in ten seconds, or a place a frame.
+  // Plays all positions in ten seconds, or one position per frame.
   #run() {
     if (this.period === this.last) this.go(0);
     const step = Math.max(1, Math.round(this.verdicts.length / 300));

@@ -1,4 +1,4 @@
-// Meshes drawn with WebGL: triangles as the image has them, lit from the eye, and marks in front of them.
+// Draws meshes with WebGL: the image's triangles, lit from the eye, with marks in front of them.
 
 const VERTEX = `#version 300 es
 in vec3 at;
@@ -33,7 +33,7 @@ const times = (a, b) => {
 };
 const placed = (m, [x, y, z]) => [0, 1, 2, 3].map(i => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i]);
 
-// Without a GPU edges are drawn as they are: to smooth them takes a quarter of a frame.
+// Without a GPU, edges are not smoothed: smoothing takes a quarter of a frame.
 const has_gpu = (() => {
   const gl = document.createElement("canvas").getContext("webgl2");
   const names = gl && gl.getExtension("WEBGL_debug_renderer_info");
@@ -41,7 +41,7 @@ const has_gpu = (() => {
 })();
 
 class View {
-  // `meshes`: { vertices: Int16Array, triangles: Uint16Array } each. Throws if there is no WebGL.
+  // `meshes`: a list of { vertices: Int16Array, triangles: Uint16Array }. Throws if there is no WebGL.
   constructor(canvas, meshes) {
     const gl = canvas.getContext("webgl2", { antialias: has_gpu, alpha: false });
     if (!gl) throw new Error("this browser has no WebGL 2");
@@ -61,7 +61,7 @@ class View {
     this.#fit();
   }
 
-  // As many pixels as the page has there.
+  // Sets the canvas to the page's number of pixels.
   #fit() {
     const ratio = Math.min(devicePixelRatio, 2);
     const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map(size => Math.round(size * ratio));
@@ -83,7 +83,7 @@ class View {
     return program;
   }
 
-  // Browsers keep few at a time.
+  // Browsers allow only a few contexts at a time.
   close() {
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
@@ -101,7 +101,7 @@ class View {
     return { array, count: triangles.length };
   }
 
-  // From the base's frame to the eye, which looks along -z; the base's z is up.
+  // From the base's frame to the eye's, which looks along -z; the base's z points up.
   eye() {
     const { yaw, pitch } = this.turn;
     const [s, c, t, d] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
@@ -118,7 +118,7 @@ class View {
       (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]);
   }
 
-  // A point of the base's frame in pixels of the page, from the canvas's left upper corner.
+  // Converts a point of the base's frame to pixels of the page, from the canvas's upper left corner.
   pixel(point) {
     const p = placed(times(this.screen(), this.eye()), point);
     return [(p[0] / p[3] + 1) / 2 * this.canvas.clientWidth, (1 - p[1] / p[3]) / 2 * this.canvas.clientHeight];
@@ -140,8 +140,8 @@ class View {
     });
   }
 
-  // `marks`: { kind: "POINTS", "LINES" or "TRIANGLES", points, colour } each, in the base's frame: an array of
-  // points, or their numbers.
+  // `marks`: a list of { kind: "POINTS", "LINES" or "TRIANGLES", points, colour }, in the base's frame. `points`: an
+  // array of points or of their coordinates.
   draw(matrices, colours, ground, marks) {
     const { gl, places } = this;
     this.#fit();
@@ -165,7 +165,7 @@ class View {
     gl.enable(gl.DEPTH_TEST);
   }
 
-  // The half-line that is seen at a pixel of the page: where it begins, and its direction of length 1.
+  // The viewing ray through a pixel of the page: its start, and its direction of length 1.
   ray(x, y) {
     const [eye, screen] = [this.eye(), this.screen()];
     const seen = [(2 * x / this.canvas.clientWidth - 1) / screen[0], (1 - 2 * y / this.canvas.clientHeight) / screen[5], -1];

@@ -17,7 +17,7 @@ std::string shape_text(const char* outer, const Shape& shape) {
   return "(" + text + (text.find(',') == std::string::npos && !text.empty() ? ",)" : ")");
 }
 
-/// "(4, 4) or (N, 4, 4)".
+/// The expected shape, such as "(4, 4) or (N, 4, 4)".
 std::string wanted(const Argument& argument, bool takes_one) {
   const std::string one = argument.ends_in.empty() ? "a number" : shape_text("", argument.ends_in);
   return (takes_one ? one + " or " : "") + shape_text("N", argument.ends_in);
@@ -38,7 +38,7 @@ void check_shape(const py::array& array, const Argument& argument, bool takes_on
   }
 }
 
-/// An array of these kinds of numbers, by numpy's letters for kinds.
+/// An array with one of these kinds of numbers, by numpy's letters for kinds.
 py::array array_of(const py::object& given, const Argument& argument, bool takes_one,
                    const std::string& kinds, const char* kind_name) {
   py::array array = py::array::ensure(given);

@@ -1,4 +1,4 @@
-// The parts of the module: each adds its classes and functions.
+// The parts of the module: each function adds classes and functions.
 #pragma once
 
 #include "python/arrays.hpp"
@@ -6,9 +6,9 @@
 
 namespace flashbvh::python {
 
-/// The class of Python's warnings, flashbvh.BakeWarning.
+/// The class of warnings, flashbvh.BakeWarning.
 py::object& warning_class();
-/// Issues warnings of Python. Throws if the user has made them errors.
+/// Issues Python warnings. Throws if the user turned them into errors.
 void warn(const tool::Warnings& warnings);
 
 void add_meshes(py::module_& module);

@@ -1,7 +1,7 @@
-# FLASHBVH_HAS_PYTHON: whether pybind11, numpy and the headers of Python are there.
+# FLASHBVH_HAS_PYTHON: true if pybind11, numpy and Python's headers exist.
 #
-# Debian's Python, for which Debian has pybind11 and numpy, before another one in PATH;
-# -DPython3_EXECUTABLE names another one.
+# Prefers Debian's Python, for which Debian has pybind11 and numpy, to another one in PATH;
+# -DPython3_EXECUTABLE selects another one.
 if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "the Python that the package is built for")
 endif()

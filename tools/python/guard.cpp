@@ -27,7 +27,7 @@ std::uint32_t work_of(std::int64_t work) {
   return static_cast<std::uint32_t>(work);
 }
 
-/// A guard with its memory. Threads may share it; one at a time is in it.
+/// A guard with its memory. Threads may share it; a lock admits one at a time.
 class GuardOf {
  public:
   explicit GuardOf(const Robot& robot)
@@ -58,8 +58,8 @@ class GuardOf {
     return guard_.go_on(work);
   }
 
-  /// Replays a trajectory as `flashbvh guard` does, calls put(row, answer). The first accepted row
-  /// primes.
+  /// Replays a trajectory like `flashbvh guard`; calls put(row, answer). The first accepted row
+  /// primes the guard.
   template <class Put>
   void check(const double* rows, std::size_t count, std::uint32_t work, const Put& put) {
     const py::gil_scoped_release release;
@@ -75,7 +75,7 @@ class GuardOf {
   }
 
  private:
-  /// Values as firmware takes them, of floats.
+  /// Checks a period with values as firmware gets them, as floats.
   GuardAnswer period(const double* values, std::uint32_t work) {
     for (std::size_t i = 0; i < floats_.size(); ++i) {
       floats_[i] = static_cast<float>(values[i]);
@@ -92,7 +92,7 @@ class GuardOf {
   Guard guard_;
 };
 
-/// (verdict, pair or none, links or none, distance in metres, work, name of the status).
+/// Returns (verdict, pair or none, links or none, distance in metres, work, name of the status).
 py::tuple tuple_of(const GuardOf& guard, const GuardAnswer& answer) {
   py::object pair = py::none();
   py::object links = py::none();
@@ -115,7 +115,7 @@ py::tuple update(GuardOf& guard, const py::object& given, std::int64_t work) {
   return tuple_of(guard, guard.update(values.data(), work_of(work)));
 }
 
-/// Verdicts, pairs (-1: none), distances and work of all periods.
+/// Returns verdicts, pairs (-1: none), distances and work of all periods.
 py::tuple check(GuardOf& guard, const py::object& given, std::int64_t work) {
   const Doubles values = rows(given, row_of(guard.robot(), "trajectory"));
   const py::ssize_t count = values.shape(0);
@@ -144,8 +144,8 @@ std::vector<float> floats_of(const Robot& robot, const py::object& given, const 
   return {values.data(), values.data() + values.size()};
 }
 
-/// (outcome, part of the way, values there or none, pair or none, links or none, triangles or none,
-/// name of the status).
+/// Returns (outcome, part of the motion, values there or none, pair or none, links or none,
+/// triangles or none, name of the status).
 py::tuple certify(const Robot& robot, const py::object& from, const py::object& to) {
   tool::Trajectory ends(robot.file->robot().variable_count);
   ends.add(0, floats_of(robot, from, "start"));

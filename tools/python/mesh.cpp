@@ -92,7 +92,7 @@ Mesh mesh_of_arrays(const py::object& vertices, const py::object& triangles,
   return mesh;
 }
 
-/// (n, 3) of any arrays of three numbers.
+/// An array (n, 3) from elements of three numbers.
 template <class Number, class Rows>
 py::array_t<Number> array_of_rows(const Rows& rows) {
   py::array_t<Number> made({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
@@ -105,7 +105,7 @@ py::array_t<Number> array_of_rows(const Rows& rows) {
   return made;
 }
 
-/// (2, 3): the least and the greatest coordinates.
+/// (2, 3): the smallest and the largest coordinates.
 py::array_t<double> bounds_of(const py::array_t<double>& points) {
   py::array_t<double> bounds({2, 3});
   double* const to = bounds.mutable_data();
@@ -147,7 +147,7 @@ py::array_t<std::int64_t> triangle_ids_of(const Baked& baked) {
   return ids;
 }
 
-/// UserError if it is of a layout that no query here takes.
+/// UserError if the module's queries do not accept the image's layout.
 std::unique_ptr<Baked> checked(std::unique_ptr<Baked> baked) {
   (void)tool::query_post_mesh<bool>(*baked, [](const auto&) { return true; });
   return baked;
@@ -168,7 +168,7 @@ void save(const Baked& baked, const py::object& path) {
   tool::write_file(path_of(path), {baked.bytes(), baked.header().byte_count});
 }
 
-/// Options of `flashbvh bake`.
+/// The options of `flashbvh bake`.
 struct Order {
   tool::BakeOptions options;
   Unit unit = Unit::none;
@@ -207,7 +207,7 @@ Order order_of(std::optional<double> cell, const std::optional<std::string>& uni
   return order;
 }
 
-/// The one that a call or its meshes name, or the finest that all of them fit.
+/// The cell of the call or of its meshes, or the finest that all meshes fit.
 double shared_cell(const std::vector<const Mesh*>& meshes, std::optional<double> given) {
   double finest = 0;
   for (const Mesh* const mesh : meshes) {
@@ -245,7 +245,7 @@ tool::BakedMesh tree_of(const tool::InputMesh& input, const Order& order) {
   if (!order.simplify) {
     return tool::bake(input, order.options);
   }
-  (void)tool::round_mesh(input, order.options);  // refuses what is too large for the cell
+  (void)tool::round_mesh(input, order.options);  // refuses a mesh that is too large for the cell
   simplify::Coarsening coarse(input.mesh, *order.options.cell);
   coarse.coarsen(std::max(*order.simplify, coarse.rounding()));
   return tool::bake(input, order.options, coarse);

@@ -1,4 +1,4 @@
-// Meshes as Python holds them: to be baked, and baked.
+// Meshes of the Python package, before and after baking.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,13 @@
 
 namespace flashbvh::python {
 
-/// A mesh to be baked.
+/// A mesh before baking.
 struct Mesh {
   tool::InputMesh input;
-  std::optional<double> cell;  ///< that it is to be baked with
+  std::optional<double> cell;  ///< for baking
 };
 
-/// A baked one.
+/// A baked mesh.
 using Baked = tool::ImageFile;
 
 }  // namespace flashbvh::python

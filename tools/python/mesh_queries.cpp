@@ -1,4 +1,4 @@
-// Queries of baked meshes, for batches of poses, rays and points: the library's own, in one loop
+// Queries of baked meshes for batches of poses, rays and points: the library's queries, in a loop
 // without Python's lock.
 #include <cmath>
 
@@ -24,7 +24,7 @@ void check_done(Status status, const char* argument, std::size_t number) {
   }
 }
 
-/// query(mesh_a, mesh_b, pose, number), for each pose, without Python's lock.
+/// Calls query(mesh_a, mesh_b, pose, number) for each pose, without Python's lock.
 template <class Query>
 void for_each_pose(const Baked& a, const Baked& b, const Poses& poses, const Query& query) {
   tool::check_partners(a, b);
@@ -41,7 +41,7 @@ void for_each_pose(const Baked& a, const Baked& b, const Poses& poses, const Que
       a.tree(), b.tree());
 }
 
-/// query(mesh_a, mesh_b, pose) for each pose, an Answer.
+/// Calls query(mesh_a, mesh_b, pose), which returns an Answer, for each pose.
 template <class Query>
 py::array_t<bool> answers(const Baked& a, const Baked& b, const py::object& given,
                           const Query& query) {
@@ -98,7 +98,7 @@ void put_point(double* to, const FinePoint& point, double cell) {
   to[2] = length_of(point.z, cell);
 }
 
-/// A row of each result a pose.
+/// Result arrays with one row per pose.
 struct Distances {
   explicit Distances(const Shape& shape)
       : lower(shape),
@@ -114,7 +114,7 @@ struct Distances {
   py::array_t<std::int64_t> triangles;
 };
 
-/// The memory of Distances, which is written without Python's lock.
+/// The memory of Distances, written without Python's lock.
 struct DistanceRows {
   explicit DistanceRows(Distances& distances)
       : lower(distances.lower.mutable_data()),
@@ -142,8 +142,8 @@ struct DistanceRows {
   std::int64_t* triangles;
 };
 
-/// `is_motion`: each pose begins with the nearest pair of the one before, which spares visits if
-/// they are near each other and costs some if not.
+/// `is_motion`: each pose starts with the last nearest pair as a hint, which saves visits if poses
+/// are close together and costs some if not.
 py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given, bool is_motion) {
   const Poses poses(given);
   Distances distances(poses.shape());
@@ -208,7 +208,7 @@ void get_floats(const double* from, float (&to)[3]) {
   }
 }
 
-/// Rays as firmware takes them, of floats.
+/// Rays as firmware gets them, as floats.
 struct Rays {
   Doubles origins;
   Doubles directions;
@@ -227,7 +227,7 @@ struct Rays {
   }
 };
 
-/// Hit or not, how far off, and the triangle.
+/// Returns arrays: hit or not, distance, triangle.
 py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& along,
                   const py::object& reach) {
   const Rays rays(from, along, reach);
@@ -268,7 +268,7 @@ py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& 
   return py::make_tuple(hit, distance, triangle);
 }
 
-/// A point in cells, rounded as `flashbvh inside` rounds it.
+/// A point in cells, rounded as in `flashbvh inside`.
 Point point_of(const double* from, double cell, std::size_t number) {
   std::int32_t cells[3];
   for (std::size_t i = 0; i < 3; ++i) {

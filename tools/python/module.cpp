@@ -1,4 +1,4 @@
-// The native half of the Python package flashbvh: the host program's rooms and the library's
+// The native part of the Python package flashbvh: components of the host program and the library's
 // queries.
 #include "python/bindings.hpp"
 
@@ -18,7 +18,7 @@ py::object new_class(const char* name, PyObject* base, const char* what) {
   return py::reinterpret_steal<py::object>(made);
 }
 
-/// Messages may quote files that are no UTF-8.
+/// Messages may quote files that are not valid UTF-8.
 void translate(std::exception_ptr thrown) {
   try {
     std::rethrow_exception(thrown);

@@ -1,5 +1,5 @@
-// Motions of a body and their first contacts, in batches: the program's own, in one loop without
-// Python's lock.
+// Motions of a body and their first contacts, in batches: the program's functions, in a loop
+// without Python's lock.
 #include "evaluate/motions.hpp"
 
 #include "evaluate/poses.hpp"
@@ -14,7 +14,7 @@ using tool::concat;
 
 constexpr double kTurn = 6.283185307179586;
 
-/// Each row a move: a point, a direction, radians, the travel.
+/// One move per row: a point, a direction, radians, the travel.
 std::vector<Move> moves_of(const py::object& given, double cell) {
   const Doubles array = rows(given, {"moves", {10}});
   const auto count = static_cast<std::size_t>(array.shape(0));
@@ -31,7 +31,7 @@ std::vector<Move> moves_of(const py::object& given, double cell) {
   return moves;
 }
 
-/// A row of each result a motion.
+/// Result arrays with one row per motion.
 struct Contacts {
   explicit Contacts(const Shape& shape)
       : outcome(shape),
@@ -49,7 +49,7 @@ struct Contacts {
   py::array_t<double> poses;
 };
 
-/// The memory of Contacts, which is written without Python's lock.
+/// The memory of Contacts, written without Python's lock.
 struct ContactRows {
   explicit ContactRows(Contacts& contacts)
       : outcome(contacts.outcome.mutable_data()),
@@ -83,7 +83,7 @@ struct ContactRows {
   double* poses;
 };
 
-/// By moves, or, where these are None, to the poses `to`.
+/// Motions by moves, or to the poses `to` if `moves` is None.
 py::tuple first_contact_all(const tool::ImageFile& a, const tool::ImageFile& b,
                             const py::object& from, const py::object& to, const py::object& moves,
                             double within) {

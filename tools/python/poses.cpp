@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kEntries = 16;
 
-/// UserError, with the tool's message, for what pose_of() refuses.
+/// Throws UserError, with the tool's message, for a pose that pose_of() refuses.
 [[noreturn]] void refuse_pose(const double* matrix, double cell, const std::string& place) {
   tool::RigidPose pose{};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// Poses as Python has them: homogeneous matrices.
+// Python's poses: homogeneous matrices.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace flashbvh::python {
 
-/// "poses[3]".
+/// A name for messages, such as "poses[3]".
 std::string place_of(const char* argument, std::size_t number);
 
-/// Poses of B in A's frame, as firmware takes them, of floats: (4, 4) or (N, 4, 4).
+/// Poses of B in A's frame, as floats like firmware's: (4, 4) or (N, 4, 4).
 class Poses {
  public:
   explicit Poses(const py::object& given, const char* name = "poses");
 
   std::size_t size() const { return size_; }
   const Shape& shape() const { return shape_; }
-  /// Of images of this cell; `cells`: cells_per_unit(). Runs without Python's lock. UserError if
-  /// the library refuses it.
+  /// The pose for images of this cell; `cells`: cells_per_unit(). Runs without Python's lock.
+  /// UserError if the library refuses it.
   Pose at(std::size_t number, double cell, float cells) const;
 
  private:

@@ -64,7 +64,7 @@ Robot bake_robot(const tool::RobotArguments& arguments) {
   return robot;
 }
 
-/// The options of `flashbvh robot`, each as it takes them.
+/// The options of `flashbvh robot`, as texts.
 using Texts = std::vector<std::string>;
 using Text = std::optional<std::string>;
 
@@ -132,7 +132,7 @@ py::list link_names(const Robot& robot) {
   return names;
 }
 
-/// (a, b, verdict, reason, whether it is guarded, witness or none), or none.
+/// Rows (a, b, verdict, reason, whether it is guarded, witness or none), or none.
 py::object matrix_rows(const Robot& robot) {
   if (!robot.has_matrix) {
     return py::none();
@@ -149,7 +149,7 @@ py::object matrix_rows(const Robot& robot) {
   return rows;
 }
 
-/// (a, b, stop, warn) of each guarded pair, lengths in metres.
+/// Rows (a, b, stop, warn) of the guarded pairs, lengths in metres.
 py::list guarded_pairs(const Robot& robot) {
   py::list pairs;
   const flashbvh::Robot& fixed = robot.file->robot();
@@ -162,7 +162,7 @@ py::list guarded_pairs(const Robot& robot) {
   return pairs;
 }
 
-/// (a, b, reason).
+/// Rows (a, b, reason).
 py::list unguarded_pairs(const Robot& robot) {
   py::list pairs;
   for (const tool::UnguardedPair& pair : robot.file->unguarded()) {

@@ -1,4 +1,4 @@
-// A robot as Python holds it.
+// A robot of the Python package.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -13,7 +13,7 @@ namespace flashbvh::python {
 
 namespace py = pybind11;
 
-/// A pair of links and whether they can collide, as `flashbvh robot` decided.
+/// A pair of links and whether it can collide, as `flashbvh robot` decided.
 struct MatrixRow {
   std::string a;
   std::string b;
@@ -25,12 +25,12 @@ struct MatrixRow {
 
 struct Robot {
   std::shared_ptr<const tool::RobotFile> file;
-  tool::Model model;  ///< names and joints, no meshes
+  tool::Model model;  ///< names and joints, without meshes
   std::vector<MatrixRow> matrix;
-  bool has_matrix = false;  ///< of a robot that was baked, not loaded
+  bool has_matrix = false;  ///< true if baked, false if loaded
 };
 
-/// The names of the links of pair `number` of the robot's.
+/// The link names of pair `number` of the robot.
 py::tuple links_of_pair(const Robot& robot, std::uint16_t number);
 
 }  // namespace flashbvh::python

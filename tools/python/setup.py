@@ -13,7 +13,7 @@ from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
 ROOT = next(folder for folder in (HERE, *HERE.parents) if (folder / "lib/include/flashbvh/version.hpp").exists())
-WORK = ROOT / "build/pip"  # nothing is left among the sources
+WORK = ROOT / "build/pip"  # keeps build files out of the sources
 
 
 def version():

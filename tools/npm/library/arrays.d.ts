@@ -1,4 +1,4 @@
-/** Floats: an array of another type is rounded to the nearest ones. */
+/** Floats: numbers in other arrays are rounded to the nearest float. */
 export type Floats = Float32Array | Float64Array | number[];
-/** What `flashbvh bake --format image` and `flashbvh robot --format image` write. It is copied. */
+/** An image from `flashbvh bake --format image` or `flashbvh robot --format image`. The library copies it. */
 export type Image = Uint8Array | ArrayBuffer;

@@ -1,4 +1,4 @@
-// What both modules have in common.
+// Shared by both modules.
 #pragma once
 
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 namespace batches {
 
-/// Of a cell's bits.
+/// The length of a cell from its bits.
 inline double length_of(uint64_t bits) {
   double length = 0;
   __builtin_memcpy(&length, &bits, sizeof length);

@@ -1,6 +1,6 @@
 // The C interface to meshes in batches, for meshes.js: one call for many poses, rays or points. A
-// call returns how many it answered: `count`, or the number of the first in error, whose status is
-// last_status().
+// call returns the number of answers: `count`, or on an error the number of the first failed query,
+// whose status is last_status().
 #include "exports.hpp"
 #include "flashbvh/clearance.h"
 #include "flashbvh/ray.h"
@@ -11,7 +11,7 @@ namespace {
 
 flashbvh_status last;
 
-/// Calls query(i) until one is in error.
+/// Calls query(i) until one fails.
 template <class Query>
 uint32_t for_each(uint32_t count, const Query& query) {
   last = FLASHBVH_STATUS_DONE;
@@ -24,7 +24,7 @@ uint32_t for_each(uint32_t count, const Query& query) {
   return count;
 }
 
-/// In 1/256 cell: all of a point's range is exact.
+/// Writes a point in 1/256 cell: a double represents the whole range exactly.
 void put(const flashbvh_fine_point& point, double* to) {
   to[0] = static_cast<double>(point.x);
   to[1] = static_cast<double>(point.y);
@@ -37,18 +37,18 @@ EXPORT flashbvh_status last_status() {
   return last;
 }
 
-/// Bytes of a mesh and a pose.
+/// The sizes of a mesh and of a pose in bytes.
 EXPORT const uint32_t* sizes() {
   static const uint32_t bytes[] = {sizeof(flashbvh_mesh), sizeof(flashbvh_pose)};
   return bytes;
 }
 
-/// In the unit.
+/// The cell in the mesh's unit.
 EXPORT double cell(const flashbvh_mesh* mesh) {
   return length_of(flashbvh_mesh_cell(mesh));
 }
 
-/// Twelve numbers each: a rotation row by row, then a translation in the unit.
+/// Twelve numbers per pose: a rotation row by row, then a translation in the unit.
 EXPORT uint32_t poses_of_matrices(const flashbvh_mesh* mesh, uint32_t count, const float* numbers,
                                   flashbvh_pose* poses) {
   const float cells = flashbvh_mesh_cells_per_unit(mesh);
@@ -58,7 +58,7 @@ EXPORT uint32_t poses_of_matrices(const flashbvh_mesh* mesh, uint32_t count, con
   });
 }
 
-/// Seven numbers each: w, x, y, z, then a translation in the unit.
+/// Seven numbers per pose: w, x, y, z, then a translation in the unit.
 EXPORT uint32_t poses_of_quaternions(const flashbvh_mesh* mesh, uint32_t count,
                                      const float* numbers, flashbvh_pose* poses) {
   const float cells = flashbvh_mesh_cells_per_unit(mesh);
@@ -73,7 +73,7 @@ EXPORT uint32_t solids_intersect(const flashbvh_mesh* a, const flashbvh_mesh* b,
                   [&](uint32_t i) { return flashbvh_solids_intersect(a, b, poses + i, yes + i); });
 }
 
-/// `distance` in 1/256 cell.
+/// `distance` is in 1/256 cell.
 EXPORT uint32_t closer_than(const flashbvh_mesh* a, const flashbvh_mesh* b,
                             const flashbvh_pose* poses, uint32_t count, uint32_t distance,
                             bool* yes) {
@@ -90,7 +90,7 @@ EXPORT uint32_t first_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
   });
 }
 
-/// `is_motion`: the nearest pair of a pose is the hint of the next one.
+/// `is_motion`: each pose's nearest pair is the hint of the next pose.
 EXPORT uint32_t distances(const flashbvh_mesh* a, const flashbvh_mesh* b,
                           const flashbvh_pose* poses, uint32_t count, bool is_motion,
                           uint32_t* lower, uint32_t* upper, double* points_a, double* points_b,
@@ -112,7 +112,7 @@ EXPORT uint32_t distances(const flashbvh_mesh* a, const flashbvh_mesh* b,
   });
 }
 
-/// Seven numbers each, in the unit: an origin, a direction, how far the ray reaches.
+/// Seven numbers per ray, in the unit: an origin, a direction and a reach.
 EXPORT uint32_t nearest_hits(const flashbvh_mesh* mesh, uint32_t count, const float* rays,
                              bool* yes, uint16_t* triangles, int8_t* sides, uint32_t* distances,
                              double* points) {
@@ -137,7 +137,7 @@ EXPORT uint32_t nearest_hits(const flashbvh_mesh* mesh, uint32_t count, const fl
   });
 }
 
-/// Points in cells.
+/// `points` are in cells.
 EXPORT uint32_t inside(const flashbvh_mesh* mesh, uint32_t count, const flashbvh_point* points,
                        uint8_t* sides) {
   return for_each(count, [&](uint32_t i) {

@@ -1,4 +1,4 @@
-// Queries of baked meshes: flashbvh's C interface as WebAssembly, in batches. meshes.d.ts says what each returns.
+// Queries of baked meshes: flashbvh's C interface as WebAssembly, in batches. meshes.d.ts documents the results.
 import { Module, need, need_whole } from "./module.js";
 
 const module = await Module.open("meshes.wasm");
@@ -36,7 +36,7 @@ export class Poses {
   }
 }
 
-// Of B at each pose in A's frame: query(a, b, poses, count, ...places).
+// Queries with B at each pose in A's frame: query(a, b, poses, count, ...places).
 const posed = (a, b, poses, arrays, query) => {
   need(a, Mesh, "a");
   need(b, Mesh, "b");
@@ -58,7 +58,7 @@ export const firstPair = (a, b, poses) => {
   return { yes, triangles };
 };
 
-// The same search.
+// Uses the search of firstPair().
 export const intersects = (a, b, poses) => firstPair(a, b, poses).yes;
 
 export const distance = (a, b, poses, { isMotion = false } = {}) => {

@@ -1,4 +1,4 @@
-// A module of the library, and what its callers share: memory, errors, arrays in and out.
+// A WebAssembly module of the library, with shared code for memory, errors, and arrays in and out.
 
 const bytes_at = async url => {
   if (url.protocol === "file:") return (await import("node:fs")).readFileSync(url);
@@ -26,7 +26,7 @@ export class Module {
   constructor(library) {
     this.library = library;
     this.end = library.__heap_base.value;
-    // Blocks of a power of two: those that were freed, by its exponent.
+    // Freed blocks by exponent; block sizes are powers of two.
     this.freed = Array.from({ length: 64 }, () => []);
     this.exponents = new Map();
     this.dropped = new FinalizationRegistry(places => places.forEach(place => this.give(place)));
@@ -55,7 +55,7 @@ export class Module {
   give(place) {
     this.freed[this.exponents.get(place)].push(place);
   }
-  // What an object holds is freed some time after the object is dropped.
+  // Frees an object's memory some time after the object is dropped.
   keep(object, ...places) {
     this.dropped.register(object, places);
     return places;
@@ -80,7 +80,7 @@ export class Module {
     return [this.copy_in(Uint8Array, need(bytes, Uint8Array, "an image")), bytes.length];
   }
 
-  // Arrays [Type, width] of `count` rows each, which call(...places) fills; it may return how many rows it answered.
+  // Arrays [Type, width] of `count` rows each, filled by call(...places), which may return the number of answered rows.
   filled(count, name, arrays, call) {
     const places = arrays.map(([Type, width]) => this.take(Math.max(1, count * width * Type.BYTES_PER_ELEMENT)));
     try {
@@ -92,7 +92,7 @@ export class Module {
       places.forEach(place => this.give(place));
     }
   }
-  // The same of rows of `width` numbers: call(count, place, ...places). Floats of another type are rounded.
+  // filled() for input rows of `width` numbers: call(count, place, ...places). Rounds floats of other types.
   answered(Type, numbers, width, name, arrays, call) {
     if (Type === Float32Array && (Array.isArray(numbers) || numbers instanceof Float64Array)) {
       numbers = Float32Array.from(numbers);

@@ -1,11 +1,11 @@
 /**
  * Baked robots and their guards: flashbvh's C interface (flashbvh/*.h) as WebAssembly, in batches. The answers are
- * those of firmware, bit for bit. Distances are in 1/256 cell: times `fine` of a robot in metres. Results are copies, the
- * caller's.
+ * those of firmware, bit for bit. Distances are in 1/256 cell: multiply by a robot's `fine` to get metres. Results are
+ * copies that the caller owns.
  *
- * What the library refuses is an Error whose `status` is the name of C's status, `image_corrupt` for instance, and
- * whose message has the row that is in error; then the whole batch has no answer. Other arguments are a TypeError or a
- * RangeError. An object's memory is freed some time after the object is dropped.
+ * If the library refuses an argument, it throws an Error: `status` is the name of C's status, such as `image_corrupt`,
+ * and the message names the failed row; the whole batch then has no answer. Other invalid arguments are a TypeError or
+ * a RangeError. An object's memory is freed some time after the object is dropped.
  */
 
 import type { Floats, Image } from "./arrays.js";
@@ -15,14 +15,14 @@ export class Robot {
   constructor(image: Image);
   private readonly place: number;
   readonly name: string;
-  /** The joints that the values are of, in their order. */
+  /** The joints of the values, in the values' order. */
   readonly jointNames: string[];
   readonly linkNames: string[];
-  /** The numbers of both links of each guarded pair. */
+  /** The indices of both links of each guarded pair. */
   readonly pairs: [number, number][];
   /** 1/256 cell, in metres. */
   readonly fine: number;
-  /** Rows of joint values as a guard takes them, of radians and metres. What is no number or too large becomes a value
+  /** Converts radians and metres to rows of joint values for a guard. NaN and numbers that are too large become values
    * that every guard refuses. */
   values(floats: Floats): Int32Array;
 }
@@ -32,30 +32,30 @@ export const Verdict: {
 };
 
 export interface GuardAnswers {
-  /** Of C's statuses, 0 being done: statusName() of why values were refused. */
+  /** C's statuses, 0 for done; statusName() gives the reason why values were refused. */
   statuses: Uint8Array;
   /** Verdict. */
   verdicts: Uint8Array;
-  /** Of the robot's pairs, that of the least clearance with this verdict; or NO_PAIR. */
+  /** The pair, by its index in the robot's pairs, with the least clearance for this verdict; or NO_PAIR. */
   pairs: Uint16Array;
-  /** The links of this pair stayed at least so far apart: what is known. */
+  /** A lower bound of the distance of this pair's links. */
   distances: Uint32Array;
-  /** Spent; 0 where ALL_WORK was granted. */
+  /** The spent work; 0 if ALL_WORK was granted. */
   works: Uint32Array;
 }
-/** A robot's guard, which knows nothing yet. */
+/** A robot's guard. A new guard has no previous position. */
 export class Guard {
   constructor(robot: Robot);
   private readonly place: number;
-  /** At start-up: forgets all, then check() with ALL_WORK. `values`: of Robot.values(). */
+  /** At start-up: forgets everything, then runs check() with ALL_WORK. `values`: from Robot.values(). */
   prime(values: Int32Array): GuardAnswers;
-  /** A period a row: from the last values to these, each joint monotonically. `work` of a period: 1 to ALL_WORK, which is
-   * without limit. */
+  /** One period per row: from the last values to these, each joint monotonically. `work` per period: 1 to ALL_WORK,
+   * which has no limit. */
   check(values: Int32Array, options?: { work?: number }): GuardAnswers;
   forget(): void;
 }
 export const ALL_WORK: number;
 export const NO_PAIR: number;
 
-/** "joint_jumped", for instance. */
+/** The name of a status, such as "joint_jumped". */
 export function statusName(status: number): string;

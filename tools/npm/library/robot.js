@@ -1,4 +1,4 @@
-// Baked robots and their guards: flashbvh's C interface as WebAssembly, in batches. robot.d.ts says what each returns.
+// Baked robots and their guards: flashbvh's C interface as WebAssembly, in batches. robot.d.ts documents the results.
 import { Module, need, need_whole } from "./module.js";
 
 const module = await Module.open("robot.wasm");

@@ -13,7 +13,7 @@ uint32_t joints_between(const flashbvh_robot& robot) {
   return count;
 }
 
-/// The first joint that a value moves by itself.
+/// The first joint that a value moves directly.
 uint8_t joint_of(const flashbvh_robot& robot, uint32_t variable) {
   uint8_t joint = 0;
   while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
@@ -25,19 +25,19 @@ uint8_t joint_of(const flashbvh_robot& robot, uint32_t variable) {
 
 }  // namespace
 
-/// Bytes of a mesh, a robot and a guard.
+/// The sizes of a mesh, a robot and a guard in bytes.
 EXPORT const uint32_t* sizes() {
   static const uint32_t bytes[] = {sizeof(flashbvh_mesh), sizeof(flashbvh_robot),
                                    sizeof(flashbvh_guard)};
   return bytes;
 }
 
-/// In metres.
+/// The cell in metres.
 EXPORT double cell(const flashbvh_robot* robot) {
   return length_of(robot->cell_bits);
 }
 
-/// Values, links, pairs and bytes of a guard's state.
+/// Counts of values, links and pairs, and the bytes of a guard's state.
 EXPORT const uint32_t* counts(const flashbvh_robot* robot) {
   static uint32_t found[4];
   found[0] = robot->variable_count;
@@ -53,7 +53,7 @@ EXPORT const char* variable_name(const void* image, const flashbvh_robot* robot,
   return flashbvh_joint_name(image, joint_of(*robot, variable));
 }
 
-/// Two links a pair.
+/// Writes two links per pair.
 EXPORT void links_of_pairs(const flashbvh_robot* robot, uint8_t* links) {
   for (uint32_t i = 0; i < robot->pair_count; ++i) {
     links[2 * i] = robot->pairs[i].a;
@@ -69,7 +69,7 @@ EXPORT void values_of(const flashbvh_robot* robot, uint32_t count, const float* 
   }
 }
 
-/// A period a row of values. A refused one is no error: its answer says so.
+/// Checks one period per row of values. A refused row is not an error: its answer has the status.
 EXPORT void check(flashbvh_guard* guard, const flashbvh_robot* robot, uint32_t count,
                   const flashbvh_joint_coordinate* values, uint32_t work, uint8_t* statuses,
                   uint8_t* verdicts, uint16_t* pairs, uint32_t* distances, uint32_t* works) {

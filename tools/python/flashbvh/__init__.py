@@ -1,11 +1,11 @@
-"""Exact collision and distance of triangle meshes, and guards of robots: firmware's code, in batches.
+"""Exact collision and distance queries of triangle meshes, and guards of robots: firmware's code, in batches.
 
-Meshes are baked to a lattice; queries are exact for the baked meshes, as on a microcontroller. Poses are
+Baking rounds meshes to a lattice; queries are exact for the baked meshes, as on a microcontroller. Poses are
 homogeneous matrices, (4, 4) or (N, 4, 4), of B in A's frame, in the meshes' unit. Results have the poses'
 leading shape: () for one pose, (N,) for a batch. Batches run without Python's lock.
 
-`Error`, a ValueError, is what the program `flashbvh` refuses, with its message. Arguments of another shape
-or dtype, or with a number that is not finite, are a ValueError that names the argument.
+`Error`, a ValueError, has the message of the program `flashbvh` for inputs that it refuses. Arguments of another
+shape or dtype, or with a number that is not finite, raise a ValueError that names the argument.
 """
 from ._meshes import Baked, Mesh, bake
 from ._motions import BodyMotion, ContactOutcome, FirstContacts, first_contact

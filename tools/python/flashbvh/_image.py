@@ -1,4 +1,4 @@
-"""What baked meshes and robots have in common: an image."""
+"""The common part of baked meshes and robots: an image."""
 from __future__ import annotations
 
 import os
@@ -18,18 +18,18 @@ class _Native(Protocol):
 
 
 class Image:
-    """An image, which firmware opens in place."""
+    """A binary image, which firmware uses in place."""
 
     def __init__(self, native: _Native) -> None:
         self._image = native
 
     def save(self, path: Path) -> None:
-        """Writes the image (.fbvh, .robot), whole or not at all. Raises Error if that fails."""
+        """Writes the image (.fbvh, .robot), completely or not at all. Raises Error on failure."""
         self._image.save(path)
 
     @property
     def image(self) -> bytes:
-        """The image, the bytes of a file."""
+        """The bytes of the image file."""
         return self._image.image
 
     @property

@@ -1,4 +1,4 @@
-"""Motions of a body, and where two bodies touch first."""
+"""Motions of a body, and the first contact of two bodies."""
 from __future__ import annotations
 
 import enum
@@ -12,7 +12,7 @@ from ._meshes import Baked
 
 
 class ContactOutcome(enum.IntEnum):
-    """What is found of a motion. Only of FREE it is certain that the bodies do not touch."""
+    """The outcome of a motion. Only FREE proves that the bodies do not touch."""
 
     FREE = 0
     CONTACT = 1
@@ -22,8 +22,8 @@ class ContactOutcome(enum.IntEnum):
 class BodyMotion:
     """A motion of B in A's frame, or a batch of motions, at constant speed.
 
-    start, end: (4, 4) or (N, 4, 4), in the meshes' unit. The origin of B goes straight, and B turns about it the
-    shorter way.
+    start, end: (4, 4) or (N, 4, 4), in the meshes' unit. The origin of B moves along a straight line, and B turns
+    about it the shorter way.
     """
 
     def __init__(self, start: npt.ArrayLike, end: npt.ArrayLike) -> None:
@@ -33,11 +33,11 @@ class BodyMotion:
 
     @classmethod
     def of_moves(cls, start: npt.ArrayLike, moves: npt.ArrayLike) -> BodyMotion:
-        """A motion by moves that all go at once, as the joints of a chain, from the outermost to the innermost.
+        """A motion composed of simultaneous moves, like the joints of a chain, from the outermost to the innermost.
 
-        start: (4, 4) or (N, 4, 4). moves: (k, 10), up to 64 of a point of an axis, its direction, the angle about it
-        in radians and the travel, in A's frame where the motion begins. Directions have any length; where the angle
-        is 0, point and direction are not read.
+        start: (4, 4) or (N, 4, 4). moves: (k, 10), up to 64 moves: a point of an axis, its direction, the angle about
+        it in radians and the travel, in A's frame at the start of the motion. Directions have any length; if the angle
+        is 0, point and direction are ignored.
         """
         motion = cls(start, start)
         motion.end, motion.moves = None, moves
@@ -45,7 +45,7 @@ class BodyMotion:
 
 
 class FirstContacts(NamedTuple):
-    """Where two bodies touch first; a row a motion, with the poses' leading shape."""
+    """First contacts of two bodies; one row per motion, with the poses' leading shape."""
 
     outcome: npt.NDArray[np.uint8]
     """(...,): a ContactOutcome. CONTACT: they touch at `end`. CLOSE: they are within a cell between `start` and
@@ -61,16 +61,16 @@ class FirstContacts(NamedTuple):
 
     @property
     def is_free(self) -> npt.NDArray[np.bool_]:
-        """Whether the bodies do not touch at any moment: bool, (...,)."""
+        """Whether the bodies touch at no moment: bool, (...,)."""
         return np.asarray(self.outcome == ContactOutcome.FREE)
 
 
 def first_contact(a: Baked, b: Baked, motion: BodyMotion, within: float = 0.0) -> FirstContacts:
-    """Whether A and B, which moves, are apart at every moment, and if not, where they touch first.
+    """Whether A and the moving B are apart at every moment, and if not, their first contact.
 
-    Surfaces, not solids: a body that begins inside the other one does not touch it. within: bodies that come so near
-    touch, in the meshes' unit; of one cell it excludes also poses on the way that are rounded to the lattice.
-    Raises Error if the meshes have different cells, a matrix is no rotation with a translation, or B may get 2^19
+    Surfaces, not solids: a body that starts inside the other one does not touch it. within: bodies at most this far
+    apart count as touching, in the meshes' unit; one cell also covers poses between that are rounded to the lattice.
+    Raises Error if the meshes have different cells, a matrix is not a rotation with a translation, or B may get 2^19
     cells or farther from A's origin.
     """
     return FirstContacts(*_native.first_contact(a._native, b._native, motion.start, motion.end, motion.moves, within))

@@ -11,7 +11,7 @@ from ._meshes import Baked
 
 
 class Distances(NamedTuple):
-    """How far two meshes are apart; a row a pose, with the poses' leading shape."""
+    """Distances of two meshes; one row per pose, with the poses' leading shape."""
 
     distance: npt.NDArray[np.float64]
     """(...,): rounded down to 1/256 cell, in the meshes' unit; 0 if they intersect. Meshes 2^20 cells or more apart:
@@ -27,7 +27,7 @@ class Distances(NamedTuple):
 
 
 class Hits(NamedTuple):
-    """First hits of rays; a row a ray, with the rays' leading shape."""
+    """First hits of rays; one row per ray, with the rays' leading shape."""
 
     hit: npt.NDArray[np.bool_]
     """(...,): whether the ray hits the mesh."""
@@ -41,15 +41,15 @@ def intersects(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np.bool_
     """Whether any triangles of A and B intersect; touching counts. Surfaces, not solids.
 
     poses: (4, 4) or (N, 4, 4), B in A's frame, in the meshes' unit. Returns bool, () or (N,).
-    Raises Error if the meshes have different cells or a matrix is no rotation with a translation.
+    Raises Error if the meshes have different cells or a matrix is not a rotation with a translation.
     """
     return _native.intersects(a._native, b._native, poses)
 
 
 def solids_intersect(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np.bool_]:
-    """Whether A and B have a point in common, insides included; both are closed meshes.
+    """Whether A and B have a point in common, insides included; both meshes must be closed.
 
-    poses, result and errors: as `intersects`. Raises Error, too, if a mesh is not closed.
+    poses, result and errors: as in `intersects`. Also raises Error if a mesh is not closed.
     """
     return _native.solids_intersect(a._native, b._native, poses)
 
@@ -57,33 +57,33 @@ def solids_intersect(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np
 def closer_than(a: Baked, b: Baked, poses: npt.ArrayLike, length: float) -> npt.NDArray[np.bool_]:
     """Whether any points of A and B are at most `length` apart, in the meshes' unit.
 
-    Faster than `distance`. poses, result and errors: as `intersects`.
+    Faster than `distance`. poses, result and errors: as in `intersects`.
     """
     return _native.closer_than(a._native, b._native, poses, length)
 
 
 def distance(a: Baked, b: Baked, poses: npt.ArrayLike, *, is_motion: bool = False) -> Distances:
-    """How far A and B are apart, and where they are nearest.
+    """The distance of A and B, and their nearest points.
 
-    poses and errors: as `intersects`. is_motion: each pose begins with the nearest pair of the one before: faster
-    where they are near each other, slower where they are not. It changes no distance; of several nearest pairs,
-    the reported one may be another.
+    poses and errors: as in `intersects`. is_motion: each pose starts with the last nearest pair as a hint, which is
+    faster if poses are close together, and slower if not. Distances do not change; of several nearest pairs, another
+    may be reported.
     """
     return Distances(*_native.distance(a._native, b._native, poses, is_motion))
 
 
 def first_pair(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np.int64]:
-    """A pair of triangles that intersect, whichever is found first: (..., 2), ids of A's and B's; -1 if there is none.
+    """The first pair of intersecting triangles that the query finds: (..., 2), ids of A's and B's; -1 if there is none.
 
-    poses and errors: as `intersects`.
+    poses and errors: as in `intersects`.
     """
     return _native.first_pair(a._native, b._native, poses)
 
 
 def pairs(a: Baked, b: Baked, pose: npt.ArrayLike) -> npt.NDArray[np.int64]:
-    """All pairs of triangles that intersect: (k, 2), ids of A's and B's, in the query's order.
+    """All pairs of intersecting triangles: (k, 2), ids of A's and B's, in the query's order.
 
-    pose: (4, 4). Errors: as `intersects`.
+    pose: (4, 4). Errors: as in `intersects`.
     """
     return _native.pairs(a._native, b._native, pose)
 
@@ -92,8 +92,8 @@ def nearest_hit(mesh: Baked, origins: npt.ArrayLike, directions: npt.ArrayLike,
                 length: npt.ArrayLike) -> Hits:
     """Finds the first hit of each ray.
 
-    origins, directions: (3,) or (N, 3), in the mesh's frame; directions of any length but 0. length: how far
-    the rays reach, in the mesh's unit, a number or (N,).
+    origins, directions: (3,) or (N, 3), in the mesh's frame; directions of any length but 0. length: the reach of
+    the rays, in the mesh's unit, a number or (N,).
     Raises Error if a direction is 0 or a ray ends 524,287 cells or more from the mesh.
     """
     return Hits(*_native.nearest_hit(mesh._native, origins, directions, length))
@@ -102,7 +102,7 @@ def nearest_hit(mesh: Baked, origins: npt.ArrayLike, directions: npt.ArrayLike,
 def inside(mesh: Baked, points: npt.ArrayLike) -> npt.NDArray[np.bool_]:
     """Whether points are inside a closed mesh or on its surface.
 
-    points: (3,) or (N, 3), in the mesh's frame and unit, each taken to the nearest cell. Returns bool, () or
+    points: (3,) or (N, 3), in the mesh's frame and unit, rounded to the nearest cells. Returns bool, () or
     (N,). Raises Error if the mesh is not closed.
     """
     return _native.inside(mesh._native, points)

@@ -15,7 +15,7 @@ ALL_WORK: int = _native.ALL_WORK
 
 
 class Verdict(enum.IntEnum):
-    """A guard's word on a period, from the best to the worst. Only up to WARN may the robot move."""
+    """A guard's verdict on a period, from the best to the worst. The robot may move only up to WARN."""
 
     FREE = 0
     WARN = 1
@@ -47,7 +47,7 @@ class GuardedPair(NamedTuple):
 
 
 class UnguardedPair(NamedTuple):
-    """Two links that a joint moves and that no guard looks at, or only outside a joint zone."""
+    """Two links that a joint moves and that no guard tests, or only outside a joint zone."""
 
     a: str
     b: str
@@ -55,7 +55,7 @@ class UnguardedPair(NamedTuple):
 
 
 class Robot(Image):
-    """A baked robot: its image, which firmware opens in place. Made by `from_urdf` or `load`."""
+    """A baked robot: an image, which firmware uses in place. Made by `from_urdf` or `load`."""
 
     def __init__(self, native: _native.Robot) -> None:
         if not isinstance(native, _native.Robot):
@@ -71,17 +71,17 @@ class Robot(Image):
                   simplify: Optional[float] = None, fit: Optional[int] = None,
                   pairs: Optional[Mapping[tuple[str, str], tuple[float, float]]] = None,
                   zones: Optional[Mapping[str, float]] = None, time: Optional[float] = None) -> Robot:
-        """Bakes a URDF and decides which pairs of links can collide, as `flashbvh robot` does.
+        """Bakes a URDF and decides which pairs of links can collide, like `flashbvh robot`.
 
-        stop, warn: links nearer than these must stop, are warned of; warn is stop by default.
-        srdf: pairs that need no guard. believe: pairs of it that can collide and are not guarded all the same.
+        stop, warn: distances at which two links must stop, or cause a warning; warn is stop by default.
+        srdf: pairs that need no guard. believe: pairs of the SRDF to leave unguarded although they can collide.
         packages: folders by package, for meshes at package://NAME/. joint_limits: MoveIt's joint_limits.yaml.
-        visual_too: links with visual shapes alone collide by them. cell, leaf_size: of the links' meshes.
-        simplify, fit: fewer triangles, within a length or for so many bytes. pairs: (stop, warn) of two links.
-        zones: radii of joints about which two links may touch. time: seconds, after which pairs are undecided.
+        visual_too: links that have only visual shapes collide by them. cell, leaf_size: of the links' meshes.
+        simplify, fit: fewer triangles, within a length or a number of bytes. pairs: (stop, warn) of two links.
+        zones: radii around joints within which two links may touch. time: seconds; later pairs stay undecided.
 
-        Takes some seconds a pair where proofs are hard. Warns (BakeWarning) of pairs that are not guarded.
-        Raises Error for a URDF, an SRDF or options that can't be used, with the program's message.
+        Takes some seconds per pair if proofs are hard. Warns (BakeWarning) of pairs that are not guarded.
+        Raises Error, with the program's message, for a URDF, an SRDF or options that can't be used.
         """
         return cls(_native.robot_of_urdf(
             path, _number(stop), _number(warn), srdf, [f"{a},{b}" for a, b in believe],
@@ -92,15 +92,15 @@ class Robot(Image):
 
     @classmethod
     def load(cls, source: Path) -> Robot:
-        """Opens an image file (.robot), or the image itself as bytes, and proves it.
+        """Opens an image file (.robot), or an image as bytes, and validates it.
 
-        Raises Error if it is no image of a robot, damaged, or of another version.
+        Raises Error if it is not an image of a robot, damaged, or of another version.
         """
         return cls(_native.Robot.load(source))
 
     @property
     def joint_names(self) -> list[str]:
-        """The n joints that values move, in the values' order; mimics follow and are none of them."""
+        """The n joints that values move, in the values' order; without mimics, which follow other joints."""
         return self._native.joint_names
 
     @property
@@ -115,18 +115,18 @@ class Robot(Image):
 
     @property
     def matrix(self) -> Optional[list[MatrixRow]]:
-        """All pairs of links, decided; None for a robot that was loaded: the image has only the result."""
+        """All pairs of links with their verdicts; None for a loaded robot, because the image has only the result."""
         rows = self._native.matrix
         return None if rows is None else [MatrixRow(*row) for row in rows]
 
     @property
     def pairs(self) -> list[GuardedPair]:
-        """The pairs that a guard looks at, by the number that it reports."""
+        """The guarded pairs, in the order of the numbers that guards report."""
         return [GuardedPair(*pair) for pair in self._native.pairs]
 
     @property
     def unguarded(self) -> list[UnguardedPair]:
-        """The pairs that no guard looks at, or only outside a joint zone: a collision there is not detected."""
+        """Pairs that no guard tests, or only outside a joint zone: collisions there are not detected."""
         return [UnguardedPair(*pair) for pair in self._native.unguarded]
 
     def __reduce__(self) -> tuple[object, tuple[bytes]]:
@@ -137,7 +137,7 @@ class Robot(Image):
 
 
 class GuardAnswer(NamedTuple):
-    """A guard's answer to a period."""
+    """A guard's answer for a period."""
 
     verdict: Verdict
     pair: Optional[int]
@@ -152,7 +152,7 @@ class GuardAnswer(NamedTuple):
 
 
 class Checked(NamedTuple):
-    """A guard's answers to a trajectory, a row a period."""
+    """A guard's answers for a trajectory, one row per period."""
 
     verdicts: npt.NDArray[np.uint8]
     """(T,): numbers of Verdict."""
@@ -165,38 +165,38 @@ class Checked(NamedTuple):
 
 
 class Guard:
-    """Keeps a robot from hitting itself: the firmware's guard, with its state. Threads may share it."""
+    """Keeps a robot from hitting itself: firmware's guard with its state. Threads may share it."""
 
     def __init__(self, robot: Robot) -> None:
         self.robot = robot
         self._native = _native.Guard(robot._native)
 
     def update(self, values: npt.ArrayLike, work: int = ALL_WORK) -> GuardAnswer:
-        """A period: from the last values to these, (n,), in radians and metres, in `joint_names` order.
+        """Checks a period: from the last values to these, (n,), in radians and metres, in `joint_names` order.
 
-        work: what may be spent; the first period wants ALL_WORK. Raises ValueError for another shape or a
-        number that is not finite. Values out of limits are no exception: the verdict is REFUSED.
+        work: the budget; the first period needs ALL_WORK. Raises ValueError for another shape or a number that is not
+        finite. Values out of limits raise no exception: the verdict is REFUSED.
         """
         return _answer(self._native.update(values, work))
 
     def go_on(self, work: int = ALL_WORK) -> GuardAnswer:
-        """Goes on with the last period, with more work."""
+        """Continues the last period with more work."""
         return _answer(self._native.go_on(work))
 
     def forget(self) -> None:
-        """Forgets where the robot was, and all that is known."""
+        """Forgets the robot's position and all known distances."""
         self._native.forget()
 
     def check(self, trajectory: npt.ArrayLike, work: int = ALL_WORK) -> Checked:
-        """A trajectory, (T, n), a period a row, as `flashbvh guard` replays it: from nothing known.
+        """Checks a trajectory, (T, n), one period per row, like `flashbvh guard`: starts without knowledge.
 
-        work: of each period but the first, which takes what it takes. The guard stands at the end afterwards.
+        work: the budget of each period except the first, which has no limit. Afterwards the guard is at the end.
         """
         return Checked(*self._native.check(trajectory, work))
 
 
 class MotionAnswer(NamedTuple):
-    """The answer to a motion."""
+    """The answer for a motion."""
 
     outcome: str
     """free; hit: a pair intersects at `part`; close: it may, about there; refused."""
@@ -214,7 +214,7 @@ class MotionAnswer(NamedTuple):
 
     @property
     def is_free(self) -> bool:
-        """Whether no guarded pair intersects at any moment."""
+        """True if no guarded pair intersects at any moment."""
         return self.outcome == "free"
 
 
@@ -227,7 +227,7 @@ class Motion:
         self.robot = robot
 
     def certify(self, start: npt.ArrayLike, end: npt.ArrayLike) -> MotionAnswer:
-        """Whether the robot is free at every moment from `start` to `end`, (n,) each, all joints in proportion."""
+        """Decides if the robot is free at every moment from `start` to `end`, (n,) each, all joints in proportion."""
         return MotionAnswer(*_native.certify(self.robot._native, start, end))
 
 
@@ -236,5 +236,5 @@ def _answer(native: tuple[int, Optional[int], Optional[tuple[str, str]], float, 
 
 
 def _number(value: Union[float, int, None]) -> Optional[str]:
-    """The text that the program's options take."""
+    """The text of a number for the program's options."""
     return None if value is None else repr(float(value))

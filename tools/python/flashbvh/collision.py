@@ -1,4 +1,4 @@
-"""Many objects at once, by the method names of trimesh.collision.CollisionManager."""
+"""Queries of many objects at once, with the method names of trimesh.collision.CollisionManager."""
 from __future__ import annotations
 
 from typing import Iterator, Literal, NamedTuple, Optional, Protocol, Union, overload
@@ -14,7 +14,7 @@ Matrix = npt.NDArray[np.float64]
 
 
 class HasFaces(Protocol):
-    """A mesh of trimesh, or what has its arrays."""
+    """A mesh of trimesh, or another object with its arrays."""
 
     @property
     def vertices(self) -> npt.ArrayLike: ...
@@ -45,10 +45,10 @@ class _Nearest(NamedTuple):
 
 
 class CollisionManager:
-    """Meshes that move rigidly, tested against each other by surfaces. Transforms: (4, 4), to the world.
+    """Rigidly moving meshes, tested against each other by surfaces. Transforms: (4, 4), to the world.
 
-    Objects share a cell: `cell`, or the finest that all of them fit, with which they are baked when a query
-    needs them; an object that needs a coarser one has the others baked again. Lengths are in the meshes' unit.
+    Objects share a cell: `cell`, or the finest that all of them fit. They are baked when a query needs them, and
+    again if a new object needs a coarser cell. Lengths are in the meshes' unit.
     """
 
     def __init__(self, cell: Optional[float] = None) -> None:
@@ -56,16 +56,16 @@ class CollisionManager:
         self._objects: dict[str, _Object] = {}
 
     def add_object(self, name: str, mesh: AnyMesh, transform: Optional[npt.ArrayLike] = None) -> None:
-        """Adds an object, or replaces that of the name. mesh: a Mesh, or anything with vertices and faces."""
+        """Adds an object, or replaces the object of this name. mesh: a Mesh, or any object with vertices and faces."""
         self._objects[name] = _Object(_mesh_of(mesh, name), transform)
 
     def remove_object(self, name: str) -> None:
-        """Removes an object. Raises ValueError if there is none of the name."""
+        """Removes an object. Raises ValueError if no object has the name."""
         self._object(name)
         del self._objects[name]
 
     def set_transform(self, name: str, transform: npt.ArrayLike) -> None:
-        """Moves an object. Raises ValueError if there is none of the name."""
+        """Moves an object. Raises ValueError if no object has the name."""
         moved = self._object(name)
         moved.transform = _matrix(transform)
         moved.inverse = _inverse(moved.transform)
@@ -79,7 +79,7 @@ class CollisionManager:
 
     def in_collision_single(self, mesh: AnyMesh, transform: Optional[npt.ArrayLike] = None,
                             return_names: bool = False) -> Union[bool, tuple[bool, set[str]]]:
-        """Whether a mesh intersects any object; with return_names, also which."""
+        """Whether a mesh intersects any object; with return_names, also which objects."""
         pairs = _collisions(self._with("", mesh, transform), not return_names)
         return (bool(pairs), {b for _, b in pairs}) if return_names else bool(pairs)
 
@@ -89,7 +89,7 @@ class CollisionManager:
     def in_collision_internal(self, return_names: Literal[True]) -> tuple[bool, Names]: ...
 
     def in_collision_internal(self, return_names: bool = False) -> Union[bool, tuple[bool, Names]]:
-        """Whether any two objects intersect; with return_names, also which: pairs in order of the alphabet."""
+        """Whether any two objects intersect; with return_names, also which pairs, each in alphabetical order."""
         pairs = {_sorted(a, b) for a, b in _collisions(self._inner_pairs(), not return_names)}
         return (bool(pairs), pairs) if return_names else bool(pairs)
 
@@ -102,7 +102,7 @@ class CollisionManager:
 
     def in_collision_other(self, other_manager: CollisionManager,
                            return_names: bool = False) -> Union[bool, tuple[bool, Names]]:
-        """Whether any object intersects one of another manager; with return_names, also which: (own, other)."""
+        """Whether any object intersects one of another manager; with return_names, also the pairs (own, other)."""
         pairs = _collisions(self._outer_pairs(other_manager), not return_names)
         return (bool(pairs), pairs) if return_names else bool(pairs)
 
@@ -115,7 +115,7 @@ class CollisionManager:
 
     def min_distance_single(self, mesh: AnyMesh, transform: Optional[npt.ArrayLike] = None,
                             return_name: bool = False) -> Union[float, tuple[float, str]]:
-        """How far a mesh is from the nearest object; with return_name, also from which."""
+        """The distance of a mesh to the nearest object; with return_name, also the object's name."""
         found = _nearest(self._with("", mesh, transform))
         return (found.distance, found.b) if return_name else found.distance
 
@@ -125,7 +125,7 @@ class CollisionManager:
     def min_distance_internal(self, return_names: Literal[True]) -> tuple[float, tuple[str, str]]: ...
 
     def min_distance_internal(self, return_names: bool = False) -> Union[float, tuple[float, tuple[str, str]]]:
-        """How far the two nearest objects are apart; 0 if they intersect."""
+        """The smallest distance of two objects; 0 if they intersect."""
         found = _nearest(self._inner_pairs())
         return (found.distance, _sorted(found.a, found.b)) if return_names else found.distance
 
@@ -137,7 +137,7 @@ class CollisionManager:
 
     def min_distance_other(self, other_manager: CollisionManager,
                            return_names: bool = False) -> Union[float, tuple[float, tuple[str, str]]]:
-        """How far any object is from the nearest one of another manager; with return_names, also (own, other)."""
+        """The smallest distance of an object to one of another manager; with return_names, also (own, other)."""
         found = _nearest(self._outer_pairs(other_manager))
         return (found.distance, (found.a, found.b)) if return_names else found.distance
 
@@ -195,7 +195,7 @@ def _collisions(pairs: Iterator[_Pair], first_only: bool) -> Names:
 
 
 def _nearest(pairs: Iterator[_Pair]) -> _Nearest:
-    """The first of the nearest; infinite without a pair."""
+    """The first of the nearest pairs; infinite without pairs."""
     found = _Nearest(float("inf"), "", "")
     for pair in pairs:
         posed = pair.posed()
@@ -220,7 +220,7 @@ def _mesh_of(mesh: AnyMesh, name: str) -> Mesh:
 
 
 def _matrix(transform: Optional[npt.ArrayLike]) -> Matrix:
-    """A copy, (4, 4)."""
+    """A copy of a matrix, (4, 4)."""
     if transform is None:
         return np.eye(4)
     try:
