@@ -15,9 +15,9 @@ mkdir -p "${1:-build/release}" build/log
 release=$(cd "${1:-build/release}" && pwd)
 ensure_packages $host_packages $board_packages $release_packages $archive_packages $python_packages
 
-# FLASHBVH_NATIVE: the preset whose host program bakes.
+# FLASHBVH_NATIVE: the preset of the host program that bakes.
 native=${FLASHBVH_NATIVE:-native}
-# quietly COMMAND...: its output goes to a log, which is shown if it fails.
+# quietly COMMAND...: writes its output to a log and shows the log if the command fails.
 quietly() {
   "$@" >build/log/release 2>&1 ||
     { tail -n 40 build/log/release >&2; echo "release: this failed: $*" >&2; exit 1; }
@@ -39,7 +39,7 @@ build_debs() (
   dpkg-buildpackage --unsigned-source --unsigned-changes --build=binary
 )
 quietly build_debs
-# pack_npm DIR: as `npm pack` packs it.
+# pack_npm DIR: packs like `npm pack`.
 pack_npm() {
   package=build/$native/npm/flashbvh-library
   mkdir -p "$1/npm"
@@ -50,7 +50,7 @@ pack_npm() {
 quietly cmake --build --preset "$native" --target flashbvh_npm_library
 pack_npm "$release"
 quietly /usr/bin/python3 -B tools/release/archives.py "$release"
-# What is specific to one build on one machine.
+# Removes files that are specific to one build on one machine.
 rm -rf "$tree" "$release"/debian/*.buildinfo "$release"/debian/*.changes
 echo "packages: ${release#"$PWD/"}"
 [ -n "${FLASHBVH_URL:-}" ] && [ -n "${FLASHBVH_EMAIL:-}" ] ||

@@ -1,16 +1,16 @@
-# The rooms of the host program: folders that are a library each. A room sees its own folder and those
-# of the rooms that it uses, and theirs; an include of any other does not compile.
+# The components (rooms) of the host program: each folder is a library. A room sees its own folder and
+# the folders of all rooms that it uses, directly or not; other includes do not compile.
 
-# flashbvh_as_one_source(target): the standard library's headers and the JSON and command line
-# libraries take longer to compile than all that is here. -DCMAKE_UNITY_BUILD=OFF compiles each source
-# by itself.
+# flashbvh_as_one_source(target): compiles all sources as one, because the headers of the standard library, JSON
+# and command line libraries take longer to compile than our code. -DCMAKE_UNITY_BUILD=OFF compiles each source
+# separately.
 function(flashbvh_as_one_source target)
   if(NOT DEFINED CMAKE_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
 endfunction()
 
-# In a fast build: small functions are inlined though the sanitizers' checks lengthen them.
+# In a fast build: inlines small functions although the sanitizers' checks lengthen them.
 set(flashbvh_inlined "")
 if(FLASHBVH_FAST_BUILD)
   set(flashbvh_inlined -O2)
@@ -19,9 +19,9 @@ if(FLASHBVH_FAST_BUILD)
   endif()
 endif()
 
-# flashbvh_room(SOURCES source... [USES room...] [OPTIMISED | INLINED]): flashbvh_FOLDER, of the folder
-# that calls. In a fast build only what says so is OPTIMISED: it takes three times as long to compile.
-# INLINED: with the options below, for what nearly all tests run.
+# flashbvh_room(SOURCES source... [USES room...] [OPTIMISED | INLINED]): adds flashbvh_FOLDER for the calling
+# folder. In a fast build only OPTIMISED rooms are optimised, which takes three times as long to compile.
+# INLINED: uses the options above, for code that nearly all tests run.
 function(flashbvh_room)
   cmake_parse_arguments(arg "OPTIMISED;INLINED" "" "SOURCES;USES" ${ARGN})
   get_filename_component(room ${CMAKE_CURRENT_SOURCE_DIR} NAME)
@@ -42,7 +42,7 @@ function(flashbvh_room)
   endif()
 endfunction()
 
-# flashbvh_need_room(room): for builds of parts of the program.
+# flashbvh_need_room(room): adds a room, in builds of parts of the program.
 function(flashbvh_need_room room)
   if(NOT TARGET flashbvh_${room})
     add_subdirectory(${FLASHBVH_SOURCE_DIR}/tools/${room} ${PROJECT_BINARY_DIR}/tools/${room}

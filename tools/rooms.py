@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""rooms.py: fails if an #include in lib runs back up: each room takes only those before it, in this order; and if
-proofs/robot, the second opinion on a baked robot, includes more than C++'s headers and its own."""
+"""rooms.py: fails if an #include in lib refers upwards: each room may include only rooms before it in this order. Also
+fails if proofs/robot, the second opinion on a baked robot, includes more than C++'s headers and its own."""
 import pathlib
 import re
 import sys
@@ -8,7 +8,7 @@ import sys
 LIB = pathlib.Path(__file__).resolve().parents[1] / "lib"
 CHECKER = LIB.parent / "proofs" / "robot"
 ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "motion", "self_test", "robot", "c"]
-# Public headers lie in one folder; all others are of the room query.
+# Public headers lie in one folder; headers not listed here belong to the room query.
 PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "frame", "units", "status", "version"],
           "predicates": ["triangle"], "motion": ["body_motion", "first_contact", "flashbvh"]}
 ROOM_OF = {f"{name}.hpp": room for room, names in PUBLIC.items() for name in names}

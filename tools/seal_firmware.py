@@ -21,7 +21,7 @@ LIST = "flashbvh_sealed_region_list"
 
 
 def loaded(elf):
-    """(address, bytes) of each section that the program finds where it was loaded."""
+    """(address, bytes) of each section that stays where it was loaded."""
     segments = [segment for segment in elf.iter_segments() if segment["p_type"] == "PT_LOAD"]
     for section in elf.iter_sections():
         flags, at = section["sh_flags"], section["sh_addr"]
@@ -35,7 +35,7 @@ def loaded(elf):
 
 
 def joined(runs):
-    """Ascending, those that adjoin as one."""
+    """The runs in ascending order, with adjoining runs joined."""
     whole = []
     for address, data in sorted(runs):
         if whole and whole[-1][0] + len(whole[-1][1]) == address:
@@ -46,7 +46,7 @@ def joined(runs):
 
 
 def without(runs, begin, end):
-    """The runs, cut where the bytes from `begin` to `end` lie."""
+    """The runs without the bytes from `begin` to `end`."""
     for address, data in runs:
         parts = (address, data[:max(0, begin - address)]), (max(address, end), data[max(0, end - address):])
         yield from ((at, part) for at, part in parts if part) if address < end and begin < address + len(data) \
@@ -54,7 +54,7 @@ def without(runs, begin, end):
 
 
 def sealed(elf):
-    """Where the list lies in the file, its bytes, and the regions (address, size, checksum)."""
+    """The list's offset in the file, its bytes, and the regions (address, size, checksum)."""
     if not elf.little_endian:
         raise ValueError("is big-endian, the library is not")
     table = elf.get_section_by_name(".symtab")
@@ -80,7 +80,7 @@ def main(path):
     except (OSError, ELFError, ValueError) as error:
         sys.exit(f"seal_firmware.py: {path}: {error}")
     data[offset:offset + len(words)] = words
-    # In place of the file at once: no half of one is left behind.
+    # Replaces the file atomically, so that no partial file is left behind.
     with open(path + ".sealing", "wb") as file:
         file.write(data)
     os.chmod(path + ".sealing", os.stat(path).st_mode)

@@ -30,7 +30,7 @@ case ${1:-} in
 esac
 ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages $test_packages
 
-# What is compiled once is not compiled again: boards of one core, tests that build the library.
+# The cache avoids repeated compilations by boards of one core and tests that build the library.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
 export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=include_file_ctime,pch_defines,time_macros
 
@@ -40,8 +40,8 @@ began=$(date +%s)
 rm -rf build/log
 mkdir -p build/log
 echo formatting configured | xargs -n 1 -P "$(nproc)" tools/test_step.sh
-# The longest first, so that none is left over at the end; all wait for the first but lint, which keeps the other
-# core busy while that one bakes.
+# The longest steps start first, so that none is left over at the end. All wait for `tool` except lint, which keeps
+# the other core busy while `tool` bakes.
 echo $host_steps $cores | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
 python3 - "$(($(date +%s) - began))" "$(nproc)" <<'PYTHON'

@@ -87,7 +87,7 @@ run() {
   esac
 }
 
-# After a failure nothing begins; the tests want the tool, the long ones what native builds.
+# After a failure no step starts. The tests need the tool; the long ones need the native builds.
 case $1${FLASHBVH_QUICK:+-quick} in
   formatting | configured | tool | lint | *-quick) wanted=/dev/null ;;
   long) wanted=build/log/native.passed ;;

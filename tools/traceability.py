@@ -20,7 +20,7 @@ def files_of(*patterns):
 
 
 def names_of_tests():
-    """Pairs of a test's name and its place: Catch2's, CTest's and the command line's."""
+    """Pairs of a test's name and its place, from Catch2, CTest and the command line's cases."""
     titles = re.compile(r'(?:TEST_CASE|_test)\("((?:[^"\\\n]|\\.)*)"|"\$\{\w+\}/([^"\n]*)"|^== (.*)$', re.M)
     for file in files_of("tests/**/*.cpp", "tests/**/CMakeLists.txt", "tests/**/*.cmake", "firmware_examples/**/CMakeLists.txt",
                          "proofs/**/CMakeLists.txt", "tests/cli/cases/*.txt"):

@@ -1,4 +1,4 @@
-# The library for WebAssembly, without imports, by Clang. FLASHBVH_HAS_WASM: whether it can be made here.
+# The library for WebAssembly, without imports, by Clang. FLASHBVH_HAS_WASM: true if it can be built here.
 include_guard()
 find_program(FLASHBVH_WASM_COMPILER clang++)
 find_program(FLASHBVH_WASM_OPT wasm-opt)
@@ -7,9 +7,9 @@ if(FLASHBVH_WASM_COMPILER AND EXISTS /usr/lib/wasm32-wasi/libc.a)
   set(FLASHBVH_HAS_WASM ON)
 endif()
 
-# flashbvh_wasm(module SOURCES source... [EXPORTS function...]): the file `module` in the build folder of the folder
-# that calls, of the library and its own sources as one source, for size; what these mark is exported, and those
-# functions of C. Without wasm-opt, of Debian's binaryen, it takes a sixth more.
+# flashbvh_wasm(module SOURCES source... [EXPORTS function...]): makes the file `module` in the calling folder's build
+# folder. It compiles the library and the sources as one source, for size. The module exports functions marked in the
+# sources and the C functions in EXPORTS. Without wasm-opt, from Debian's binaryen, it is a sixth larger.
 function(flashbvh_wasm module)
   cmake_parse_arguments(arg "" "" "SOURCES;EXPORTS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${FLASHBVH_SOURCE_DIR}/lib/src/*/*.cpp)
@@ -21,12 +21,12 @@ function(flashbvh_wasm module)
   set(compile ${FLASHBVH_WASM_COMPILER} --target=wasm32-wasi)
   set(optimise "")
   if(FLASHBVH_WASM_OPT)
-    # As measured: what it inlines beyond this makes the compressed module larger.
+    # Chosen by measurement: more inlining makes the compressed module larger.
     set(optimise COMMAND ${FLASHBVH_WASM_OPT} --enable-bulk-memory --enable-sign-ext -Oz -Oz --low-memory-unused
       --one-caller-inline-max-function-size=60 --always-inline-max-function-size=6 ${module} -o ${module})
   endif()
-  # Linked without -O: Clang would call wasm-opt its own way. The portable forms need no 128-bit integers. What is
-  # given up for size, and what is not: lib/docs/decisions/0030-npm-library.md.
+  # Links without -O, because Clang would call wasm-opt in its own way. The portable forms need no 128-bit integers.
+  # Size trade-offs: lib/docs/decisions/0030-npm-library.md.
   add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${module} VERBATIM
     COMMAND ${compile} -Oz -mllvm -inline-threshold=-15 -mllvm -disable-lsr -mbulk-memory -msign-ext -std=c++17
       -fno-exceptions -fno-rtti -fvisibility=hidden -DNDEBUG -DFLASHBVH_PORTABLE -DFLASHBVH_INLINE=

@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-# History keeps its words; golden files and corpora are no texts; Coq quotes the code.
+# History keeps its words; golden files and corpora are not prose; Coq quotes the code.
 EXEMPT = re.compile(r"^(lib/docs/(changelog\.md|decisions/)|tools/words\.|LICENSE)|(^|/)(golden|corpus)/|\.v$")
 TEXT = {".md"}
 C_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.S)
@@ -19,7 +19,7 @@ OF_HASH = {".py", ".sh", ".cmake", ".txt", ".yml", ".ini"}
 
 
 def rules():
-    """The list: a regular expression, a tab, what to write."""
+    """The rules of the list, each a regular expression, a tab and the replacement."""
     for line in (ROOT / "tools/words.txt").read_text().splitlines():
         if line and not line.startswith("#"):
             word, instead = line.split("\t")
@@ -27,7 +27,7 @@ def rules():
 
 
 def prose_in(path, text):
-    """(offset, text) of all that people read: comments, and literals that hold a blank."""
+    """(offset, text) of everything for human readers: comments, and literals that contain a blank."""
     if path.suffix in TEXT:
         yield 0, re.sub(r"`[^`\n]*`", lambda code: " " * len(code[0]), text)
         return

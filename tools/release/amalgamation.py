@@ -1,10 +1,10 @@
-"""The library as a header and a source: flashbvh.hpp and .cpp, flashbvh.h for C, and the robot's layer as
+"""The library as a header and a source: flashbvh.hpp and .cpp, flashbvh.h for C, and the layer for robots as
 flashbvh_robot.hpp and .cpp.
 
-Each file stands once, where it is first included, its own include guard around it. One that is first
-included within a condition stands there, too, and again where it is next included: the guard keeps the
-first that is compiled. flashbvh/ has a header of one line for each of the library's, so that what is
-baked, and what the documents show, compiles as it stands.
+Each file appears once, where it is first included, with its own include guard. A file that is first included
+within a condition appears there and again at its next include; the guard keeps the first copy that is compiled.
+flashbvh/ has a header of one line for each of the library's headers, so that baked files and the documents'
+examples compile unchanged.
 """
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ CONDITION = re.compile(r"\s*#\s*(if|endif)")
 class Amalgamation:
     def __init__(self, include: Path, files: list[Path], known: Amalgamation | None = None) -> None:
         self.include = include
-        self.whole = set(known.whole) if known else set()  # files that stand outside of conditions
+        self.whole = set(known.whole) if known else set()  # files included outside of conditions
         self.lines: list[str] = []
         for file in files:
             self.add(file, True)

@@ -14,7 +14,7 @@ from release import ROOT, commit_time, fill, read_facts, write_tar, write_zip
 
 TARGETS = ("linux", "windows", "wasm")
 BUILDS = ROOT / "build" / "archives"
-# NODE_PATH: where the scripts of Emscripten find others, as Debian's own node does.
+# NODE_PATH: the modules of Emscripten's scripts; Debian's own node finds them there.
 ENVIRONMENT = {**os.environ, "NODE_PATH": "/usr/share/nodejs", "SOURCE_DATE_EPOCH": str(commit_time())}
 
 

@@ -6,7 +6,7 @@ target=${1:?TARGET: linux, windows or wasm} prefix=${2:?PREFIX: a folder}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 sources=$root/build/sources
 
-# fetch PACKAGE...: by a list of our own, so that the machine's lists stay as they are.
+# fetch PACKAGE...: uses its own package lists, so that the machine's lists do not change.
 fetch() (
   mkdir -p "$sources/apt/lists/partial"
   cd "$sources"

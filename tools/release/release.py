@@ -24,7 +24,7 @@ from amalgamation import write_amalgamation
 
 ROOT = Path(__file__).resolve().parents[2]
 TEMPLATES = ROOT / "tools" / "release"
-# Where the headers and where the sources go.
+# Folders of the headers and of the sources.
 LAYOUTS = {
     "arduino": ("src", "src"),
     "platformio": ("include", "src"),
@@ -35,7 +35,7 @@ LAYOUTS = {
 
 
 def read_sources() -> tuple[list[str], list[str]]:
-    """The library's sources and those of its layer for robots, as lib/CMakeLists.txt divides them."""
+    """The library's sources, and those of its layer for robots, divided as in lib/CMakeLists.txt."""
     found = sorted(path.relative_to(ROOT / "lib").as_posix() for path in ROOT.glob("lib/src/*/*.cpp"))
     robot = [name for name in found if re.search(r"/(robot/|c/c_robot_)", name)]
     return [name for name in found if name not in robot], robot
@@ -61,7 +61,7 @@ def read_facts() -> dict[str, str]:
                      "same on every core.",
         "copyright": licence[2].removeprefix("Copyright (c) "),
         "license": "\n".join(f" {line or '.'}" for line in licence[4].split("\n")),
-        # Debian's changelog wants a date; the commit's is the same wherever the package is made.
+        # Debian's changelog needs a date; the commit's date is the same on every machine.
         "date": formatdate(commit_time()).replace("-0000", "+0000"),
     }
 
@@ -104,7 +104,7 @@ def write_documents(target: Path) -> None:
 
 
 def sketch_of(program: str) -> str:
-    """The firmware as a sketch: main() is setup(), and its status is printed."""
+    """The firmware as a sketch: main() becomes setup(), which prints its status."""
     sketch, mains = re.subn(r"^int main\(\) \{\n", "void setup() {\n  Serial.begin(115200);\n", program,
                             flags=re.M)
     sketch, ends = re.subn(r"  return (.*) \? 0 : 1;\n\}\n\Z",
@@ -112,7 +112,7 @@ def sketch_of(program: str) -> str:
                            sketch)
     if (mains, ends) != (1, 1):
         sys.exit("release: an example's main() is not what becomes a sketch")
-    # A library's headers come first: by them the library is found.
+    # Arduino finds a library by its header, which must be the first include.
     return sketch.replace("#include", "#include <flashbvh.h>\n#include", 1)
 
 
@@ -141,7 +141,7 @@ def files_below(folder: Path) -> list[Path]:
 def write_zip(archive: Path, folder: Path, prefix: str) -> None:
     with zipfile.ZipFile(archive, "w") as file:
         for path in files_below(folder):
-            entry = zipfile.ZipInfo(prefix + path.relative_to(folder).as_posix())  # of 1980
+            entry = zipfile.ZipInfo(prefix + path.relative_to(folder).as_posix())  # dated 1980
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o100644 << 16
             file.writestr(entry, path.read_bytes())
@@ -172,7 +172,7 @@ def write_python(target: Path, facts: dict[str, str]) -> None:
     tree = target / f"flashbvh-{facts['version']}"
     copy_tracked(tree, "CMakeLists.txt", "LICENSE", "README.md", "lib", "tools",
                  "tests/reference", "tests/figures/budgets.csv", "tests/figures/cycles.csv",
-                 "ports/cycles/tables/flash.csv")  # the paper's trees; what costs are made of
+                 "ports/cycles/tables/flash.csv")  # the paper's trees; sources of the costs
     for name in "pyproject.toml", "setup.py":
         shutil.move(tree / "tools/python" / name, tree)
     fill_templates("python", tree, facts, {})

@@ -8,7 +8,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// The style class of the matrix's verdict next to it.
+/// The style class for a line's verdict by the matrix.
 std::string style_of(LineVerdict verdict) {
   constexpr const char* kStyles[] = {"is-never", "is-contact", "is-can", "is-undecided"};
   return kStyles[static_cast<std::size_t>(verdict)];

@@ -1,4 +1,4 @@
-// A page about an SRDF: what `flashbvh audit --report` writes.
+// The page about an SRDF that `flashbvh audit --report` writes.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace flashbvh::tool {
 
-/// One self-contained HTML file: which lines hold, which pairs are missing. `srdf`: its path.
+/// One self-contained HTML file: valid lines and missing pairs. `srdf`: its path.
 std::string audit_page(const Model& model, const std::string& srdf, const Audit& audit);
 
 }  // namespace flashbvh::tool

@@ -10,18 +10,18 @@
 namespace flashbvh::tool {
 namespace {
 
-/// What a query and a pose take on a 32-bit core: lib/docs/figures.md, "what the caller keeps";
-/// with 32-bit indices the query keeps eight bytes more.
+/// The bytes of a query and of a pose on a 32-bit core: lib/docs/figures.md, "what the caller
+/// keeps"; with 32-bit indices the query takes eight bytes more.
 constexpr std::uint64_t kQueryBytes = 128;
 constexpr std::uint64_t kLargeQueryBytes = 136;
 constexpr std::uint64_t kPoseBytes = 68;
 
-/// What a whole query can take at most, or several one after the other.
+/// Upper limits of a whole query, or of several queries one after the other.
 struct Need {
   std::uint64_t work = 0;
-  double instructions = 0;       ///< of a single run each
-  double cycles = 0;             ///< as Budget::costs()
-  std::uint64_t slice_work = 0;  ///< of a run that takes no longer than a period; 0: none does
+  double instructions = 0;       ///< of a single run per query
+  double cycles = 0;             ///< as in Budget::costs()
+  std::uint64_t slice_work = 0;  ///< work of a run that fits a period; 0: no run fits
   std::size_t queries = 1;
 
   double share(const Budget& budget) const { return cycles / budget.cycles(); }
@@ -29,7 +29,7 @@ struct Need {
 
 Need need_of(std::uint64_t work, const TreeSize& a, const TreeSize& b, const Budget& budget) {
   const auto period = static_cast<std::uint64_t>(std::min(budget.cycles(), 1e18));
-  // A single run spends what there is to do and no more.
+  // A single run spends only the existing work.
   const auto most = [&](const RunCosts& costs) {
     return static_cast<double>(instructions_of_start(costs, a, b)) +
            static_cast<double>(work) * static_cast<double>(instructions_of_work(costs, a, b));
@@ -43,7 +43,7 @@ Need operator+(const Need& a, const Need& b) {
           a.queries + b.queries};
 }
 
-/// "fits in 37 % of the period", "needs at most 4 slices of 888 work"; of several queries, "takes
+/// "fits in 37 % of the period", "needs at most 4 slices of 888 work"; for several queries, "takes
 /// at most 3.2 periods".
 std::string verdict(const Need& need, const Budget& budget) {
   const double share = need.share(budget);
@@ -65,7 +65,7 @@ std::string verdict(const Need& need, const Budget& budget) {
          " work";
 }
 
-/// "0.37 ms", "roughly 0.37 ms".
+/// "0.37 ms"; without proven cycles, "roughly 0.37 ms".
 std::string milliseconds(const Need& need, const Budget& budget) {
   const double time = need.cycles / (budget.mhz * 1e3);
   return (budget.core.cycles ? "" : "roughly ") +
@@ -74,7 +74,7 @@ std::string milliseconds(const Need& need, const Budget& budget) {
          " ms";
 }
 
-/// Upper bounds of a query: at poses, and at any pose.
+/// Upper limits of a query: at the given poses, and at any pose.
 enum Case : std::uint8_t { kMean, kPercentile99, kCostliest, kAnyPose, kCaseCount };
 constexpr std::array<const char*, kCaseCount> kCaseNames = {"mean of the poses", "99th percentile",
                                                             "costliest pose", "any pose, proven"};
@@ -97,7 +97,7 @@ Needs needs_of(const QueriedPair& pair, const Query& query, const Budget& budget
           need(needed.most), need(pair.costs.bound.work)};
 }
 
-/// Of all of them, one after the other.
+/// The sum of all pairs, one after the other.
 Needs needs_of(const std::vector<QueriedPair>& pairs, const Query& query, const Budget& budget) {
   Needs all = needs_of(pairs[0], query, budget);
   for (std::size_t i = 1; i < pairs.size(); ++i) {
@@ -134,7 +134,7 @@ std::string large(double number) {
                         : significant(number / 1e9, 3) + " billion";
 }
 
-/// A gauge whose full width is a period.
+/// A gauge; its full width is a period.
 std::string card(const char* name, const Need& need, const Budget& budget) {
   const double share = need.share(budget);
   const char* const state = share <= 1 ? "in" : "beyond";
@@ -155,7 +155,7 @@ std::string cards(const std::string& title, const Needs& needs, bool has_poses,
   return html + "</div>\n";
 }
 
-/// The short of it.
+/// The summary.
 std::string answers(const std::vector<QueriedPair>& pairs, bool has_poses, const Budget& budget) {
   const char* const when = pairs.size() > 1 ? " for all pairs, each at its costliest pose"
                                             : " at the costliest of the poses";
@@ -195,7 +195,7 @@ std::string pose_note(const std::vector<QueriedPair>& pairs, const ReportOptions
          "give them with <code>--poses</code>.";
 }
 
-/// Where cycles and milliseconds come from.
+/// The source of cycles and milliseconds.
 std::string cycles_note(const Budget& budget) {
   return budget.core.cycles
              ? "Cycles are proven, too, by the core&#39;s manual, with " +

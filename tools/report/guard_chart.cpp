@@ -14,22 +14,22 @@
 namespace flashbvh::tool {
 namespace {
 
-// Numbers over time, as a drawing.
+// A drawing of numbers over time.
 
 struct ChartLine {
   std::string name;                           ///< HTML
-  std::vector<std::optional<double>> values;  ///< one a place along the chart; none: not known
-  std::size_t style = 0;                      ///< 0 to 5: a colour, dashes, a number; 6 is dotted
+  std::vector<std::optional<double>> values;  ///< one per position on the chart; none: not known
+  std::size_t style = 0;                      ///< 0 to 5: a colour, dashes, a number; 6: dotted
 };
 
-/// A dashed line across; `style`: "stop", "warn".
+/// A dashed horizontal line; `style`: "stop", "warn".
 struct ChartLevel {
   double value;
   const char* style;
   const char* name;
 };
 
-/// A run of periods of one kind, from `begin` on, as parts of the chart's width; `kind`: of
+/// A run of periods of one kind, `begin` and `end` as parts of the chart's width. `kind`: as in
 /// replay.hpp.
 struct KindRun {
   double begin;
@@ -38,40 +38,40 @@ struct KindRun {
 };
 
 struct Chart {
-  std::string label;  ///< for who can't see it
-  std::string unit;   ///< " m"
+  std::string label;  ///< for screen readers
+  std::string unit;   ///< such as " m"
   std::vector<ChartLine> lines;
   std::vector<ChartLevel> levels;
-  double most;                ///< what is above may be cut off; 0: nothing
-  std::vector<KindRun> runs;  ///< below the plot; may be none
-  std::string first;          ///< below the left and the right end
+  double most;                ///< values above it may be cut off; 0: none
+  std::vector<KindRun> runs;  ///< below the plot; may be empty
+  std::string first;          ///< text below the left end; `last`: below the right end
   std::string last;
   std::string caption;
 };
 
-// The drawing, in units of its own.
+// Dimensions of the drawing, in its own units.
 constexpr double kChartWidth = 1000;
 constexpr double kChartHeight = 300;
-constexpr double kPlotLeft = 120;   // of the plot, for lengths
-constexpr double kPlotRight = 985;  // the plot's end
-constexpr double kLane = 30;        // of a verdict, below the plot
-constexpr double kBar = 18;         // in it
-constexpr double kBelowLanes = 48;  // for the first and the last line's numbers
-constexpr double kLeastBar = 3;     // a single period can be seen
-/// Of line styles that have a number; the one behind them is dotted.
+constexpr double kPlotLeft = 120;   // left end of the plot; leaves space for lengths
+constexpr double kPlotRight = 985;  // right end of the plot
+constexpr double kLane = 30;        // height of a verdict's lane, below the plot
+constexpr double kBar = 18;         // height of a bar in a lane
+constexpr double kBelowLanes = 48;  // space for the first and the last line's numbers
+constexpr double kLeastBar = 3;     // keeps a single period visible
+/// The number of line styles with a number; the next style is dotted.
 constexpr std::size_t kNumbered = 6;
 
-/// Of the kinds of periods.
+/// The letters of the kinds of periods.
 constexpr const char* kLetters[kPeriodKinds] = {"F", "W", "N", "S", "R"};
 
-/// At least `value`, and 1, 2 or 5 times a power of ten.
+/// The smallest number from `value` on that is 1, 2 or 5 times a power of ten.
 double round_number(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   const double digit = value / power;
   return power * (digit < 1.001 ? 1 : digit < 2.001 ? 2 : digit < 5.001 ? 5 : 10);
 }
 
-/// What the chart's height is.
+/// The value at the top of the chart.
 double top_of(const Chart& chart) {
   double shown = 0;
   for (const ChartLine& line : chart.lines) {
@@ -94,12 +94,12 @@ double height_of(double value, double top) {
   return kChartHeight * (1 - std::min(value / top, 1.0));
 }
 
-/// `part`: 0 at the left end of the plot, 1 at the right one.
+/// `part`: 0 is the left end of the plot, 1 the right end.
 double x_of(double part) {
   return kPlotLeft + (kPlotRight - kPlotLeft) * part;
 }
 
-/// Of a line's value.
+/// The position of a line's value.
 double x_of(const ChartLine& line, std::size_t place) {
   return x_of(static_cast<double>(place) /
               std::max<double>(static_cast<double>(line.values.size()) - 1, 1));
@@ -123,7 +123,7 @@ std::string text(double x, double y, const char* anchor, const std::string& cont
                 content, "</text>\n");
 }
 
-/// `order`: of the levels, whose names stand side by side.
+/// `order`: of the levels, whose names are side by side.
 std::string level_line(const ChartLevel& level, double top, std::size_t order) {
   const double y = height_of(level.value, top);
   return concat("<path class=", level.style, " d=\"M", at(kPlotLeft, y), "H", fixed(kPlotRight, 1),
@@ -131,7 +131,7 @@ std::string level_line(const ChartLevel& level, double top, std::size_t order) {
          text(kPlotRight - 110 * static_cast<double>(order), y - 12, "end", level.name);
 }
 
-/// The line's number, on the line; lines have theirs side by side.
+/// The line's number, drawn on the line; the numbers of lines are side by side.
 std::string number_on(const ChartLine& line, std::size_t lines, double top) {
   const std::size_t count = line.values.size();
   std::size_t place = std::min((2 * line.style + 1) * count / (2 * lines), count - 1);
@@ -150,7 +150,7 @@ bool has_numbers(const Chart& chart) {
   return chart.lines.size() > 1;
 }
 
-/// The periods of a kind, in a lane below the plot; nothing if there are none.
+/// The periods of a kind, in a lane below the plot; empty if there are none.
 std::string lane(const Chart& chart, std::size_t kind, double y) {
   std::string svg;
   for (const KindRun& run : chart.runs) {
@@ -184,7 +184,7 @@ std::string keys_of(const Chart& chart) {
   return html + "</p>\n";
 }
 
-/// A figure with a key, HTML.
+/// The chart as a figure with a key, in HTML.
 std::string drawn(const Chart& chart) {
   const double top = top_of(chart);
   std::string plot =
@@ -217,16 +217,16 @@ std::string drawn(const Chart& chart) {
          plot + "</svg><figcaption>" + chart.caption + "</figcaption></figure>\n";
 }
 
-/// Places along the chart: more would be indistinguishable.
+/// Positions along the chart: more would be indistinguishable.
 constexpr std::size_t kMostPlaces = 1500;
 
-/// So many times the warn distance is shown.
+/// The chart shows distances up to this multiple of the warn distance.
 constexpr double kShownFold = 5;
 
-/// A value a period, or none.
+/// One value per period, or none.
 using Values = std::vector<std::optional<double>>;
 
-/// By place along a chart, the worst of `step` periods.
+/// The worst of each `step` periods, by position along the chart.
 template <class Worse>
 Values folded(const Values& values, std::size_t step, const Worse& worse) {
   Values places;
@@ -239,7 +239,7 @@ Values folded(const Values& values, std::size_t step, const Worse& worse) {
   return places;
 }
 
-/// Of all pairs, the least that the guard knows; where it knows nothing, none.
+/// The smallest known distance of all pairs; none if the guard knows no distance.
 Values known_metres(const GuardedTrajectory& guarded) {
   Values values;
   for (const GuardAnswer& answer : guarded.answers) {
@@ -251,7 +251,7 @@ Values known_metres(const GuardedTrajectory& guarded) {
   return values;
 }
 
-/// After the period that primes the guard.
+/// The work of each period after the one that primes the guard.
 Values work_of(const std::vector<GuardAnswer>& answers) {
   Values values;
   bool is_primed = false;
@@ -286,8 +286,8 @@ std::vector<KindRun> runs_of(const std::vector<GuardAnswer>& answers) {
   return runs;
 }
 
-/// The near pairs, then the nearest of the others that come within `most`, as there is place; one
-/// at least.
+/// The near pairs, then the nearest other pairs that come within `most`, up to kMostLines; at least
+/// one pair.
 std::vector<std::uint16_t> chosen_pairs(const std::vector<NearPair>& near,
                                         const std::vector<Values>& distances, double most) {
   std::vector<std::uint16_t> pairs;
@@ -318,7 +318,7 @@ std::uint32_t farthest_warn(const Robot& robot) {
   return farthest;
 }
 
-/// Unless it is there.
+/// Adds a level unless it exists.
 void add_level(double metres, const char* name, std::vector<ChartLevel>& levels) {
   if (std::none_of(levels.begin(), levels.end(), [&](const ChartLevel& level) {
         return level.value == metres && level.name == std::string(name);
@@ -327,7 +327,7 @@ void add_level(double metres, const char* name, std::vector<ChartLevel>& levels)
   }
 }
 
-/// The pairs that are drawn, and the distances at which they are stopped and warned of.
+/// Adds the drawn pairs and their stop and warn distances.
 void add_pairs(const GuardedTrajectory& guarded, const std::vector<NearPair>& near,
                std::size_t step, double most, std::vector<ChartLine>& lines,
                std::vector<ChartLevel>& levels) {

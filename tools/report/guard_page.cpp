@@ -11,10 +11,10 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Stretches that are listed; more are counted.
+/// Stretches in the list; the page counts the others.
 constexpr std::size_t kMostStretches = 200;
 
-/// A verdict's place in NearPair::named.
+/// Indices of verdicts in NearPair::named.
 constexpr std::size_t kWarn = static_cast<std::size_t>(Verdict::warn);
 constexpr std::size_t kUnknown = static_cast<std::size_t>(Verdict::not_yet_known);
 constexpr std::size_t kStop = static_cast<std::size_t>(Verdict::stop);
@@ -43,16 +43,16 @@ std::string pairs_table(const GuardedTrajectory& guarded, const std::vector<Near
              "lines are counted as the meshes are measured there.");
 }
 
-/// "9", "9 (0.35)": with its time.
+/// "9", or with its time "9 (0.35)".
 std::string line_cell(const Trajectory& trajectory, std::size_t period) {
   const std::string line = concat(trajectory.line(period));
   return trajectory.has_times() ? concat(line, " (", shortest(trajectory.time(period)), ")") : line;
 }
 
-/// Periods that a page can play: more are thinned out.
+/// The largest number of periods that a page plays: it skips periods of longer trajectories.
 constexpr std::size_t kMostPlayed = 4000;
 
-/// How many of the trajectory's there are to one that is played: that is the worst of them.
+/// Periods of the trajectory per played period, which is the worst of them.
 std::size_t periods_a_step(const Trajectory& trajectory) {
   return (trajectory.size() + kMostPlayed - 1) / kMostPlayed;
 }
@@ -76,7 +76,7 @@ LivePeriods played_periods(const GuardedTrajectory& guarded) {
   return played;
 }
 
-/// A line of a table, which the robot shows.
+/// A line in a table; choosing it shows the robot there.
 std::string shown_line(const Trajectory& trajectory, std::size_t period) {
   return concat("<span data-period=", period / periods_a_step(trajectory), ">",
                 line_cell(trajectory, period), "</span>");
@@ -105,7 +105,7 @@ std::string stretches_table(const GuardedTrajectory& guarded) {
                                            " more, shorter or less bad: --json has a line each."));
 }
 
-/// More are counted.
+/// Rows in the table; the page counts the others.
 constexpr std::size_t kMostRows = 200;
 
 Cells row_of(const GuardedTrajectory& guarded, std::size_t first, std::size_t last) {
@@ -122,7 +122,7 @@ Cells row_of(const GuardedTrajectory& guarded, std::size_t first, std::size_t la
                                  "<code>" + joint_values(guarded.model, motion.values) + "</code>"};
 }
 
-/// "Stops at line 3": the first period of a kind, its pair, and how many there are.
+/// "Stops at line 3": the first period of a kind, its pair, and the number of such periods.
 std::string first_decision(const GuardedTrajectory& guarded, const ReplaySummary& summary,
                            std::size_t kind, const std::string& what) {
   if (summary.periods[kind] == 0) {
@@ -150,7 +150,7 @@ std::string motion_decision(const GuardedTrajectory& guarded) {
                   is_refused ? "" : pair_name(guarded, first->answer.pair));
 }
 
-/// What the trajectory comes to: what stops, or that it is free.
+/// The result of the trajectory: the stops, or that it is free.
 std::string decisions(const GuardedTrajectory& guarded) {
   const ReplaySummary summary = summary_of(guarded.answers);
   const auto first = [&](Verdict verdict, const char* what) {
@@ -193,7 +193,7 @@ std::string cost_cell(const GuardTiming& timing, double instructions,
   });
 }
 
-/// On a core. Nothing if none is given.
+/// The section of times on a core; empty if no core is given.
 std::string time_section(const GuardedTrajectory& guarded) {
   if (!guarded.timing) {
     return "";
@@ -239,7 +239,7 @@ std::string closest_section(const GuardedTrajectory& guarded) {
                         joint_values(guarded.model, values), "</code></p>\n"));
 }
 
-/// Of the page: all near pairs, and the stretches that are not free. Nothing if there are none.
+/// The section of all near pairs and of stretches that are not free; empty if there are none.
 std::string near_section(const GuardedTrajectory& guarded, const std::vector<NearPair>& near) {
   const bool is_free_all = summary_of(guarded.answers).periods[0] == guarded.answers.size();
   return near.empty() && is_free_all
@@ -249,8 +249,8 @@ std::string near_section(const GuardedTrajectory& guarded, const std::vector<Nea
                            (near.empty() ? "" : pairs_table(guarded, near)));
 }
 
-/// Of the page: motions from line to line, those that are free one after the other in one row.
-/// Nothing if there are none.
+/// The section of motions from line to line; consecutive free motions share a row. Empty if there
+/// are none.
 std::string motion_section(const GuardedTrajectory& guarded) {
   const std::vector<CertifiedMotion>& motions = guarded.motions;
   std::vector<Cells> rows;

@@ -1,4 +1,4 @@
-// A page about a trajectory: what `flashbvh guard --report` writes.
+// The page about a trajectory that `flashbvh guard --report` writes.
 #pragma once
 
 #include <optional>
@@ -11,29 +11,29 @@
 
 namespace flashbvh::tool {
 
-/// A trajectory that was replayed; all outlives the page's making.
+/// A replayed trajectory; all references must stay valid while the page is made.
 struct GuardedTrajectory {
   const Model& model;
   const Robot& robot;
   const std::vector<std::uint32_t>& image;
-  const std::string& path;  ///< of the trajectory
+  const std::string& path;  ///< path of the trajectory
   const Trajectory& trajectory;
   const std::vector<GuardAnswer>& answers;
-  std::uint32_t work;  ///< what a period may spend; kAllWork: what it takes
+  std::uint32_t work;  ///< the budget of a period; kAllWork: no limit
   bool has_motions;
-  const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be none
+  const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be empty
   const std::vector<UnguardedPair>& unguarded;
   const std::optional<GuardTiming>& timing;
 };
 
-/// One self-contained HTML file, the same bytes for the same robot and trajectory: what it comes
-/// to, periods by verdict, their time on a core, distances and work over time, pairs and stretches
-/// that are not free, the closest moment as pictures, motions.
+/// One self-contained HTML file, the same bytes for the same robot and trajectory: the result,
+/// periods by verdict, their time on a core, distances and work over time, pairs and stretches that
+/// are not free, pictures of the closest moment, motions.
 std::string guard_page(const GuardedTrajectory& guarded);
 
-/// Pairs that are drawn as lines: the first of the near pairs, by number from 1.
+/// The largest number of pairs drawn as lines: the first near pairs, numbered from 1.
 constexpr std::size_t kMostLines = 6;
-/// Of the page: distances and work over time.
+/// The section of distances and work over time.
 std::string chart_section(const GuardedTrajectory& guarded, const std::vector<NearPair>& near);
 
 std::string pair_name(const GuardedTrajectory& guarded, std::size_t pair);

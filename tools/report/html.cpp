@@ -9,11 +9,11 @@
 namespace flashbvh::tool {
 namespace {
 
-// How all pages look: CSS, light and dark, for any width, and on paper.
+// The style of all pages: CSS, light and dark, for any width, and for paper.
 
-/// Text has a contrast of 4.5 to 1 at least against what it stands on, lines and bars of 3 to 1. p0
-/// to p4: parts of flash; v0 to v4: verdicts, lighter and darker than each other,
-/// too, for readers who cannot distinguish them by colour; l0 to l5: lines of a chart.
+/// The contrast of text and its background is at least 4.5 to 1, that of lines and bars 3 to 1.
+/// p0 to p4: parts of flash; v0 to v4: verdicts, which also differ in lightness, for readers who
+/// cannot distinguish the colours; l0 to l5: lines of a chart.
 inline constexpr const char* kColours = R"(:root{color-scheme:light dark;
 --ground:#f6f7f9;--paper:#fff;--text:#1c2128;--soft:#57606a;--line:#d5dae1;--accent:#0b5cad;
 --good:#12692f;--bad:#9a4a00;--leaf:#0b6bcb;--inner:#8296ad;--hot:214,90,30;
@@ -120,7 +120,7 @@ std::uint32_t byte_at(const std::string& text, std::size_t place) {
   return place < text.size() ? static_cast<std::uint8_t>(text[place]) : 0;
 }
 
-/// Bytes of the well-formed character at `place`, 0 if there is none (Unicode, table 3-7).
+/// Bytes of the valid character at `place`, 0 if it is invalid (Unicode, table 3-7).
 std::size_t character_length(const std::string& text, std::size_t place) {
   const std::uint32_t first = byte_at(text, place);
   if (first < 0x80) {
@@ -154,7 +154,7 @@ std::string escaped_character(const std::string& character) {
   return character;
 }
 
-/// "th" or "td" with its content.
+/// A "th" or "td" element with its content.
 std::string cell(const std::string& tag, const std::string& attributes,
                  const std::string& content) {
   return "<" + tag + attributes + ">" + content + "</" + tag + ">";

@@ -11,10 +11,10 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Where the bytes that firmware links go.
+/// A part of the bytes that firmware links.
 struct Part {
   const char* name;
-  std::uint64_t bytes;  ///< with the gap after it
+  std::uint64_t bytes;  ///< including the gap after it
 };
 
 std::array<Part, 5> parts_of(const Subject& subject) {
@@ -30,7 +30,7 @@ std::array<Part, 5> parts_of(const Subject& subject) {
            {"leaf offsets and the rest", subject.flash - nodes - corners - vertices - ids}}};
 }
 
-/// As long as its share of the largest.
+/// A bar whose width is the total's share of the largest total.
 std::string bar(const std::array<Part, 5>& parts, std::uint64_t total, std::uint64_t most) {
   std::string label;
   std::string pieces;

@@ -8,7 +8,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Poses of all pairs that the page can step through: more are thinned out.
+/// The largest number of poses that the page can step through; beyond it, poses are skipped.
 constexpr std::size_t kMostSteps = 2000;
 
 bool can_be_live(const Subject& subject) {
@@ -27,7 +27,7 @@ LiveMesh live_mesh(const Subject& subject) {
   return mesh;
 }
 
-/// With each of so many poses that were given, or of those the first that touches.
+/// With the first given pose of each `step`, or the first of them that touches.
 LivePair live_pair(const QueriedPair& pair, std::size_t a, std::size_t b, std::size_t step) {
   LivePair live = {a, b, {}, {}, ""};
   const std::string verdicts = pair.costs.are_given ? verdicts_of(pair.standings) : "";

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Most pairs that are queried at random poses: all of twelve meshes.
+/// The largest number of pairs queried at random poses: all pairs of twelve meshes.
 constexpr std::size_t kMostPairs = 66;
 
 std::vector<QueriedPair> partners(const Subjects& subjects) {
@@ -34,7 +34,7 @@ QueriedPair at_poses(const Subject& a, const Subject& b, const std::string& path
   return {&a, &b, costs_at(a.image, b.image, path), {}, {}};
 }
 
-/// A file A-B for each pair that is queried.
+/// Reads a file A-B for each queried pair.
 std::vector<QueriedPair> at_poses_of_folder(const Subjects& subjects, const std::string& folder) {
   std::vector<QueriedPair> pairs;
   for (const Subject* const a : subjects) {
@@ -60,7 +60,7 @@ std::string title_of(const Subjects& subjects) {
          (subjects.size() == 1 ? "" : " and " + escaped(subjects[1]->name));
 }
 
-/// All pairs that can be queried, or the first few. One mesh is queried against a second one.
+/// All pairs that can be queried, or the first few. A single mesh is queried against its copy.
 std::vector<QueriedPair> queried_pairs(const Subjects& subjects, const ReportOptions& options,
                                        const OnStep& step) {
   if (!options.poses.empty()) {
@@ -88,7 +88,7 @@ std::vector<QueriedPair> queried_pairs(const Subjects& subjects, const ReportOpt
   return pairs;
 }
 
-/// What decides: whether they touch; of one mesh, whether it has an inside.
+/// The main results: whether the meshes touch; for a single mesh, whether it has an inside.
 std::string decisions(const Subjects& subjects, const std::vector<QueriedPair>& pairs) {
   std::string html = standing_decisions(pairs);
   for (const Subject* const subject : subjects) {

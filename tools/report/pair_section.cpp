@@ -26,7 +26,7 @@ std::string pose_texts(const QueriedPair& pair) {
   const auto most =
       std::max_element(poses.begin(), poses.end(),
                        [](const PoseCost& p, const PoseCost& q) { return p.work < q.work; });
-  // Those that do not intersect wrap to the end.
+  // 0 - 1 wraps, so poses without intersection sort to the end.
   const auto first =
       std::min_element(poses.begin(), poses.end(), [](const PoseCost& p, const PoseCost& q) {
         return p.triangle_pairs - 1 < q.triangle_pairs - 1;
@@ -43,7 +43,7 @@ const QueriedPair* find(const std::vector<QueriedPair>& pairs, const Subject* a,
   return found == pairs.end() ? nullptr : &*found;
 }
 
-/// The darker, the more of the largest.
+/// A cell that is darker the more work its pair needs.
 std::string matrix_cell(const QueriedPair* pair, std::uint64_t most) {
   if (pair == nullptr) {
     return "<td class=n>&ndash;</td>";
@@ -69,7 +69,7 @@ std::string work_matrix(const Subjects& subjects, const std::vector<QueriedPair>
       });
 }
 
-/// Work of some of the poses.
+/// The work of some of the poses.
 struct Row {
   const char* name;
   std::vector<std::uint64_t> work;
@@ -118,7 +118,7 @@ std::string closeness_table(const QueriedPair& pair) {
          "</div>\n";
 }
 
-/// Why there may be fewer poses than wanted.
+/// Reasons why there may be fewer poses than requested.
 std::string shortfall(const PairCosts& costs) {
   return (costs.costly ? note("Stopped after " + grouped(kMostVisits) +
                               " visits in all: there are fewer poses.")

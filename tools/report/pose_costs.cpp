@@ -1,6 +1,6 @@
-// Rotations from quaternions of four integers in a ball, which makes them even over all rotations
-// (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992); directions from three in the
-// same way. Integers alone, rounded the same everywhere.
+// Rotations from quaternions of four integers in a ball, which are uniform over all rotations
+// (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992); directions from three integers
+// in a ball. Integer arithmetic only, so results are the same everywhere.
 #include "report/page.hpp"
 
 #include <array>
@@ -22,7 +22,7 @@ std::int64_t dot(const Vector& u, const Vector& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/// The largest number whose square is not above `value`, 0 to 2^62 - 1.
+/// The largest integer whose square is at most `value`, 0 to 2^62 - 1.
 std::int64_t square_root(std::int64_t value) {
   std::int64_t root = 0;  // below 2^31
   for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
@@ -33,7 +33,7 @@ std::int64_t square_root(std::int64_t value) {
   return root;
 }
 
-/// Evenly in a ball, but not near its middle, where rounding would show.
+/// Uniform in a ball, but not near its centre, where rounding would be visible.
 template <std::size_t dimensions>
 std::array<std::int64_t, dimensions> in_ball(Random& random) {
   for (;;) {
@@ -66,7 +66,7 @@ void set_rotation(const std::array<std::int64_t, 4>& q, Matrix& matrix) {
   }
 }
 
-/// A root's box, in half cells of the mesh's frame.
+/// A root's box; `middle` in half cells of the mesh's frame.
 struct Place {
   explicit Place(const AnyTree& any) {
     const NodeBox box = std::visit([](const auto& tree) { return node_box(tree, 0); }, any);
@@ -82,8 +82,8 @@ struct Place {
   std::int64_t diagonal = 0;  ///< half of it
 };
 
-/// From the sum of half the diagonals on, boxes are disjoint however they are rotated. Not `done`
-/// where a mesh lies too far from its origin.
+/// A pose up to the sum of half the diagonals away: farther boxes are disjoint under any rotation.
+/// Its status is not `done` if a mesh lies too far from its origin.
 Pose next_pose(Random& random, const Place& a, const Place& b) {
   Matrix rotation;
   set_rotation(in_ball<4>(random), rotation);
@@ -91,7 +91,7 @@ Pose next_pose(Random& random, const Place& a, const Place& b) {
   const std::int64_t reach = a.diagonal + b.diagonal;
   const std::int64_t distance = (random.within(reach) + reach) / 2;
   const std::int64_t length = square_root(dot(direction, direction));
-  // What a pose keeps of the rotation: far from the origin, the rest would count.
+  // Uses the rotation as the pose rounds it: far from the origin, the rounding error would count.
   const Pose rotated = Pose::rigid(rotation, {0, 0, 0});
   std::int32_t cells[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -114,7 +114,7 @@ Closeness closeness_of(const WideCounts& counts) {
   return counts.overlaps != 0 ? kSmallProximity : kSeparated;
 }
 
-/// Adds what a query at the pose costs. The visits that the answer took.
+/// Adds the costs of a query at the pose; returns its visits.
 std::uint64_t add(PairCosts& costs, const ImageFile& a, const ImageFile& b, const Pose& pose,
                   const std::string& place) {
   const char* const algorithm = default_traversal(a.layout());

@@ -22,7 +22,7 @@ constexpr std::pair<MatrixVerdict, const char*> kMeanings[] = {
     {MatrixVerdict::fixed, "no joint moves them"},
     {MatrixVerdict::believed, "disabled in the SRDF, not guarded"}};
 
-/// What fits a cell: how often, or how it is known.
+/// A short text for a cell: a share, or the reason.
 std::string short_reason(const PairVerdict& pair, const std::string& share) {
   return pair.verdict == MatrixVerdict::can        ? share
          : pair.verdict == MatrixVerdict::believed ? "not guarded"
@@ -74,11 +74,11 @@ std::string words(const DecidedRobot& decided) {
          "</div>\n";
 }
 
-constexpr std::uint32_t kConfigurations = 20000;  ///< drawn at random
-/// As many as a collision matrix is usually sampled from.
+constexpr std::uint32_t kConfigurations = 20000;  ///< random
+/// The usual number of samples for a collision matrix.
 constexpr std::uint32_t kUsualSamples = 10000;
 
-/// Of a MotionStateOf of the robot.
+/// The bytes of a MotionStateOf of the robot.
 std::size_t motion_ram_bytes(const Robot& robot) {
   return sizeof(MotionCore) +
          std::max<std::size_t>(robot.variable_count, 1) * 3 * sizeof(JointCoordinate) +
@@ -143,7 +143,7 @@ std::string part_text(double part) {
   return part < 1e-4 ? "&lt; 0.01 %" : significant(100 * part, 2) + " %";
 }
 
-/// "0.42 %", "below 0.015 %".
+/// "0.42 %", or "&lt; 0.015 %" for an upper bound.
 std::string share_text(const Share& share) {
   return (share.is_bound ? "&lt; " : "") + significant(100 * share.part, 2) + " %";
 }
@@ -152,7 +152,7 @@ std::string missed_text(const Share& share) {
   return (share.is_bound ? "&gt; " : "") + part_text(missed_by(kUsualSamples, share));
 }
 
-/// The pairs that can collide, the rarest first.
+/// The pairs that can collide, rarest first.
 std::vector<std::size_t> rarest(const DecidedRobot& decided,
                                 const std::vector<Collisions>& collisions) {
   std::vector<std::size_t> order;
@@ -216,8 +216,8 @@ std::string parts_section(const DecidedRobot& decided) {
           (joints.empty() ? "" : table("Joints", {"joint", "parent", "type", "moves"}, joints)));
 }
 
-/// Of the page: all pairs as a matrix and in words. `shares`: of configurations at which a pair
-/// collides, in the pairs' order, texts.
+/// The section of all pairs, as a matrix and in words. `shares`: texts of the share of
+/// configurations at which each pair collides, in the pairs' order.
 std::string matrix_section(const DecidedRobot& decided, const std::vector<std::string>& shares) {
   if (decided.pairs.empty()) {
     return "";

@@ -1,4 +1,4 @@
-// A page about a robot: what `flashbvh robot --report` writes.
+// The page about a robot that `flashbvh robot --report` writes.
 #pragma once
 
 #include <string>
@@ -13,25 +13,25 @@
 
 namespace flashbvh::tool {
 
-/// A robot that was baked, its pairs decided; all outlives the page's making.
+/// A baked robot with its pairs decided; all references must stay valid while the page is made.
 struct DecidedRobot {
   const Model& model;
   const std::vector<WholeMesh>& wholes;  ///< of the links, and of their parts
-  const std::vector<BakedLink>& links;   ///< of the same ones
+  const std::vector<BakedLink>& links;   ///< of these links and parts
   const FixedRobot& fixed;
   const std::vector<JointZone>& zones;
   const std::vector<PairVerdict>& pairs;  ///< (0, 1), (0, 2), ...
-  std::string stop;                       ///< metres, as they were given
+  std::string stop;                       ///< metres, as given
   std::string warn;
   const std::vector<UnguardedPair>& unguarded;
   const std::vector<std::uint32_t>& image;
-  const CoarseMeshes& simplified;  ///< none: links are as the URDF has them
+  const CoarseMeshes& simplified;  ///< empty: links have all triangles of the URDF's meshes
 
   const Robot& robot() const { return fixed.robot(); }
 };
 
-/// One self-contained HTML file, the same bytes for the same robot: what firmware holds, what can
-/// collide and why, how rare that is and how it looks. `step`: shares of two.
+/// One self-contained HTML file, the same bytes for the same robot: the contents of firmware, the
+/// pairs that can collide, with reasons, frequencies and pictures. `step`: shares of two.
 std::string robot_page(const DecidedRobot& decided, const OnStep& step);
 
 }  // namespace flashbvh::tool

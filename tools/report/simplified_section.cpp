@@ -15,12 +15,12 @@ namespace {
 using simplify::Point;
 using simplify::PointTriangle;
 
-/// Triangles of either mesh that are drawn, the nearest to the largest deviation.
+/// The largest number of drawn triangles per mesh: the nearest to the largest deviation.
 constexpr std::size_t kMostDrawn = 1500;
 
 using PointTriangles = std::vector<PointTriangle>;
 
-/// About a point, those nearest to it first.
+/// Triangles relative to a point, the nearest first.
 PointTriangles triangles_about(const bake::SourceMesh& mesh, const Point& middle) {
   PointTriangles all;
   for (const bake::TriangleCorners& corners : mesh.triangles) {

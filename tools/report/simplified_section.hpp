@@ -1,5 +1,5 @@
-// What simplifying made of meshes: both on each other, where they are farthest apart, and what each
-// length would cost.
+// The section on simplified meshes: source and baked mesh together, the point of largest deviation,
+// and the sizes for other deviations.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 
 namespace flashbvh::tool {
 
-/// A mesh, and what was baked of it.
+/// A source mesh and its baked mesh.
 struct CoarseMesh {
   std::string name;
   const bake::SourceMesh& original;
   bake::SourceMesh coarse;
-  double deviation;  ///< of either from the other, at most
+  double deviation;  ///< the largest, in both directions
 };
 
 struct CoarseMeshes {
   std::vector<CoarseMesh> meshes;
   std::vector<simplify::LengthRow> lengths;
-  std::vector<std::uint32_t> leaf_sizes;  ///< of the rows
+  std::vector<std::uint32_t> leaf_sizes;  ///< of the rows' columns
   Measure measure{1, ""};
 };
 
@@ -31,7 +31,7 @@ std::string simplified_section(const CoarseMeshes& all);
 /// The page of `flashbvh bake --report`.
 std::string simplified_page(const CoarseMeshes& all);
 
-/// Of a baked tree, in the unit of its cell.
+/// The mesh of a baked tree, in the unit of its cell.
 template <class Tree>
 bake::SourceMesh mesh_of_tree(const Tree& tree) {
   bake::SourceMesh mesh;

@@ -10,7 +10,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// More are counted.
+/// The largest numbers of listed decisions and poses; the page counts the others.
 constexpr std::size_t kMostDecisions = 6;
 constexpr std::size_t kMostPoses = 200;
 
@@ -18,7 +18,7 @@ bool touches(const Standing& standing) {
   return standing.pairs != 0 || standing.is_inside;
 }
 
-/// The nearer to each other, the less.
+/// Orders by distance; intersecting meshes come first.
 bool is_nearer(const Standing& p, const Standing& q) {
   return std::tuple(q.pairs, q.is_inside, p.distance) <
          std::tuple(p.pairs, p.is_inside, q.distance);
@@ -41,7 +41,7 @@ Standing standing_at(const ImageFile& a, const ImageFile& b, const Pose& pose, s
   return standing;
 }
 
-/// "24 pairs of triangles", "3.2 mm apart".
+/// "24 pairs of triangles" or "3.2 mm apart".
 std::string text_of(const Standing& standing, const Measure& measure) {
   if (standing.pairs != 0) {
     return counted(standing.pairs, "pair of triangles", "pairs of triangles");
@@ -49,7 +49,7 @@ std::string text_of(const Standing& standing, const Measure& measure) {
   return standing.has_distance ? length_of(measure, standing.distance) + " apart" : "";
 }
 
-/// "peg intersects ring".
+/// The verdict as a text: "peg intersects ring".
 std::string what_of(const QueriedPair& pair, const Standing& standing) {
   const std::string a = escaped(pair.a->name);
   const std::string b = (pair.a == pair.b ? "A second " : "") + escaped(pair.b->name);

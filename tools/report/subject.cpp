@@ -12,7 +12,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// `places`: in the order of `sources`; the warning has their numbers in the source mesh.
+/// `places`: indices in `sources`; the warning lists the triangles' numbers in the source mesh.
 void mark_triangles(Subject& subject, const std::vector<SourceTriangle>& sources,
                     TriangleIds places, const char* colour, const char* what) {
   if (places.empty()) {

@@ -1,4 +1,4 @@
-// An image and what a page shows of it.
+// An image and its data for a page.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct NodeBox {
   LatticePoint upper;
 };
 
-/// Of a node of a tree.
+/// The box of a node of a tree.
 template <class Tree>
 NodeBox node_box(const Tree& tree, std::uint32_t node) {
   const std::int64_t x = tree.origin[0];
@@ -27,28 +27,28 @@ NodeBox node_box(const Tree& tree, std::uint32_t node) {
           {x + box.upper.x, y + box.upper.y, z + box.upper.z}};
 }
 
-/// What is odd about the lattice mesh.
+/// A defect of the lattice mesh.
 struct Warning {
-  LiveMarks marks;   ///< where, as the page draws it
+  LiveMarks marks;   ///< its lines in the page
   std::string text;  ///< a sentence
 };
 
 struct Subject {
-  /// `number`: counts the page's images; `name`: without folder, unlike those of the others.
+  /// `place`: the image's index in the page; `unique_name`: without folder, unique in the page.
   Subject(const ImageFile& file, std::size_t place, std::string unique_name);
 
   const ImageFile& image;
   std::size_t number;
   std::string name;
-  std::uint64_t flash;  ///< bytes of the image
-  NodeBox box;          ///< that holds all
+  std::uint64_t flash;  ///< size of the image in bytes
+  NodeBox box;          ///< of the whole mesh
   std::vector<Warning> warnings;
-  std::size_t left_out;  ///< triangles that `bake --drop` left out, except the last ones
+  std::size_t left_out;  ///< triangles that `bake --drop` left out, except trailing ones
 };
 
 Measure measure_of(const ImageFile& image);
 
-/// Names of the image files, numbered where they are the same.
+/// Names of the image files; equal names get numbers.
 std::vector<std::string> unique_names(const std::vector<std::string>& paths);
 
 }  // namespace flashbvh::tool

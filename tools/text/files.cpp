@@ -20,22 +20,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostBytes = 0xFFFFFFFF;  // of a file that is read
+constexpr std::uintmax_t kMostBytes = 0xFFFFFFFF;  // of an input file
 
-/// Next to the file itself, so that renaming stays within a file system.
+/// A name in the same folder, so that renaming stays within a file system.
 fs::path temporary_name(const fs::path& path) {
   fs::path name = path;
   name += concat(".tmp", getpid());
   return name;
 }
 
-/// Takes back what was made, newest first, unless keep() was called.
+/// Removes all created files and folders, newest first, unless keep() was called.
 class Rollback {
  public:
   ~Rollback() {
     for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
       std::error_code ignored;
-      fs::remove(*path, ignored);  // a folder only if it is empty
+      fs::remove(*path, ignored);  // removes a folder only if it is empty
     }
   }
   void made(const fs::path& path) { made_.push_back(path); }
@@ -51,10 +51,10 @@ constexpr std::array kEnding = {SIGINT, SIGTERM};
 constexpr std::array kEnding = {SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
 #endif
 
-volatile std::sig_atomic_t held_signal = 0;  // the last one that came; 0 if none did
+volatile std::sig_atomic_t held_signal = 0;  // the last received signal; 0 if none
 
-/// Holds back the signals that end the program, so that nothing half made stays behind: the last
-/// one arrives when this goes. Precondition: this thread is the only one.
+/// Holds back signals that end the program, so that no partial output stays behind. The destructor
+/// raises the last one. Precondition: there are no other threads.
 class HeldSignals {
  public:
   HeldSignals() {
@@ -77,7 +77,7 @@ class HeldSignals {
     }
   }
 
-  /// Throws if one waits.
+  /// Throws if a signal is held back.
   static void stop_if_any() {
     if (held_signal != 0) {
       throw std::runtime_error("ended by a signal");
@@ -105,7 +105,7 @@ void make_folder(const fs::path& folder, Rollback& rollback) {
   }
 }
 
-/// `path` is where the bytes go, `name` how the user knows the file.
+/// Writes to `path`; error messages use the user's `name` of the file.
 void write_bytes(const fs::path& path, const fs::path& name, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -115,14 +115,14 @@ void write_bytes(const fs::path& path, const fs::path& name, const std::string& 
   }
 }
 
-/// A device or a pipe: it takes the bytes, and must not be replaced by a file.
+/// True for a device or a pipe: it receives the bytes, and no file may replace it.
 bool is_special(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-/// The temporary becomes the file.
+/// Renames the temporary file to the final name.
 void put_in_place(const fs::path& path, Rollback& rollback) {
   std::error_code error;
   const bool is_new = !fs::exists(path, error);
@@ -201,7 +201,7 @@ void FileSet::write(const std::function<void()>& report) const {
   rollback.keep();
 }
 
-/// Before anything that could be left behind, and while signals arrive: a pipe may be full.
+/// Comes before files that could be left behind, and while signals arrive: a pipe may be full.
 void FileSet::write_special() const {
   for (const File& file : files_) {
     std::error_code error;

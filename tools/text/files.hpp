@@ -1,4 +1,4 @@
-// Files: read whole, written whole or not at all; text as lines of words.
+// Reads whole files; writes files completely or not at all; splits text into lines and words.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,20 @@
 
 namespace flashbvh::tool {
 
-/// The bytes of a file or of a pipe. UserError if it can't be read, is empty or of 4 GiB or more,
-/// or is a device, which may have no end.
+/// The bytes of a file or of a pipe. UserError if it can't be read, is empty, has 4 GiB or more, or
+/// is a device, which may have no end.
 std::string read_file(const std::string& path);
 
-/// Files that belong together: either all of them get written or none.
+/// Files that belong together: either all of them are written or none.
 class FileSet {
  public:
-  /// Adds a file; nothing is written yet. UserError if there is one of that path.
+  /// Adds a file; writes nothing yet. UserError if the path was added before.
   void add(std::filesystem::path path, std::string bytes);
 
-  /// Writes every file under a temporary name next to its own, calls `report`, then renames them
-  /// all; makes their folder if there is none. UserError if that fails; then, or if `report`
-  /// throws, what it made is gone again, unless a rename failed behind another that replaced an
-  /// older file. Signals that end the program wait for that, too. What is no regular file gets its
-  /// bytes first.
+  /// Writes every file under a temporary name next to its own, calls `report`, then renames all.
+  /// Makes missing folders. UserError on failure. On failure, or if `report` throws, it removes all
+  /// new files, unless a rename failed after another had replaced an older file. Signals that end
+  /// the program wait for this, too. Files that are not regular get their bytes first.
   void write(const std::function<void()>& report = [] {}) const;
 
  private:
@@ -38,20 +37,20 @@ class FileSet {
   void write_special() const;
 
   std::vector<File> files_;
-  std::set<std::filesystem::path> places_;  ///< of files_, each written in one way
+  std::set<std::filesystem::path> places_;  ///< normalized paths of files_, to find duplicates
 };
 
-/// One file alone.
+/// Writes a single file.
 void write_file(
     const std::string& path, std::string bytes, const std::function<void()>& report = [] {});
 
-/// Letters of ASCII alone, in any locale.
+/// Converts ASCII letters only, in any locale.
 std::string lower_case(std::string_view text);
 
-/// The words between blanks.
+/// The words of a line, separated by blanks.
 std::vector<std::string_view> words_of(std::string_view line);
 
-/// Goes through a text line by line. LF, CR LF and CR end a line.
+/// Iterates over the lines of a text. LF, CR LF and CR end a line.
 class Lines {
  public:
   /// `text` must outlive the object.
@@ -59,12 +58,12 @@ class Lines {
 
   /// Moves to the next line; false after the last.
   bool next();
-  /// The same past lines that are empty or hold only a comment; a '#' ends a line.
+  /// Moves to the next line with content; skips empty lines and comments, which begin with '#'.
   bool next_content();
 
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }   ///< from 1
-  std::string_view rest() const { return rest_; }  ///< what lies after the line
+  std::string_view rest() const { return rest_; }  ///< the text after the line
 
  private:
   std::string_view rest_;
@@ -72,8 +71,8 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// read(line, place) of each line that has something in it. UserError if there is none: `empty`, "a
-/// line".
+/// Calls read(line, place) for each line with content. UserError if there is none; `empty`, such as
+/// "a line", is for its message.
 template <class Thing, class Read>
 std::vector<Thing> read_lines(const std::string& path, const std::string& empty, const Read& read) {
   const std::string text = read_file(path);

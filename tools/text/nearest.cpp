@@ -9,7 +9,7 @@
 namespace flashbvh::tool {
 
 std::size_t edits_between(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> edits(b.size() + 1);  // from what is read of a to each beginning of b
+  std::vector<std::size_t> edits(b.size() + 1);  // from the read part of a to each prefix of b
   std::iota(edits.begin(), edits.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = std::exchange(edits[0], i + 1);

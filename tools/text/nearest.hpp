@@ -1,4 +1,4 @@
-// The word that a mistyped one was meant to be.
+// Finds the word that the user probably meant by a mistyped one.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace flashbvh::tool {
 
-/// Letters to insert, leave out or replace until `a` is `b` (Levenshtein's distance).
+/// Letters to insert, delete or replace to turn `a` into `b` (Levenshtein's distance).
 std::size_t edits_between(std::string_view a, std::string_view b);
 
-/// Of `words`, the one with the fewest edits to `word`, the first of several; a word that begins
-/// with all of `word`, of two letters or more, is at most one edit away. Empty if none is near:
-/// more edits than a third of the letters, rounded up, or as many as there are.
+/// The first of `words` with the fewest edits to `word`. A word that begins with all of `word` (two
+/// or more letters) counts as at most one edit away. Empty if none is near: a near word needs fewer
+/// edits than there are letters, and at most a third of them, rounded up.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words);
 
-/// "; the nearest is '--bake'", with "--" before the words; or nothing if none is near.
+/// "; the nearest is '--bake'", with `before` ("--") before the word; empty if none is near.
 std::string nearest_hint(std::string_view word, const std::vector<std::string>& words,
                          const char* before = "");
 

@@ -26,7 +26,7 @@ std::optional<double> parse(std::string_view text) {
     return std::nullopt;
   }
   if (result.ec == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(text).c_str(), nullptr);  // near zero, if not infinite
+    value = std::strtod(std::string(text).c_str(), nullptr);  // near zero, unless infinite
   }
   return value;
 }
@@ -40,7 +40,7 @@ std::string with_point(const std::string& text) {
   return text + (is_floating ? "" : ".0");
 }
 
-/// from_chars knows no plus sign.
+/// Removes a plus sign, which from_chars does not accept.
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return plus ? text.substr(1) : text;

@@ -1,4 +1,4 @@
-// Numbers to text and back, the same on every machine and in every locale.
+// Converts numbers to text and back, the same on every machine and in every locale.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace flashbvh::tool {
 
-/// The parts one after the other, integers in decimal.
+/// Concatenates the parts; integers are decimal.
 template <class... Parts>
 std::string concat(const Parts&... parts) {
   std::string text;
@@ -24,7 +24,7 @@ std::string concat(const Parts&... parts) {
   return text;
 }
 
-/// The texts of elements, with a separator between.
+/// The texts of elements, joined by a separator.
 template <class Elements, class TextOf>
 std::string joined(const Elements& elements, const TextOf& text_of, const char* separator = ", ") {
   std::string text;
@@ -41,23 +41,23 @@ inline std::string joined(const std::vector<std::string>& words, const char* sep
       words, [](const std::string& word) { return word; }, separator);
 }
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that reads back as this number.
 std::string shortest(double value);
 
-/// The same as a C++ literal of type double. Precondition: finite.
+/// The shortest text as a C++ literal of type double. Precondition: finite.
 std::string floating_literal(double value);
 
-/// The same of type float; 0 if it is not finite.
+/// The shortest text as a C++ literal of type float; 0 if the value is not finite.
 std::string float_literal(float value);
 
-/// With `digits` digits after the point, for tables.
+/// A text with `digits` digits after the point, for tables.
 std::string fixed(double value, int digits);
 
-/// With at most `digits` digits that count, for tables.
+/// A text with at most `digits` significant digits, for tables.
 std::string significant(double value, int digits);
 
-/// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent): the
-/// double nearest to it.
+/// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent),
+/// rounded to the nearest double.
 std::optional<double> parse_number(std::string_view text);
 
 /// The whole of `text` as an integer.

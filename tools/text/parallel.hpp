@@ -1,4 +1,4 @@
-// Work on all processors.
+// Runs work on all processors.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace flashbvh::tool {
 
-/// So many work at a time.
+/// The number of threads that run at once.
 inline std::size_t processor_count() {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// Calls `work` with each number below `count`, in any order; with one thread in theirs. What one
-/// throws ends the others' calls when theirs is over, and is thrown: of several, that of the least
-/// number.
+/// Calls `work` with each number below `count`, in any order; in ascending order with one thread.
+/// If calls throw, no new calls start; rethrows the exception of the lowest number after all
+/// running calls have returned.
 template <class Work>
 void for_each_in_parallel(std::size_t count, std::size_t most_threads, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -51,7 +51,7 @@ void for_each_in_parallel(std::size_t count, std::size_t most_threads, const Wor
   }
 }
 
-/// On all processors.
+/// Runs `work` on all processors.
 template <class Work>
 void for_each_in_parallel(std::size_t count, const Work& work) {
   for_each_in_parallel(count, processor_count(), work);

@@ -21,8 +21,8 @@ float read(const std::string& text, float) {
   return std::strtof(text.c_str(), nullptr);
 }
 
-/// "1.99e+05" to "2.00e+05". Nothing between a power of two and the text nearest to it reads back
-/// as it, if that lies below: numbers are twice as dense there. The next text may.
+/// Increments the last digit: "1.99e+05" to "2.00e+05". Just below a power of two, numbers are
+/// twice as dense: if the nearest text lies there, only the next one may read back as the power.
 std::string next(std::string text) {
   for (std::size_t i = text.find('e'); i-- > 0;) {
     if (text[i] == '9') {
@@ -47,7 +47,7 @@ std::string scientific(Number value) {
   }
 }
 
-/// The digits of a scientific text where they belong.
+/// The digits of a scientific text in fixed notation.
 std::string fixed_point(const std::string& text, double value) {
   const std::size_t e = text.find('e');
   const int exponent = std::atoi(text.c_str() + e + 1);

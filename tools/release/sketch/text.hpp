@@ -1,4 +1,4 @@
-// What the examples print, on the serial monitor.
+// Prints the examples' output on the serial monitor.
 #pragma once
 
 #include <Arduino.h>

@@ -1,5 +1,5 @@
 # Toolchain file: WebAssembly for node, by Emscripten. The program reads and writes the machine's own files. It
-# starts at once: Emscripten's other way takes a node that knows fetch() for a browser.
+# compiles synchronously: Emscripten's other method takes a node that has fetch() for a browser.
 include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions")
 set(options ENVIRONMENT=node NODERAWFS WASM_ASYNC_COMPILATION=0 EXIT_RUNTIME ALLOW_MEMORY_GROWTH MAXIMUM_MEMORY=4GB

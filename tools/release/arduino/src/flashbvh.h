@@ -1,4 +1,4 @@
-/* The whole library, for sketches; a part of it is <flashbvh/ray.hpp>, <flashbvh/robot/guard.hpp>
+/* The whole library, for sketches; parts of it are <flashbvh/ray.hpp>, <flashbvh/robot/guard.hpp>
  * ... */
 #pragma once
 
