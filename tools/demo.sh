@@ -1,7 +1,6 @@
 #!/bin/sh
-# The main job, end to end: a robot's meshes and joints go in, a microcontroller decides whether the
-# arm hits itself, and all its answers are compared with the host's. Installs what is missing; works
-# in build/demo.
+# Runs the main task end to end: bakes a robot's meshes and joints, lets a microcontroller decide whether the
+# arm hits itself, and compares all answers with the host's. Installs missing packages; works in build/demo.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh

@@ -9,9 +9,9 @@
 # for view_unchecked(). The options are those of `flashbvh bake`. The build bakes the meshes again if
 # one of them, an option or the tool changes.
 #
-# FORMAT image makes no code: each target that links the library includes the folder of the images
-# <stem>.fbvh, for .incbin; the target's property FLASHBVH_IMAGES lists them. FORMAT both makes
-# arrays and images. In projects without the language C, C++ compiles the arrays.
+# FORMAT image makes no code: each target that links the library gets the folder of the images
+# <stem>.fbvh as an include folder, for .incbin; the property FLASHBVH_IMAGES of `name` lists them. FORMAT both
+# makes arrays and images. In projects without the language C, C++ compiles the arrays.
 #
 # A target that links two such libraries does not configure unless they have the same CELL: a query
 # on meshes with different cells ends with cell_mismatch. OWN_CELL means that no query combines the
