@@ -4,8 +4,7 @@
 // the guard reports "free" only after a query of the solids. The last line is such a case.
 //
 // Prints a line per step: the distance in millimetres, the verdict, and the instructions of the
-// whole check, including the pose. Run it by hand with FLASHBVH_ICOUNT to see the instruction
-// counts (ports/README.md).
+// whole check with its pose. To count them, run it by hand with FLASHBVH_ICOUNT (ports/README.md).
 #include <flashbvh/clearance.hpp>
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/float.hpp>

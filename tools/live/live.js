@@ -125,7 +125,7 @@ class Live extends Stage {
     this.arm.place();
     const way = pixel().map((after, i) => (after - before[i]) / (this.arm.values[variable] - value));
     const squared = way[0] ** 2 + way[1] ** 2;
-    // If the view is along its axis, the pointer's movement turns the joint, not the point's.
+    // If the view is along its axis, the joint turns by the pointer's movement, not by the point's.
     const step = squared < 100 ? (x - y) / 150 : (x * way[0] + y * way[1]) / squared;
     this.set(variable, value + Math.min(Math.max(step, -0.3), 0.3));
   }

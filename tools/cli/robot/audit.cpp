@@ -1,4 +1,4 @@
-// flashbvh audit: reports which disabled pairs of an SRDF can collide.
+// flashbvh audit: reports which pairs of links an SRDF may disable.
 #include <iomanip>
 #include <iostream>
 

@@ -10,7 +10,7 @@ namespace compare {
 class Library {
  public:
   virtual ~Library() = default;
-  /// Frees the last trees and builds new ones, in floats. Not counted.
+  /// Frees the last trees and builds new ones from floats. Not counted.
   virtual void set_meshes(const flashbvh::Mesh& a, const flashbvh::Mesh& b) = 0;
   /// Makes the caller's form of the pose, integers or a matrix of floats. Not counted; conversions
   /// within the query are counted.

@@ -61,7 +61,7 @@ class FirstContacts(NamedTuple):
 
     @property
     def is_free(self) -> npt.NDArray[np.bool_]:
-        """Whether the bodies touch at no moment: bool, (...,)."""
+        """True if the bodies never touch: bool, (...,)."""
         return np.asarray(self.outcome == ContactOutcome.FREE)
 
 
@@ -69,7 +69,7 @@ def first_contact(a: Baked, b: Baked, motion: BodyMotion, within: float = 0.0) -
     """Whether A and the moving B are apart at every moment, and if not, their first contact.
 
     Surfaces, not solids: a body that starts inside the other one does not touch it. within: bodies at most this far
-    apart count as touching, in the meshes' unit; one cell also covers poses between that are rounded to the lattice.
+    apart count as touching, in the meshes' unit; one cell also covers poses between, rounded to the lattice.
     Raises Error if the meshes have different cells, a matrix is not a rotation with a translation, or B may get 2^19
     cells or farther from A's origin.
     """
