@@ -74,7 +74,7 @@ struct BakedRobot {
   std::uint32_t leaf_size = 0;  ///< of firmware's links
   std::size_t own_bytes = 0;    ///< size of the image without meshes
   std::unique_ptr<FixedRobot> fixed;
-  std::unique_ptr<RobotFile> file;  ///< of an image, instead of `wholes`, `links`, `fixed`
+  std::unique_ptr<RobotFile> file;  ///< of an image, in place of the baked data
 
   const Robot& robot() const { return file ? file->robot() : fixed->robot(); }
 };
