@@ -8,7 +8,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// From the joint to the base.
+/// The joints from `joint` to the base.
 std::vector<std::size_t> branch_of(const Model& model, std::size_t joint) {
   std::vector<std::size_t> branch;
   for (; joint != kNoJoint; joint = model.joints[joint].parent) {
@@ -17,12 +17,12 @@ std::vector<std::size_t> branch_of(const Model& model, std::size_t joint) {
   return branch;
 }
 
-/// Of a joint, in radians or metres. `variables`: a value each.
+/// A joint's coordinate, in radians or metres. `variables`: one value each.
 double coordinate_of(const ModelJoint& joint, const std::vector<double>& variables) {
   return joint.multiplier * variables[joint.variable] + joint.offset;
 }
 
-/// How the joint at `coordinate` moves what hangs on it, in the joint's frame at 0.
+/// The joint's motion at `coordinate`, in the joint's frame at 0.
 Transform motion_of(const ModelJoint& joint, double coordinate) {
   Transform motion;
   if (joint.type == JointType::prismatic) {

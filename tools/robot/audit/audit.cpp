@@ -12,12 +12,12 @@
 namespace flashbvh::tool {
 namespace {
 
-/// MoveIt's default: 0, or the middle of limits that do not allow it.
+/// MoveIt's default: 0, or the middle of the limits if they exclude 0.
 double default_value(const ModelJoint& joint) {
   return joint.lower <= 0 && joint.upper >= 0 ? 0 : 0.5 * (joint.lower + joint.upper);
 }
 
-/// Whether the two links intersect at the default configuration and wherever else they are tried.
+/// True if the links intersect at the default configuration and at every other one that is tried.
 bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
   const PairSpace space(decided.model, {pair.a, &decided.meshes[pair.a], nullptr},
                         {pair.b, &decided.meshes[pair.b], nullptr}, decided.cell);
@@ -29,7 +29,7 @@ bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
   return space.intersect(at_default) && intersect_wherever_tried(space, MatrixOptions{}.looks);
 }
 
-/// The joint between two neighbours whose zone was not found in time.
+/// The joint between two neighbours if the search for its zone ran out of time.
 std::optional<std::size_t> late_joint(const DecidedPairs& decided, const PairVerdict& pair) {
   const std::vector<std::size_t>& late = decided.late_joints;
   const auto found = std::find_if(late.begin(), late.end(), [&](std::size_t joint) {
@@ -38,7 +38,7 @@ std::optional<std::size_t> late_joint(const DecidedPairs& decided, const PairVer
   return found == late.end() ? std::nullopt : std::optional(*found);
 }
 
-/// Of a line that disables the pair.
+/// The verdict on a line that disables the pair.
 LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
   if (pair.zone) {
     return LineVerdict::contact;
@@ -58,7 +58,7 @@ LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
   return LineVerdict::undecided;
 }
 
-/// Null if the pair is to be checked.
+/// The SRDF's reason for disabling the pair, or null if planners have to check it.
 const char* reason_of(const Model& model, const PairVerdict& pair, LineVerdict verdict) {
   const bool is_adjacent =
       std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& neighbours) {

@@ -1,4 +1,4 @@
-// Whether the lines of an SRDF hold, by the decided matrix.
+// Checks the lines of an SRDF against the decided matrix.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@ namespace flashbvh::tool {
 
 enum class LineVerdict : std::uint8_t {
   proven,     ///< the two links never collide
-  contact,    ///< they intersect wherever they were tried: a planner has to leave them out
+  contact,    ///< they intersect at all configurations tried: a planner must not check them
   refuted,    ///< they can collide, with a witness
-  undecided,  ///< neither
+  undecided,  ///< neither proven nor refuted
 };
 const char* name_of(LineVerdict verdict);
 
@@ -28,8 +28,8 @@ struct AuditedLine {
   DisabledPair line;
   PairVerdict pair;
   LineVerdict verdict;
-  std::string why;  ///< for people
-  /// Of a refuted one: which intersect at the witness.
+  std::string why;  ///< an explanation for users
+  /// For `refuted`: the triangles that intersect at the witness.
   std::array<FileTriangle, 2> triangles;
 };
 
@@ -40,7 +40,7 @@ struct MissingLine {
 
 struct Audit {
   std::vector<AuditedLine> lines;    ///< in the SRDF's order
-  std::vector<MissingLine> missing;  ///< pairs that it leaves enabled for nothing
+  std::vector<MissingLine> missing;  ///< pairs that the SRDF leaves enabled needlessly
 
   std::size_t count(LineVerdict verdict) const;
   SrdfChanges changes() const;
@@ -52,15 +52,15 @@ struct DecidedPairs {
   const std::vector<WholeMesh>& meshes;
   double cell;  ///< metres
   const std::vector<PairVerdict>& pairs;
-  /// With no zone when the time to find one was up: a collision of the two links next to such a
-  /// joint may be in the zone, and refutes nothing.
+  /// Joints whose zone search ran out of time: a collision of the links next to such a joint may
+  /// lie in the zone and refutes nothing.
   std::vector<std::size_t> late_joints = {};
 };
 
-/// All that a planner need not check.
+/// Lines for all pairs that a planner need not check.
 std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided);
 
-/// `disabled`: by the SRDF, as read_srdf() has them.
+/// `disabled`: the SRDF's pairs, from read_srdf().
 Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& disabled);
 
 /// "64 lines: 60 proven, 3 contact, 1 refuted, 0 undecided; 2 pairs are missing".

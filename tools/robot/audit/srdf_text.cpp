@@ -13,13 +13,13 @@ namespace {
 
 using NamePair = std::pair<std::string, std::string>;
 
-/// A stretch of the text.
+/// A range of the text.
 struct Span {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Where the elements directly below the root lie, and the root's own end.
+/// The ranges of the elements directly below the root, and of the root's end.
 struct SrdfSpans {
   std::vector<Span> elements;
   Span root_end;  ///< "</robot>", or the "/>" of a root without content
@@ -30,7 +30,7 @@ std::size_t behind(std::string_view text, std::string_view mark, std::size_t fro
   return at == std::string_view::npos ? text.size() : at + mark.size();
 }
 
-/// Behind the '>' of a tag, quoted ones left out.
+/// The position after the '>' that ends a tag; skips quoted ones.
 std::size_t behind_tag(std::string_view text, std::size_t from) {
   char quote = 0;
   for (std::size_t i = from; i < text.size(); ++i) {
@@ -45,7 +45,7 @@ std::size_t behind_tag(std::string_view text, std::size_t from) {
   return text.size();
 }
 
-/// Of XML that TinyXML reads, which looks at nothing behind the root.
+/// For XML that TinyXML reads; TinyXML ignores everything after the root.
 SrdfSpans spans_of(std::string_view text) {
   SrdfSpans spans;
   std::size_t depth = 0;
@@ -138,7 +138,7 @@ class SrdfEditor {
     if (!added.empty()) {
       edits.push_back(insertion(added));
     }
-    // From the back, so that places before an edit stay.
+    // From the back, so that positions before an edit stay valid.
     std::sort(edits.begin(), edits.end(),
               [](const Edit& one, const Edit& other) { return one.span.begin > other.span.begin; });
     for (const Edit& edit : edits) {
@@ -156,7 +156,7 @@ class SrdfEditor {
  private:
   struct Edit {
     Span span;
-    std::string text;  ///< in its place
+    std::string text;  ///< the replacement
   };
 
   static std::vector<const TiXmlElement*> elements_of(const TiXmlDocument& document) {
@@ -168,7 +168,7 @@ class SrdfEditor {
     return elements;
   }
 
-  /// TinyXML reads tags that are no XML.
+  /// TinyXML accepts tags that are invalid XML.
   [[noreturn]] void refuse() const {
     throw UserError(path_, "has tags that are no sound XML, so it can't be changed; correct them");
   }
@@ -210,7 +210,7 @@ class SrdfEditor {
     return end == std::string::npos ? 0 : end + 1;
   }
 
-  /// What stands before an element on its line, if these are blanks.
+  /// The blanks before an element on its line; two spaces if other text stands there.
   std::string indent_of(std::size_t element) const {
     if (element >= elements_.size()) {
       return "  ";
@@ -220,7 +220,7 @@ class SrdfEditor {
     return is_blank(before) ? before : "  ";
   }
 
-  /// With the rest of its line, if nothing else is on it.
+  /// Extends a range to its whole line if nothing else is on that line.
   Span whole_line(const Span& span) const {
     const std::string_view text = text_;
     const std::size_t begin = line_begin(span.begin);
@@ -231,7 +231,7 @@ class SrdfEditor {
                : span;
   }
 
-  /// What an element says that does not hold.
+  /// True if an element contradicts the changes.
   bool is_cut(const TiXmlElement& element) const {
     return (element.ValueStr() == "disable_collisions" && enabled_.count(links_of(element)) != 0) ||
            (element.ValueStr() == "enable_collisions" && disabled_.count(links_of(element)) != 0);
@@ -247,7 +247,7 @@ class SrdfEditor {
     return cuts;
   }
 
-  /// Behind the last element that disables a pair and stays, or at the end.
+  /// After the last element that disables a pair and stays, or at the end.
   Edit insertion(const std::vector<std::string>& added) const {
     std::string indent = indent_of(0);
     std::size_t at = 0;
@@ -264,7 +264,7 @@ class SrdfEditor {
     return at != 0 ? Edit{{at, at}, lines} : at_end(lines);
   }
 
-  /// Of one that follows on the line.
+  /// The position after a comment that follows on the line, or `at`.
   std::size_t behind_comment(std::size_t at) const {
     const std::size_t next = std::min(text_.find_first_not_of(" \t", at), text_.size());
     const std::size_t end = text_.compare(next, 4, "<!--") == 0 ? behind(text_, "-->", next) : at;
@@ -291,7 +291,7 @@ class SrdfEditor {
   SrdfSpans spans_;
   TiXmlDocument document_;
   std::vector<const TiXmlElement*> elements_;
-  std::set<NamePair> enabled_;  ///< of the changes
+  std::set<NamePair> enabled_;  ///< by the changes
   std::set<NamePair> disabled_;
   std::string line_end_;
 };

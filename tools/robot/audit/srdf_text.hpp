@@ -1,4 +1,4 @@
-// SRDFs as text: written whole, or changed where pairs are wrong, all else kept byte for byte.
+// SRDFs as text: written from scratch, or corrected pair by pair with all other bytes kept.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct SrdfLine {
   const char* reason;  ///< MoveIt's: Adjacent, Never, Default
 };
 
-/// An SRDF of these lines alone.
+/// An SRDF with only these lines.
 std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines);
 
 /// Pairs (a, b), a below b.
@@ -25,8 +25,8 @@ struct SrdfChanges {
   std::vector<SrdfLine> disabled;                            ///< in addition
 };
 
-/// The text of the SRDF at `path` with `changes`. A pair of a <disable_default_collisions> becomes
-/// an <enable_collisions>. UserError as read_xml().
+/// The text of the SRDF at `path` with `changes`. Enabling a pair under a
+/// <disable_default_collisions> adds an <enable_collisions>. Throws UserError like read_xml().
 std::string changed_srdf(const std::string& path, const Model& model, const SrdfChanges& changes);
 
 }  // namespace flashbvh::tool

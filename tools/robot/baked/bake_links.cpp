@@ -16,9 +16,9 @@ namespace {
 
 using Limits = bake::IndexLimits<std::uint16_t>;
 
-/// What frames reach, less what rounding adds up to over all joints.
+/// The range of frames, less the accumulated rounding of all joints.
 constexpr double kMostCells = 1.0 * kMaxFrameTranslation / kFrameCell - 4.0 * kMaxJoints;
-/// How far the far side of a link's sphere is, as a multiple of the furthest point of the link.
+/// The far side of a link's sphere, as a multiple of the distance of the link's furthest point.
 constexpr double kSphereReach = 2.02;
 
 double norm(const Vector3& v) {
@@ -39,10 +39,10 @@ double furthest_of(const ModelLink& link) {
   return furthest;
 }
 
-/// Of joints, added up.
+/// Sums over joints.
 struct Reach {
-  double turns = 0;   ///< how far a link can lie from each that turns, at most
-  double slides = 0;  ///< how many slide
+  double turns = 0;   ///< bounds on the link's distance from rotating joints, added up
+  double slides = 0;  ///< number of prismatic joints
 
   void add(const Model& model, const ModelLink& link, const std::vector<std::size_t>& inwards) {
     double reach = furthest_of(link);
@@ -55,9 +55,9 @@ struct Reach {
   }
 };
 
-/// With which the reaches of any two links fit the guard's sums.
+/// The finest cell with which the reaches of any two links fit the guard's sums.
 double finest_for_reaches(const Model& model) {
-  constexpr double kRounding = 1.01;  // and what the lattice moves
+  constexpr double kRounding = 1.01;  // covers motion by the lattice, too
   const double turn = std::ldexp(256 * unit_of_coordinate(JointType::revolute, 1), kReachBits);
   const double slide = std::ldexp(256 * unit_of_coordinate(JointType::prismatic, 1), kReachBits);
   double finest = 0;
@@ -74,7 +74,7 @@ double finest_for_reaches(const Model& model) {
   return finest;
 }
 
-/// How far from the base any point of a link's sphere can get, at most.
+/// A bound on the distance of any point of a link's sphere from the base.
 double reach_of(const Model& model) {
   std::vector<double> joints;
   double most = 0;

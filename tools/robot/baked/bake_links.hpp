@@ -1,4 +1,4 @@
-// The links of a robot baked, all with one cell.
+// Bakes the links of a robot, all with one cell.
 #pragma once
 
 #include <cstdint>
@@ -22,36 +22,37 @@ struct BakedLink {
   std::size_t image_bytes() const { return static_cast<std::size_t>(bake::image_size(tree)); }
 };
 
-/// Of all images together.
+/// The size of all images together.
 std::size_t image_bytes(const std::vector<BakedLink>& links);
 
 /// UserError if the robot has more joints or links than firmware holds. `path`: the URDF.
 void check_counts(const Model& model, const std::string& path);
 
-/// In metres: the finest with which all links fit the lattice, and all joints, wherever they stand,
-/// firmware's frames and sums; or `wanted`. UserError if that is too fine for links or frames.
+/// The cell in metres: `wanted`, or the finest with which all links fit the lattice, and all joints
+/// in all configurations fit firmware's frames and sums. UserError if `wanted` is too fine for
+/// frames.
 double robot_cell(const Model& model, const std::optional<double>& wanted, const std::string& path);
 
-/// As it is baked, in metres, for messages.
+/// The link's mesh as baking takes it, in metres, with its name for messages.
 InputMesh link_input(const ModelLink& link, const std::string& path);
 
-/// In metres: how far a point of the baked link may lie from where the URDF has it, by what
-/// rounding to the lattice moved its vertices and by what the reader rounded.
+/// A bound, in metres, on the distance of a baked link's points from their place in the URDF:
+/// rounding to the lattice, and the reader's rounding.
 double link_deviation(const ModelLink& link, double cell);
 
 /// UserError, with the link and the remedy, if it has more triangles than 16-bit indices reach;
-/// says what simplifying would leave.
+/// reports how many triangles simplifying would leave.
 void check_triangles(const ModelLink& link, double cell, const std::string& path);
 
-/// Whether 16-bit indices reach all of such a tree.
+/// True if 16-bit indices reach all elements of the part.
 bool fits_firmware(const BakedPart& part);
 
-/// In metres: the same of a link that is baked for firmware, simplified or not.
+/// Like link_deviation(), for a link baked for firmware, simplified or not. In metres.
 double firmware_deviation(const ModelLink& link, const BakedLink& baked);
 
-/// For firmware. UserError, with the link and the remedy, if it has more triangles, vertices or
-/// nodes than 16-bit indices reach. `leaf_size`: most triangles in a leaf. `coarse`: of the link's
-/// mesh, to be baked in its place, or null.
+/// Bakes a link for firmware. UserError, with the link and the remedy, if it has more triangles,
+/// vertices or nodes than 16-bit indices reach. `leaf_size`: most triangles in a leaf. `coarse`: a
+/// simplification of the link's mesh to bake in its place, or null.
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
                     const std::string& path, const simplify::Coarsening* coarse = nullptr);
 

@@ -15,22 +15,22 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of the smaller link's radius: nothing is stored of links that come nearer than this part of it.
+/// Distances below this part of the smaller link's radius are stored as 0.
 constexpr double kLeastPart = 1.0 / 32;
-/// Nor of distances below a byte's least, in cells.
+/// Distances below a byte's smallest, in cells, are stored as 0.
 constexpr double kLeastCells = 16;
-/// Of the least distance seen in a cell, what is stored at least: more below so many times the
-/// least, where a guard looks again every few periods.
+/// A stored distance is at least this share of the least distance seen in its table cell. The share
+/// is larger below kNear times the smallest distance: there a guard checks again every few periods.
 constexpr double kNear = 6;
 struct Shares {
   double near;
   double far;
 };
 constexpr Shares kShares{0.7, 0.3};
-/// More, so that what is proven of a row is enough for its cells.
+/// Larger shares, so that a row's proven distance suffices for its table cells.
 constexpr Shares kRowShares{0.8, 0.4};
 
-/// The largest that is no more than `distance`, in cells.
+/// The largest byte whose distance is at most `distance`, in cells.
 std::uint8_t byte_of(double distance) {
   std::uint32_t byte = 0;
   while (byte < 255 && table_distance(static_cast<std::uint8_t>(byte + 1)) / 256.0 <= distance) {
@@ -39,7 +39,7 @@ std::uint8_t byte_of(double distance) {
   return static_cast<std::uint8_t>(byte);
 }
 
-/// A joint of the pair's, and its cells.
+/// A joint between the links, and its table cells.
 struct Axis {
   const RobotJoint& joint;
   std::size_t dimension;
@@ -47,10 +47,10 @@ struct Axis {
   double unit;
 };
 
-/// A box of values, and what is known of it.
+/// A box of joint values and the bound known for it.
 struct Part {
   std::vector<Interval> box;
-  double least;  ///< nowhere in it are the links nearer
+  double least;  ///< lower bound on the links' distance in the box
   Motion motion;
 
   bool operator<(const Part& other) const { return least > other.least; }  // the nearest first
@@ -59,8 +59,8 @@ struct Part {
 template <class Space>
 class DistanceTable {
  public:
-  /// `radius`: the smaller link's; `deviation`: how far meshes may lie from where they should,
-  /// in addition to placing. In cells.
+  /// `radius`: of the smaller link; `deviation`: bound on the meshes' displacement, in addition to
+  /// placing. Both in cells.
   DistanceTable(const Space& space, double radius, double deviation, const Shares& shares,
                 const Deadline& deadline)
       : space_(space),
@@ -69,8 +69,8 @@ class DistanceTable {
         slack_(kPlacing + space.far_origin() + 0.1 + deviation),
         least_(std::max(kLeastCells, radius * kLeastPart)) {}
 
-  /// No two places in the box are nearer, nor than what is known of it. The part that may be
-  /// nearest is halved, until it is nearly as far as the nearest middle.
+  /// A lower bound on the links' distance in the box; `known`: another such bound. Halves the part
+  /// that may be nearest until its bound is close to the least distance at a part's middle.
   double distance(const std::vector<Interval>& box, double known = 0) {
     nearest_ = HUGE_VAL;
     std::priority_queue<Part> parts;
@@ -118,8 +118,8 @@ class DistanceTable {
   typename Space::Hint hint_{};
 };
 
-/// One of the links turned all the way about the joint next to it: what is far from all that it
-/// sweeps is proven for each of that joint's cells at once.
+/// One link swept a full turn about the joint next to it: a distance from the swept solid holds for
+/// all table cells of that joint at once.
 class SweptDistanceTable {
  public:
   SweptDistanceTable(const Model& model, const RobotPair& pair, const SweptEnd& end, double radius,
@@ -137,7 +137,7 @@ class SweptDistanceTable {
     }
   }
 
-  /// In cells of the robot's. Kept for boxes that differ in the swept joint alone.
+  /// In the robot's cells. Cached for boxes that differ in the swept joint alone.
   double distance(std::vector<Interval> box) {
     const Interval held = space_.dimensions()[dimension_].range;
     box[dimension_] = {held.lower, held.lower};
@@ -169,7 +169,7 @@ class SweptDistanceTable {
   std::map<double, double> kept_;
 };
 
-/// Of a pair with two joints of its own.
+/// For a pair with two joints between its links.
 std::vector<std::unique_ptr<SweptDistanceTable>> swept_tables(const Model& model,
                                                               const RobotPair& pair, double radius,
                                                               double cell,
@@ -185,7 +185,7 @@ std::vector<std::unique_ptr<SweptDistanceTable>> swept_tables(const Model& model
   return distance_tables;
 }
 
-/// A coordinate more either way, which values are rounded by.
+/// The values of a table cell, widened by one unit at both ends since values are rounded.
 Interval side_of(const Axis& axis, std::uint32_t cell) {
   const auto width = std::ldexp(1.0, static_cast<int>(axis.cells.shift));
   const double lower = axis.cells.lower + cell * width;
@@ -240,7 +240,7 @@ std::vector<std::uint8_t> distance_table_of(const Model& model, const Robot& rob
     }
     bytes.push_back(byte_of(distance_table.distance(box, known)));
   }
-  bytes.resize(size);  // nothing is known of the rest
+  bytes.resize(size);  // 0: unknown
   return bytes;
 }
 

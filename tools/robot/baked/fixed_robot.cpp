@@ -16,7 +16,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// A sphere that holds meshes, in cells.
+/// A bounding sphere of meshes, in cells.
 struct BoundingSphere {
   std::array<double, 3> centre;
   double radius;
@@ -37,7 +37,7 @@ std::vector<Point> vertices_of(const MeshType& mesh) {
   return points;
 }
 
-/// All of the whole mesh, and those that firmware's has alone.
+/// All vertices of the whole mesh, and those that only firmware's mesh has.
 std::vector<Point> vertices_of(const WholeMesh& whole, const Mesh* baked) {
   std::vector<Point> points = vertices_of(whole);
   if (baked != nullptr) {
@@ -95,7 +95,7 @@ Frame frame_of(const Transform& transform, double cell) {
   return frame;
 }
 
-/// Of a joint.
+/// Firmware's number of a joint.
 std::uint8_t number_of(std::size_t joint) {
   return joint == kNoJoint ? kBase : static_cast<std::uint8_t>(joint);
 }
@@ -104,7 +104,7 @@ double length_of(const Vector3& v) {
   return bake::length(v[0], v[1], v[2]);
 }
 
-/// How a mimic's coordinate is made of that of its variable.
+/// Sets how a mimic's coordinate follows from its variable.
 void set_mimic(const Model& model, const ModelJoint& joint, double cell, RobotJoint& fixed) {
   const ModelJoint& master = model.joints[model.variables[joint.variable]];
   const double unit = unit_of(joint, cell);
@@ -247,7 +247,7 @@ void FixedRobot::add_pair(const Model& model, const GuardedPair& pair) {
   pairs_.push_back(fixed);
 }
 
-/// Of all joints between.
+/// The sum over all joints between the links.
 double FixedRobot::reach_of(const RobotPair& pair) const {
   double sum = 0;
   for (std::size_t i = 0; i < pair.joints_a; ++i) {
@@ -259,7 +259,7 @@ double FixedRobot::reach_of(const RobotPair& pair) const {
   return sum;
 }
 
-/// UserError if any is too large for the guard's sums.
+/// UserError if a pair's reach is too large for the guard's sums.
 void FixedRobot::check_reach() const {
   if (most_reach_ > UINT32_MAX) {
     throw UserError("robot", "its joints move links too far for so fine a lattice: give --cell ",
@@ -267,7 +267,7 @@ void FixedRobot::check_reach() const {
   }
 }
 
-/// How far the farthest point of the link can be from the base's origin, in cells.
+/// A bound on the distance of the link's points from the base's origin, in cells.
 double FixedRobot::extent_of(const Model& model, std::size_t number) const {
   const RobotLink& link = links_[number];
   double extent = link.radius + bake::length(link.centre[0], link.centre[1], link.centre[2]);
@@ -294,7 +294,8 @@ void FixedRobot::check_size(const Model& model) const {
   }
 }
 
-/// Placing, and both links' rounding and kinematics (lib/docs/derivations.md, "Robots").
+/// The errors of placing and of both links' rounding and kinematics (lib/docs/derivations.md,
+/// "Robots").
 std::uint32_t FixedRobot::slack(const Model& model) const {
   constexpr double placing = 0.89;
   double most = 0;
@@ -303,7 +304,7 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
     double error = deviations_[i];
     std::size_t reach = links_[i].first_reach;
     for (std::size_t j = model.links[i].joint; j != kNoJoint; j = model.joints[j].parent) {
-      // Its rotation's norm; its translation, rounded twice; its coordinate.
+      // Errors of its rotation's norm; of its translation, rounded twice; of its coordinate.
       const double coordinate = is_mimic(model, j) ? 3 : 1;
       error += extent * 0x1p-27 + 2 * 1.7321 / 2 / kFrameCell +
                coordinate * std::ldexp(reaches_[reach++], -kReachBits) / 256;

@@ -1,11 +1,11 @@
-// A model in fixed point: what firmware holds of it, in memory.
+// A model in fixed point, in memory, as firmware holds it.
 //
-// Distance tables of the pairs that have one or two joints between their links: what a guard knows
-// of them without testing a mesh (lib/src/robot/distance_table.hpp has the layout).
+// Distance tables for pairs with one or two joints between their links: a guard reads bounds from
+// them without testing a mesh (lib/src/robot/distance_table.hpp has the layout).
 //
-// A cell's distance is proven as the matrix proves: at the middle of a part of it, the links are as
-// far apart as the exact query says; nothing in the part is nearer by more than the joints move the
-// links in it. Parts are halved until that is most of the least distance seen in the cell.
+// A table cell's distance is proven as in the matrix: the exact query measures the links' distance
+// at the middle of a part of it; in the part, it shrinks by at most the links' motion. Parts are
+// halved until the bound is a large enough share of the least distance seen in the table cell.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace flashbvh::tool {
 
-/// Two links that are to be guarded. Distances in metres.
+/// Two links to guard. Distances in metres.
 struct GuardedPair {
   std::size_t a;
   std::size_t b;
@@ -34,28 +34,27 @@ Mount fixed_mount(const ModelMount& mount, double cell);
 
 class FixedRobot {
  public:
-  /// `wholes`, `meshes`: the links' as pairs are decided on them, and as firmware gets them; of the
-  /// same number, baked with `cell`, in metres. A link's sphere holds both. `meshes` outlive the
-  /// robot; if there are none, it has no meshes, no hash and no distance tables. `reaches`: of the
-  /// first links; those of others are worked out. `deviations`: of the meshes from what the URDF
-  /// has, in metres; without any that of the wholes. UserError if the robot has more joints or
-  /// links than firmware takes, or is larger, or moves any of the pairs too far; says with which
-  /// cell it would do.
+  /// `wholes`: the links' meshes on which pairs are decided; `meshes`: firmware's meshes of them.
+  /// Both have one for each link, baked with `cell`, in metres; a link's sphere holds both.
+  /// `meshes` outlive the robot; if empty, the robot has no meshes, no hash and no distance tables.
+  /// `reaches`: of the first links; further ones are computed. `deviations`: of the meshes from the
+  /// URDF, in metres; if empty, those of the wholes. UserError if the robot has more joints or
+  /// links than firmware takes, is too large, or moves a pair too far; names a cell that would do.
   FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
              const std::vector<Mesh>& meshes, double cell, const std::vector<GuardedPair>& pairs,
              const Reaches& reaches = {}, const std::vector<double>& deviations = {});
 
-  /// Adds distance_tables_of() it.
+  /// Adds the result of distance_tables_of().
   void set_distance_tables(std::vector<std::uint8_t> distance_tables);
 
-  /// A view of it.
+  /// A view of this object.
   const Robot& robot() const { return robot_; }
 
   FixedRobot(const FixedRobot&) = delete;
   FixedRobot& operator=(const FixedRobot&) = delete;
 
   const std::vector<RobotJoint>& joints() const { return joints_; }
-  /// Of all pairs together: how many joints are between their links.
+  /// The number of joints between two links, summed over all pairs.
   std::uint32_t pair_joint_count() const { return pair_joint_count_; }
 
  private:
@@ -72,18 +71,19 @@ class FixedRobot {
   double cell_;
   std::vector<RobotJoint> joints_;
   std::vector<RobotLink> links_;
-  std::vector<double> deviations_;  ///< of each, in cells
+  std::vector<double> deviations_;  ///< of each link, in cells
   std::vector<RobotPair> pairs_;
   std::vector<std::uint32_t> reaches_;
-  std::vector<double> wide_reaches_;  ///< the same, also where they are too large
-  double most_reach_ = 0;             ///< of a pair
+  std::vector<double> wide_reaches_;  ///< reaches_ before clamping to 32 bits
+  double most_reach_ = 0;             ///< of all pairs
   std::vector<std::uint8_t> distance_tables_;
   std::vector<Mesh> meshes_;
   std::uint32_t pair_joint_count_ = 0;
   Robot robot_{};
 };
 
-/// `robot`: of the model. On all processors. What there is no time for is not known: a 0.
+/// The tables of `robot`, which is made of `model`. Uses all processors. Entries that the deadline
+/// leaves open are 0: unknown.
 std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& robot,
                                              const Deadline& deadline = {});
 

@@ -74,7 +74,7 @@ RobotFile::RobotFile(const std::string& path) : RobotFile(path, read_file(path))
 RobotFile::RobotFile(const std::string& path, const std::string& bytes)
     : path_(path), words_((bytes.size() + 3) / 4), meshes_(kMaxLinks) {
   std::memcpy(words_.data(), bytes.data(), bytes.size());
-  // Only for what messages say: the library judges.
+  // Only for messages: the library validates.
   std::memcpy(&header_, bytes.data(), std::min(bytes.size(), sizeof header_));
   const Status status = open_robot(words_.data(), bytes.size(), meshes_.data(), kMaxLinks, robot_);
   if (status != Status::done) {

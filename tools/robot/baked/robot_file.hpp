@@ -1,4 +1,4 @@
-// Reading robots' binary images.
+// Reads robots' binary images.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace flashbvh::tool {
 
-/// Whether a path ends like one of theirs: .robot.
+/// True if a path ends in .robot.
 bool is_robot_file_name(const std::string& path);
 
-/// An image in memory, opened and found good by the library.
+/// An image in memory, opened and validated by the library.
 class RobotFile {
  public:
-  /// UserError if the file can't be read or is no good image of a robot.
+  /// UserError if the file can't be read or is no valid image of a robot.
   explicit RobotFile(const std::string& path);
   /// Opens the bytes of a file; `path` is its name for messages.
   RobotFile(const std::string& path, const std::string& bytes);
@@ -28,11 +28,11 @@ class RobotFile {
   const Robot& robot() const { return robot_; }
   const RobotImageHeader& header() const { return header_; }
   const std::vector<std::uint32_t>& words() const { return words_; }
-  /// header().byte_count of them.
+  /// header().byte_count bytes.
   const char* bytes() const { return reinterpret_cast<const char*>(words().data()); }
   double cell() const;       ///< in metres
   std::string name() const;  ///< of the robot
-  /// What is known of it without its URDF: names, joints, and what hangs on them, but no meshes.
+  /// The model without its URDF: names, joints, attached links and mounts, but no meshes.
   Model model() const;
   std::vector<UnguardedPair> unguarded() const;
 

@@ -17,7 +17,7 @@ void add_name(const std::string& name, std::string& names) {
   names += '\0';
 }
 
-/// The robot's, the joints', the links', the mounts'.
+/// The names of the robot, the joints, the links and the mounts.
 std::string names_of(const Model& model, const std::string& name) {
   std::string names;
   add_name(name, names);
@@ -33,14 +33,14 @@ std::string names_of(const Model& model, const std::string& name) {
   return names;
 }
 
-/// Lays parts end to end.
+/// Concatenates parts.
 class Bytes {
  public:
   template <class Element>
   void add(const Element* elements, std::size_t count) {
     bytes_.append(reinterpret_cast<const char*>(elements), count * sizeof(Element));
   }
-  /// To the next word.
+  /// Pads to a whole word.
   void fill() { bytes_.resize((bytes_.size() + 3) / 4 * 4); }
   std::size_t size() const { return bytes_.size(); }
   std::vector<std::uint32_t> words() const {
@@ -86,7 +86,7 @@ std::vector<Mount> fixed_mounts(const Model& model, double cell) {
   return mounts;
 }
 
-/// No image holds them: it would refuse all values.
+/// UserError for limits that exclude all values: no image holds them.
 void check_limits(const Model& model, const Robot& robot) {
   for (std::size_t i = 0; i < robot.joint_count; ++i) {
     if (robot.joints[i].lower > robot.joints[i].upper) {

@@ -10,15 +10,15 @@
 
 namespace flashbvh::tool {
 
-/// In words, so that it lies aligned. `meshes`: the links' images, post-indexed, with 16-bit
-/// indices, in metres. Names are cut after 255 bytes. UserError if the robot has limits that no
-/// value keeps, or would be 4 GiB or more.
+/// The image in words, so that it is aligned. `meshes`: the links' images, post-indexed, with
+/// 16-bit indices, in metres. Names are cut after 255 bytes. UserError if the robot has limits that
+/// exclude all values, or would be 4 GiB or more.
 std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::vector<UnguardedPair>& unguarded,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
                                        const std::string& name);
 
-/// Of the image, without its meshes.
+/// The size of the image without its meshes.
 std::size_t own_image_bytes(const Model& model, const Robot& robot,
                             const std::vector<UnguardedPair>& unguarded, const std::string& name);
 

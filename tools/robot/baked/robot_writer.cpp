@@ -35,7 +35,7 @@ std::string numbers_of(const std::string& prefix, const char* comment,
   return names.empty() ? "" : concat("\n/** ", comment, " */\nenum {\n", text, "};\n");
 }
 
-/// What a guard and a motion need in RAM.
+/// The sizes of a guard's and a motion's state in RAM.
 std::string state_sizes(const std::string& word) {
   return concat(
       "/** Bytes of a guard's state, and of a motion's, for flashbvh/robot.h. */\n#define ", word,

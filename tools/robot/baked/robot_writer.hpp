@@ -11,8 +11,8 @@
 
 namespace flashbvh::tool {
 
-/// The state of a guard of it: plain data, of the same size on every core. `pair_joint_count`:
-/// joints between the links of all pairs.
+/// The state of a guard of the robot: plain data, equally large on every core. `pair_joint_count`:
+/// joints between the links, summed over all pairs.
 std::size_t robot_ram_bytes(const Robot& robot, std::size_t pair_joint_count);
 
 /// `NAME_robot_image`, and constants, whose names begin with NAME_.

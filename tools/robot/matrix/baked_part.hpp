@@ -1,4 +1,4 @@
-// A mesh that a proof needs: baked, kept in memory, never written.
+// Meshes baked for a proof: kept in memory, never written.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace flashbvh::tool {
 
-/// Pairs are decided on the meshes as they are read, with any number of triangles. Firmware gets
-/// trees of its own (robot/baked/bake_links.hpp).
+/// Pairs are decided on the meshes as read, with any number of triangles. Firmware gets other trees
+/// (robot/baked/bake_links.hpp).
 using WholeMesh = Mesh32;
 using BakedPart = bake::BakedTree<WholeMesh::Index, Layout::post_indexed>;
 
-/// Of a mesh with at least one triangle, in metres. UserError if it does not fit the lattice.
+/// Bakes a mesh of at least one triangle, in metres. UserError if it does not fit the lattice.
 /// `leaf_size`: most triangles in a leaf.
 BakedPart bake_part(const InputMesh& mesh, double cell, std::uint32_t leaf_size);
 BakedPart bake_part(const bake::SourceMesh& mesh, double cell);
 
-/// Views of them.
+/// Views of the parts.
 std::vector<WholeMesh> views_of(const std::vector<BakedPart>& parts);
 
-/// The triangles with these numbers, and their vertices alone.
+/// A mesh of the triangles with these numbers and their vertices.
 bake::SourceMesh part_of(const bake::SourceMesh& mesh, const std::vector<std::uint32_t>& triangles);
 
 }  // namespace flashbvh::tool

@@ -1,4 +1,4 @@
-// Until when something is to be done.
+// Deadlines by the clock, or by the number of checks.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace flashbvh::tool {
 
 using Clock = std::chrono::steady_clock;
 
-/// None: there is no hurry, and results depend on nothing but the robot.
+/// By default there is no deadline, and results depend on the robot alone.
 struct Deadline {
   std::optional<Clock::time_point> at;
-  /// Of tests, instead of a moment: so many times it is not past when it is looked at. What one
-  /// thread does until then depends on nothing but the robot, either.
+  /// In place of a time: the number of checks before the deadline is past. The results of a single
+  /// thread then depend on the robot alone.
   std::shared_ptr<std::atomic<std::int64_t>> looks = nullptr;
 
   bool is_past() const {
@@ -35,13 +35,13 @@ inline Deadline in_seconds(Clock::time_point began, double seconds) {
           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))};
 }
 
-/// How many threads may look at it.
+/// The number of threads that may check the deadline.
 inline std::size_t threads_for(const Deadline& deadline) {
   return deadline.looks != nullptr ? 1 : processor_count();
 }
 
-/// When one of `left` pieces of work has had its part of the time, `share` times an equal one.
-/// Looks are not divided.
+/// The deadline of one of `left` tasks: `share` times an equal part of the remaining time. Numbers
+/// of checks are not divided.
 inline Deadline turn_of(const Deadline& all, std::size_t left, double share) {
   if (!all.at) {
     return all;

@@ -12,33 +12,32 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Values of the joint that are looked at, both ends among them.
+/// Sampled values of the joint, both ends included.
 constexpr std::size_t kLooks = 33;
-/// The middle of the zone is that of all contacts, or of those over the middle half of the range.
+/// The zone's middle is that of all contacts, or of those over the middle half of the range.
 constexpr std::size_t kQuarter = kLooks / 4;
-/// The zone holds what touches over the middle of the range, all but an eighth at either end ...
+/// The zone holds all contacts but those of an eighth of the samples at either end of the range ...
 constexpr std::size_t kEnds = kLooks / 8;
-/// ... as long as that is not so much more than half of the looks need; and a little more, for what
-/// happens between looks.
+/// ... up to this multiple of the samples' median. Margins cover contacts between samples.
 constexpr double kMoreThanMedian = 1.25;
 constexpr double kMargin = 1.02;
 constexpr double kMarginCells = 2;
-/// At last it is looked at in so many places between two looks.
+/// Steps from one sample to the next when the zone is grown.
 constexpr std::size_t kBetween = 8;
 constexpr double kMoreAtEnds = 1.05;
-/// Triangles are cut to such a part of the zone, so that it holds little that does not touch.
+/// Triangles are cut to this part of the zone, so that it holds little that does not touch.
 constexpr double kCut = 1.0 / 6;
-/// In cells: none is cut finer.
+/// The smallest length to which triangles are cut, in cells.
 constexpr double kLeastCut = 8;
-/// Times that the zone is measured, with triangles cut by the last one.
+/// Rounds of measuring the zone, each with triangles cut by the zone of the last one.
 constexpr int kRounds = 3;
 
 struct Contact {
-  std::uint32_t a;  ///< triangles of the sides
+  std::uint32_t a;  ///< triangles of the two sides
   std::uint32_t b;
 };
 
-/// The joint's frame, where its coordinate is 0, in that of a link next to it.
+/// The joint's frame at coordinate 0, in the frame of a link next to it.
 Transform frame_in(const Model& model, std::size_t link, std::size_t joint) {
   return model.links[link].joint == joint ? Transform() : model.joints[joint].fixed;
 }
@@ -60,15 +59,15 @@ class Finder {
     shape_.is_cylinder = model.joints[joint].type == JointType::prismatic;
   }
 
-  /// The zone is chosen by coarser links, of the same shells.
+  /// Chooses the zone by coarser links with the same shells. `deviations`: of both, in metres.
   void choose_by(const ModelLink& a, const ModelLink& b, double deviations) {
     touching_ += deviations / cell_;
     whole_sides_ = std::move(sides_);
     sides_ = {ZoneSide(a, frames_[0]), ZoneSide(b, frames_[1])};
   }
 
-  /// None: they do not touch at each look, or there is no time. `meshes`: as they are baked, of the
-  /// links or of those that it is chosen by.
+  /// None if time is up or, without a given radius, if the links are apart at a sample. The meshes:
+  /// of the links, or of the coarser links.
   std::optional<JointZone> find(const WholeMesh& mesh_a, const WholeMesh& mesh_b,
                                 std::optional<double> radius) {
     const PairSpace whole = space(mesh_a, mesh_b);
@@ -131,7 +130,7 @@ class Finder {
     return contacts;
   }
 
-  /// Those that touch at half of the looks at least.
+  /// Finds the shells that touch at half of the samples or more.
   void find_touching_shells(const std::vector<std::vector<Contact>>& contacts) {
     std::array<std::vector<std::size_t>, 2> counts;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -157,7 +156,7 @@ class Finder {
            touching_shells_[1][sides_[1].shell_of(contact.b)];
   }
 
-  /// About the middle that makes it smallest: what touches at an end of the range may lie far off.
+  /// Chooses the middle with the smaller radius: contacts at an end of the range may lie far off.
   void place(const std::vector<std::vector<Contact>>& contacts) {
     place_middle(contacts, 0);
     const ZoneShape of_all = shape_;
@@ -168,8 +167,8 @@ class Finder {
     }
   }
 
-  /// In the middle of the contacts, but for so many looks at either end, along what the
-  /// joint leaves where it is.
+  /// Sets the middle to that of the contacts, without `ends` samples at either end, along the axes
+  /// that the joint leaves unmoved.
   void place_middle(const std::vector<std::vector<Contact>>& contacts, std::size_t ends) {
     const auto extent = [&](std::size_t side, std::uint32_t triangle, std::size_t axis) {
       Interval of{HUGE_VAL, -HUGE_VAL};
@@ -197,8 +196,7 @@ class Finder {
     }
   }
 
-  /// That of the smallest zone that holds one triangle of each contact, at a look; 0 if there is
-  /// none.
+  /// The radius of the smallest zone that holds one triangle of each contact of a sample, or 0.
   double least_radius(const std::vector<Contact>& look, const std::vector<double>& farthest_a,
                       const std::vector<double>& farthest_b) const {
     double radius = 0;
@@ -210,7 +208,7 @@ class Finder {
     return radius;
   }
 
-  /// To what touches between looks, as far as it may; at the ends of the range by little.
+  /// Grows the zone to contacts between samples, by little at the ends of the range.
   void grow() {
     const std::vector<std::uint32_t> numbers_a = triangles(0, Which::outside);
     const std::vector<std::uint32_t> numbers_b = triangles(1, Which::outside);
@@ -263,7 +261,7 @@ class Finder {
     }
   }
 
-  /// Numbers of triangles: of shells that touch or others, outside the zone or wherever they lie.
+  /// Triangles of touching shells outside the zone; of touching shells; of other shells; all.
   enum class Which : std::uint8_t { outside, touching, other, all };
   std::vector<std::uint32_t> triangles(std::size_t side, Which which) const {
     const std::vector<double> farthest = sides_[side].farthest(shape_);
@@ -301,17 +299,18 @@ class Finder {
   const Model& model_;
   std::size_t joint_;
   double cell_;
-  double edge_;      ///< cells: triangles are cut no finer
-  double touching_;  ///< cells
+  double edge_;      ///< in cells: triangles are cut no finer
+  double touching_;  ///< in cells: distance that counts as contact
   Deadline deadline_;
   std::array<std::size_t, 2> links_;
-  std::array<Transform, 2> frames_;  ///< the joint's in the links'
+  std::array<Transform, 2> frames_;  ///< the joint's frame in the links'
   std::array<ZoneSide, 2> sides_;
-  std::optional<std::array<ZoneSide, 2>> whole_sides_;  ///< the links', if others choose
-  std::vector<double> looks_;                           ///< values of the joint's variable
+  std::optional<std::array<ZoneSide, 2>>
+      whole_sides_;            ///< of the links, if coarser ones are in use
+  std::vector<double> looks_;  ///< sampled values of the joint's variable
   std::array<std::vector<bool>, 2> touching_shells_;
   ZoneShape shape_;
-  double largest_ = 0;  ///< radius that the zone may have
+  double largest_ = 0;  ///< largest radius that the zone may have
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-// Joint zones. Two links that a joint holds together touch about it, wherever it stands. What of
-// them lies outside a zone about the joint is decided, and guarded, as any pair is; what lies
-// inside is not looked at, and said not to be.
+// Joint zones. Two links that a joint connects touch about it, at all of its values. Outside a zone
+// about the joint, the links are decided and guarded like any pair; inside, they are not checked,
+// and messages say so.
 //
-// The zone is as small as what touches, over the joint's range: where it grows towards a limit, a
+// The zone is as small as the contacts over the joint's range: where they grow towards a limit, a
 // real collision may be there. Shells of a link that touch the other link at some values alone (a
-// post on a table) have no zone: they are looked at everywhere.
+// post on a table) have no zone: they are checked everywhere.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@
 
 namespace flashbvh::tool {
 
-/// What of one link is not to meet what of the other, in the links' frames, in metres.
+/// Parts of two links that must not collide, in the links' frames, in metres.
 struct ZoneBodies {
   bake::SourceMesh mesh_a;  ///< triangles are cut at the zone
   bake::SourceMesh mesh_b;
@@ -29,10 +29,10 @@ struct ZoneBodies {
 struct JointZone {
   std::size_t a;  ///< links, a below b
   std::size_t b;
-  std::size_t joint;  ///< the only one between
+  std::size_t joint;  ///< the only joint between
   ZoneShape shape;
-  /// All that is not in the zone: what lies outside it of the shells that touch; other shells and
-  /// the other link. Empty: nothing is left of one of the two.
+  /// Everything outside the zone: the touching shells outside it; other shells and the other link.
+  /// Empty if nothing is left of one link.
   std::vector<ZoneBodies> bodies;
 };
 
@@ -42,26 +42,26 @@ std::string radius_text(const Model& model, double radius, std::size_t joint);
 
 /// The joint between two neighbours, if it is the only one.
 std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b);
-/// Whether it is the only one between two neighbours with meshes.
+/// True if the joint is the only one between two neighbours with meshes.
 bool is_between_neighbours(const Model& model, std::size_t joint);
 
-/// Radii that the user chose, in metres, by joints; 0: no zone.
+/// Radii that the user chose, in metres, by joint; 0: no zone.
 using ZoneRadii = std::map<std::size_t, double>;
 
-/// Of all neighbours that touch wherever their joint stands; and of those whose joint has a radius.
-/// As many as there is time for: a zone that is not measured to its end is none.
-/// `meshes`: the links', baked with `cell`, in metres. In the order of pairs.
+/// The zones of neighbours that touch at all values of their joint, and of joints with a radius, in
+/// the order of pairs. Omits zones whose measurement runs out of time. `meshes`: of the links,
+/// baked with `cell`, in metres.
 std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
                                    double cell, const MatrixOptions& options,
                                    const ZoneRadii& radii);
 
-/// What of two bodies may come within the stop distance, slack included: what a guard needs of
-/// them.
+/// The parts of two bodies that may come within the stop distance and slack. A guard tests only
+/// these.
 struct ZoneParts {
   bake::SourceMesh a;
   bake::SourceMesh b;
 };
-/// Of all the zone's bodies that may.
+/// For all bodies of the zone that may come so near.
 std::vector<ZoneParts> zone_parts(const Model& model, const JointZone& zone, double cell,
                                   const MatrixOptions& options);
 

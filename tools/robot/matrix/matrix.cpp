@@ -12,11 +12,11 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Cells that are looked at before a witness is searched for: most proofs take less.
+/// Joint boxes searched before the search for a witness: most proofs take fewer.
 constexpr std::uint64_t kFewCells = 4096;
-/// Most for a proof that spares firmware a pair.
+/// Most joint boxes for a proof that spares firmware a pair.
 constexpr std::uint64_t kManyCells = 65536;
-/// Places from which a witness is searched for.
+/// Points from which the search for a witness starts.
 constexpr std::uint32_t kStarts = 256;
 
 std::string proven(std::uint64_t cells) {
@@ -24,7 +24,7 @@ std::string proven(std::uint64_t cells) {
                 cells == 1 ? " cell" : " cells");
 }
 
-/// From the best to the worst.
+/// Higher is worse.
 int rank_of(MatrixVerdict verdict) {
   return verdict == MatrixVerdict::can         ? 3
          : verdict == MatrixVerdict::believed  ? 2
@@ -53,7 +53,7 @@ class Decider {
   }
 
  private:
-  /// Whether the SRDF keeps a pair that is decided from being guarded.
+  /// True if the SRDF exempts a decided pair from being guarded.
   bool is_left_out(PairVerdict& pair) const {
     const DisabledPair* const disabled = find_pair(model_.disabled, pair.a, pair.b);
     if (disabled == nullptr) {
@@ -71,7 +71,7 @@ class Decider {
     return disabled->is_believed;
   }
 
-  /// Whether a guard has to look at the pair, and what it would say.
+  /// Sets whether a guard has to test the pair, and what the guard would report.
   void guard(PairVerdict& pair) const {
     const auto [a, b, stop, warn] = options_.distances_of(pair.a, pair.b);
     pair.is_guarded = true;
@@ -84,7 +84,7 @@ class Decider {
     pair.is_warned = pair.is_guarded && !pair.is_stopped && !pair.zone && is_within(warn);
   }
 
-  /// A few cells, then a witness, then all cells.
+  /// Searches a few joint boxes, then for a witness, then all joint boxes.
   void search(PairVerdict& pair) const {
     MatrixOptions few = options_;
     few.most_cells = std::min(options_.most_cells, kFewCells);
@@ -108,13 +108,13 @@ class Decider {
     conclude(found, pair);
   }
 
-  /// Their solids of revolution are those of the whole links: no matter for a single joint between.
+  /// Not for pairs with a zone: solids of revolution are of whole links, and need a second joint.
   bool is_swept_away(const MatrixOptions& options, PairVerdict& pair, double distance) const {
     return !pair.zone && !options.is_late() &&
            is_proven_swept(model_, pair.a, pair.b, cell_, options, pair.cells, distance);
   }
 
-  /// Whether it is proven to stay farther apart than the stop distance; most proofs take few cells.
+  /// True if the links are proven to stay farther apart than the stop distance.
   bool stays_away(double stop, PairVerdict& pair) const {
     MatrixOptions few = options_;
     few.most_cells = std::min(options_.most_cells, kManyCells);
@@ -134,7 +134,7 @@ class Decider {
     return options_.looks != 0;
   }
 
-  /// Ranges are a little wider than limits; a witness is so only where it has to be.
+  /// Moves a witness into the limits if it stays one: ranges are a little wider than limits.
   std::vector<double> within_limits(const std::vector<double>& point) const {
     std::vector<double> within = point;
     for (std::size_t i = 0; i < point.size(); ++i) {
@@ -177,7 +177,7 @@ class Decider {
   MatrixOptions options_;
 };
 
-/// All pairs of a model.
+/// Decides all pairs of a model.
 class Matrix {
  public:
   Matrix(const Model& model, const std::vector<WholeMesh>& meshes,
@@ -210,9 +210,9 @@ class Matrix {
     return {number, &mesh, &reaches_[number]};
   }
 
-  /// The worst of all bodies.
+  /// The worst verdict of all bodies.
   void decide_outside(const JointZone& zone, MatrixOptions& options, PairVerdict& pair) const {
-    // Where triangles are cut, vertices are rounded again.
+    // Vertices at cuts are rounded again.
     options.slack += 2 * kDeviation;
     PairVerdict worst = pair;
     worst.verdict = MatrixVerdict::never;
@@ -243,13 +243,13 @@ class Matrix {
   const MatrixOptions& options_;
 };
 
-/// Twice what would be the same for all of those that are left: most need less.
+/// A pair's share of the remaining time, as a multiple of an equal share: most pairs need less.
 constexpr double kShareOfTime = 2;
-/// Of a pair with a zone: they are few, and all need little.
+/// For pairs with a zone: they are few and need little.
 constexpr double kShareWithZone = 10;
 
-/// The pairs with a joint zone first: with one joint between, they take little, and what is left
-/// undecided of them is stored in parts.
+/// Pairs with a joint zone first: with one joint between, they need little time; what stays
+/// undecided is stored in parts.
 std::vector<PairVerdict*> in_order(std::vector<PairVerdict>& verdicts,
                                    const std::vector<JointZone>& zones) {
   std::vector<PairVerdict*> order;

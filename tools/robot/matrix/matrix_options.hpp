@@ -1,4 +1,4 @@
-// How pairs of links are decided.
+// Options of the decision on pairs of links.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace flashbvh::tool {
 
-/// How far a placed vertex lies from where it should, in cells: 0.51 along each axis of rounding,
-/// and what is left for kinematics in double (kinematics.hpp).
+/// A bound on a placed vertex's error, in cells: 0.51 along each axis for rounding, and the rest
+/// for kinematics in double (kinematics.hpp).
 constexpr double kPlacing = 0.89;
 
 /// Two links with distances of their own, in cells.
@@ -21,25 +21,24 @@ struct StopDistance {
 };
 
 struct MatrixOptions {
-  /// In cells. A proof holds for the lattice meshes wherever they are exactly, and for every query
-  /// of poses that are rounded or worked out to as much: twice kPlacing. Firmware whose kinematics
-  /// err by more adds that.
+  /// In cells. A proof holds for the lattice meshes at exact poses, and for every query whose poses
+  /// have errors of twice kPlacing together. Firmware with a larger error of kinematics adds it.
   double slack = 2 * kPlacing;
-  /// In cells: how near links may come before a guard stops them. No part of the verdict.
+  /// In cells: a guard stops links that come as near as this. Not part of the verdict.
   double stop = 0;
-  double warn = 0;                  ///< nor is this: from where it warns of them
-  double early = 0;                 ///< so much earlier a guard of simplified links may stop them
-  std::vector<StopDistance> stops;  ///< of pairs for which that does not hold
-  /// In cells: where so little motion is left in a cell of the joints' values, it is not cut again.
+  double warn = 0;   ///< in cells: a guard warns as near as this. Not part of the verdict, either
+  double early = 0;  ///< in cells: how much earlier a guard of simplified links may stop them
+  std::vector<StopDistance> stops;  ///< for pairs with other distances
+  /// In cells: a joint box with this much motion or less is not cut again.
   double resolution = 0.5;
-  std::uint64_t most_cells = 1'000'000;  ///< of a pair
-  /// Pairs are looked at in so many configurations to see whether they are near in all.
+  std::uint64_t most_cells = 1'000'000;  ///< joint boxes searched for a pair
+  /// Configurations at which pairs are tested for being near at all of them.
   std::uint32_t looks = 256;
-  /// What is not decided by then is `undecided`.
+  /// Pairs not decided by then are `undecided`.
   Deadline deadline;
 
   bool is_late() const { return deadline.is_past(); }
-  /// Of two links, `stops` heeded.
+  /// The distances of two links, from `stops` if it has the pair.
   StopDistance distances_of(std::size_t a, std::size_t b) const;
   bool has_own_distances(std::size_t a, std::size_t b) const;
 };

@@ -9,11 +9,11 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Added to half-widths: what doubles round of ends and middles, and what a full turn lacks between
-/// the doubles next to -pi and pi. Far below 10^-4 cells.
+/// Added to half-widths: covers the rounding of ends and middles, and the rest of a full turn
+/// beyond the doubles next to -pi and pi. Far below 10^-4 cells.
 constexpr double kOutward = 1e-11;
 
-/// Closed.
+/// A closed joint box.
 struct Cell {
   std::vector<Interval> sides;
 };
@@ -47,7 +47,7 @@ class Search {
   }
 
  private:
-  /// True if the search is over.
+  /// Returns true if the search is over.
   bool look_at(const Cell& cell) {
     ++result_.cells;
     std::vector<double> point;
@@ -88,16 +88,16 @@ class Search {
   const PairSpace& space_;
   const MatrixOptions& options_;
   double distance_;
-  double apart_;  ///< what suffices
+  double apart_;  ///< sufficient distance without motion
   SearchResult result_;
   std::vector<Cell> stack_;
 };
 
-/// A part of Options::most_cells is all that a proof may take that may not work.
+/// The share of MatrixOptions::most_cells for a proof that may fail: one in so many.
 constexpr std::uint64_t kShare = 4;
 
-/// Surfaces that meet nowhere in a box of values keep the side of each other that they have at any
-/// place of it.
+/// Surfaces that meet nowhere in a joint box stay inside or outside each other: testing one point
+/// of the box suffices.
 bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
                const std::vector<SweptEnd>& ends, const MatrixOptions& options,
                std::uint64_t& cells, double distance) {
@@ -123,13 +123,13 @@ bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
   });
 }
 
-/// From how many places it goes downhill.
+/// The number of descents.
 constexpr std::size_t kDescents = 16;
-/// Steps begin at a quarter of the ranges and are halved so often.
+/// Steps begin at a quarter of the ranges and are halved at most this often.
 constexpr int kHalvings = 14;
-/// Of a descent, so that one along a valley ends.
+/// Most steps of a descent, so that one along a valley ends.
 constexpr int kMostSteps = 300;
-/// Of deepened(), a part of the range.
+/// The first step of deepened(), as a part of the range.
 constexpr double kFirstStep = 1.0 / (1 << 16);
 
 struct Place {
@@ -138,7 +138,7 @@ struct Place {
   Witness<WholeMesh::Index> hint;
 };
 
-/// Of `number` in base `base`, its digits mirrored at the point: in (0, 1).
+/// Radical inverse: the digits of `number` in base `base`, mirrored at the point. In (0, 1).
 double mirrored(std::uint32_t number, std::uint32_t base) {
   double sum = 0;
   double digit = 1.0 / base;
@@ -149,7 +149,7 @@ double mirrored(std::uint32_t number, std::uint32_t base) {
   return sum;
 }
 
-/// The n-th prime from 2 on.
+/// The n-th prime; number 0 is 2.
 std::uint32_t prime(std::size_t n) {
   std::uint32_t candidate = 2;
   for (;; ++candidate) {
@@ -163,7 +163,7 @@ std::uint32_t prime(std::size_t n) {
   }
 }
 
-/// Moves one variable by a step up or down if that brings the links nearer. False if none does.
+/// Moves each variable by a step up or down if that brings the links nearer. False if none does.
 bool step_down(const PairSpace& space, double scale, Place& place) {
   bool moved = false;
   for (std::size_t i = 0; i < place.point.size(); ++i) {
@@ -186,7 +186,7 @@ bool step_down(const PairSpace& space, double scale, Place& place) {
   return moved;
 }
 
-/// To where it is 0, or no step of the smallest size leads down, or there is no time.
+/// Descends until the distance is 0, the smallest step fails, or steps or time run out.
 void go_down(const PairSpace& space, const MatrixOptions& options, Place& place) {
   int halvings = 0;
   for (int step = 0; step < kMostSteps && halvings < kHalvings && place.distance > 0; ++step) {
@@ -199,7 +199,7 @@ void go_down(const PairSpace& space, const MatrixOptions& options, Place& place)
   }
 }
 
-/// How far a variable can go from `point`, up or down, until they don't intersect any more.
+/// The last value of a variable, up or down from `point`, at which doubling steps still intersect.
 double last_intersecting(const PairSpace& space, const std::vector<double>& point, std::size_t i,
                          double direction) {
   const Interval& range = space.dimensions()[i].range;
@@ -239,7 +239,7 @@ bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double ce
   }
   MatrixOptions share = options;
   share.most_cells = options.most_cells / kShare;
-  // The other link is rounded to the new lattice, and was to the old one.
+  // The other link was rounded to the old lattice and is rounded to the new one.
   share.slack += 2 * kDeviation;
   return std::any_of(choices.begin(), choices.end(), [&](const std::vector<SweptEnd>& ends) {
     if (options.is_late()) {

@@ -8,7 +8,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// From an axis, the z of a frame, to the point.
+/// The distance of a point from an axis, the z of a frame.
 double distance_from(const Transform& axis, const Vector3& point) {
   double along = 0;
   double squared = 0;
@@ -59,8 +59,8 @@ std::size_t BasicPairSpace<MeshType>::dimension_of(std::size_t variable) {
   return dimensions_.size() - 1;
 }
 
-/// What a variable can be, or a part of it in which the links stand wherever they can: a turn, from
-/// half of it below the range's middle to half of it above, if what it moves turns as it does.
+/// A variable's range, or one turn about the range's middle if all joints of the variable rotate by
+/// its value: one turn contains all relative poses.
 template <class MeshType>
 Interval BasicPairSpace<MeshType>::one_turn(std::size_t variable) const {
   const Interval range = range_of_variable(model_, variable);
@@ -102,9 +102,9 @@ typename BasicPairSpace<MeshType>::Bounds BasicPairSpace<MeshType>::bounds_of(co
   return bounds;
 }
 
-/// Of a link's points by each joint of the path, in metres. Let the joints move one after the
-/// other, the one furthest from the link first: each finds the link as far from its axis as it lies
-/// in the middle of the cell, for what is between them has not moved yet.
+/// Bounds on the motion of a link's points by each joint of the path, in metres. Assume that the
+/// joints move in turn, the furthest from the link first. Each then finds the link at its distance
+/// in the middle of the joint box, because joints nearer to the link have not moved yet.
 template <class MeshType>
 std::vector<double> BasicPairSpace<MeshType>::motions(const Bounds& bounds, const Transform& frame,
                                                       const std::vector<Transform>& joints,
@@ -129,8 +129,8 @@ std::vector<double> BasicPairSpace<MeshType>::motions(const Bounds& bounds, cons
   return moved;
 }
 
-/// Seen from any of the bodies between them, a is moved by the joints on its side and b by the
-/// others; the body from which they move least is as good as any.
+/// Seen from a body between the links, joints on a's side move a, and the others move b. Returns
+/// the smallest motion over all such bodies.
 template <class MeshType>
 Motion BasicPairSpace<MeshType>::motion(const std::vector<double>& point,
                                         const std::vector<double>& halves) const {

@@ -1,4 +1,4 @@
-// Two links and the variables between them: where they lie, how far they can move, what they do.
+// The joint space of two links: relative poses, motion and exact queries.
 #pragma once
 
 #include <functional>
@@ -10,22 +10,22 @@
 
 namespace flashbvh::tool {
 
-/// A link as a pair sees it.
+/// A link of a pair.
 template <class MeshType>
 struct BasicPairLink {
   std::size_t link;
   const MeshType* mesh;
-  const std::vector<double>* reaches;  ///< reaches_of(), or null: by the mesh's box
+  const std::vector<double>* reaches;  ///< from reaches_of(), or null: from the mesh's box
 };
 
-/// A variable that moves the links against each other.
+/// A variable that moves the links relative to each other.
 struct Dimension {
   std::size_t variable;
-  Interval range;  ///< at most one turn of variables that only turn joints
+  Interval range;  ///< at most one turn if the variable only rotates joints
 };
 
-/// How far a cell of values moves the links' points from where its middle puts them, in cells: seen
-/// from some body between the links, those of both together.
+/// A bound on the motion of both links' points from the middle of a joint box, in cells, as seen
+/// from some body between the links.
 struct Motion {
   std::vector<double> parts;  ///< by each dimension
   double sum = 0;
@@ -37,39 +37,39 @@ class BasicPairSpace {
   using Link = BasicPairLink<MeshType>;
   using Hint = Witness<typename MeshType::Index>;
 
-  /// Lasts as long as the model and the meshes.
+  /// The model and the meshes must outlive the object.
   BasicPairSpace(const Model& model, const Link& a, const Link& b, double cell);
 
-  /// None: nothing moves them.
+  /// Empty if nothing moves the links.
   const std::vector<Dimension>& dimensions() const { return dimensions_; }
-  /// Of a point, a value for each dimension; all others in the middle of their ranges.
+  /// `point`: a value for each dimension. All other variables are in the middle of their ranges.
   std::vector<double> variables_at(const std::vector<double>& point) const;
 
-  /// What values up to `halves` from `point` do.
+  /// The motion over all values within `halves` of `point`.
   Motion motion(const std::vector<double>& point, const std::vector<double>& halves) const;
 
-  /// Whether the links are detected to be more than `distance` cells apart.
+  /// True if the links are found to be more than `distance` cells apart.
   bool are_apart(const std::vector<double>& point, double distance) const;
-  /// By the exact query, of B at pose_of() in A's frame.
+  /// The result of the exact query, with B at pose_of() in A's frame.
   bool intersect(const std::vector<double>& point) const;
-  /// Hands each two triangles that are within `distance` cells to `visit`, by their ids: of
-  /// at most kMaxGuardDistance.
+  /// Calls `visit` with the ids of each two triangles within `distance` cells, or kMaxGuardDistance
+  /// if that is less.
   void find_near(const std::vector<double>& point, double distance,
                  const std::function<void(std::uint32_t, std::uint32_t)>& visit) const;
-  /// In cells, at most the true one; exact where they are near, and 0 if they intersect. `hint`:
-  /// what was nearest before, and is now.
+  /// A lower bound on the distance in cells: exact if the links are near, 0 if they intersect.
+  /// `hint`: the nearest pair of the last call; set to the current one.
   double distance(const std::vector<double>& point, Hint& hint) const;
-  /// How far placing moves a vertex in addition to kPlacing, in cells: rotations are kept to 2^-23.
+  /// A vertex's error of placing in addition to kPlacing, in cells: rotations are kept to 2^-23.
   double far_origin() const;
 
  private:
-  /// What holds a mesh, in its frame, in metres.
+  /// The bounding box and sphere of a mesh, in its frame, in metres.
   struct Bounds {
     std::array<Vector3, 8> corners;
     Vector3 centre;
     double radius;
   };
-  /// A joint on the way from a to b.
+  /// A joint on the path from a to b.
   struct PathJoint {
     std::size_t joint;
     std::size_t dimension;
@@ -82,7 +82,7 @@ class BasicPairSpace {
   std::vector<double> motions(const Bounds& bounds, const Transform& frame,
                               const std::vector<Transform>& joints,
                               const std::vector<double>& halves, bool of_a) const;
-  /// Between spheres round the links, in cells.
+  /// The gap between the links' bounding spheres, in cells.
   double least_gap(const Transform& frame) const;
   Transform frame_at(const std::vector<double>& point) const;
 
@@ -98,14 +98,14 @@ class BasicPairSpace {
   std::vector<double> middle_;
 };
 
-// Compiled once.
+// Instantiated in pair_space.cpp.
 extern template class BasicPairSpace<WholeMesh>;
 extern template class BasicPairSpace<Mesh>;
 
-/// Pairs are decided in it.
+/// For deciding pairs.
 using PairLink = BasicPairLink<WholeMesh>;
 using PairSpace = BasicPairSpace<WholeMesh>;
-/// A guard's distance tables are made in it.
+/// For making a guard's distance tables.
 using FirmwarePairSpace = BasicPairSpace<Mesh>;
 
 }  // namespace flashbvh::tool

@@ -10,7 +10,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Fewer collisions say too little.
+/// Pairs with fewer collisions are sampled again.
 constexpr std::uint32_t kFew = 10;
 constexpr std::uint32_t kRareFold = 10;
 
@@ -92,7 +92,7 @@ std::vector<Collisions> collisions_of(const Model& model, const WholeMesh* meshe
 
 Share share_of(const Collisions& collisions) {
   const double samples = collisions.of;
-  // None of n has a chance of 5 % where (1 - p)^n = 0.05.
+  // The chance of no collision in n samples is 5 % where (1 - p)^n = 0.05.
   return collisions.count == 0 ? Share{1 - std::pow(0.05, 1 / samples), true}
                                : Share{collisions.count / samples, false};
 }

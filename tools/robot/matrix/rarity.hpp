@@ -1,5 +1,5 @@
-// How rare collisions are among configurations drawn at random, as a collision matrix by sampling
-// would see them.
+// Estimates how rare collisions are among random configurations, and how likely a collision matrix
+// by sampling is to miss them.
 #pragma once
 
 #include <cstdint>
@@ -11,39 +11,39 @@
 
 namespace flashbvh::tool {
 
-/// Where the links lie in the base's frame. `variables`: a value each. UserError as pose_of().
+/// The links' poses in the base's frame. `variables`: one value each. UserError like pose_of().
 std::vector<Pose> link_poses(const Model& model, double cell, const std::vector<double>& variables);
 
-/// Two of a pair's bodies, and a triangle of each by its id.
+/// Two bodies of a pair, and the id of a triangle of each.
 struct BodyTriangles {
   std::size_t a;
   std::size_t b;
   TrianglePair<WholeMesh::Index> triangles;
 };
-/// That intersect at the witness of a pair that has one. `meshes`: of all the model's links.
+/// Triangles that intersect at the pair's witness. `meshes`: of all the model's links.
 BodyTriangles triangles_at(const Model& model, const WholeMesh* meshes, double cell,
                            const PairVerdict& pair);
 
-/// Configurations at which a pair intersects.
+/// The configurations at which a pair intersects.
 struct Collisions {
   std::uint32_t count = 0;
-  std::uint32_t of = 0;  ///< so many, drawn at random
+  std::uint32_t of = 0;  ///< number of random configurations
 };
 
-/// Of each pair, at configurations even within the limits and always the same: `samples`, and ten
-/// times as many where fewer than ten of them collide. Pairs that are not `can` are not queried.
-/// `meshes`: the links'.
+/// For each pair, at configurations uniform within the limits and equal in every run: `samples`,
+/// and ten times as many for pairs with fewer than ten collisions. Tests only pairs that are `can`.
+/// `meshes`: of the links.
 std::vector<Collisions> collisions_of(const Model& model, const WholeMesh* meshes, double cell,
                                       const std::vector<PairVerdict>& pairs, std::uint32_t samples);
 
-/// What part of all configurations collides, estimated from samples.
+/// The part of all configurations that collide, estimated from samples.
 struct Share {
   double part;
-  bool is_bound;  ///< none of the samples does: the part is below this, with a confidence of 95 %
+  bool is_bound;  ///< no sample collides: the part is below this, with a confidence of 95 %
 };
 Share share_of(const Collisions& collisions);
 
-/// How likely so many samples find none.
+/// The probability that this many samples find no collision.
 double missed_by(std::uint32_t samples, const Share& share);
 
 }  // namespace flashbvh::tool

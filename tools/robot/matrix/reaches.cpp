@@ -9,60 +9,60 @@
 namespace flashbvh::tool {
 namespace {
 
-// How far a body reaches in each direction: an upper bound of its support function
-// h(u) = max over its points p of u . p, which says all of the body's convex hull.
+// An upper bound of a body's support function h(u) = max over its points p of u . p, which defines
+// the body's convex hull.
 //
-// h is convex and of degree 1, so it is kept at the points of a grid on the surface of a cube, and
-// what is between them is interpolated: a convex combination of values is never below that of h
-// there. The error is of second order in the grid's step; nothing is ever understated.
+// h is convex and homogeneous of degree 1. The bound is kept at the points of a grid on the surface
+// of a cube and interpolated between them: a convex combination of values is never below h. So
+// nothing is understated; the error is of second order in the grid's step.
 
 class Support {
  public:
-  /// Of points, each of which may lie up to `deviation` elsewhere.
+  /// The support of points, each of which may be displaced by up to `deviation`.
   Support(const std::vector<Vector3>& points, double deviation);
 
-  /// At least h(direction), of a vector of any length.
+  /// At least h(direction), for a vector of any length.
   double operator()(const Vector3& direction) const;
-  /// Of the body seen from another frame, which it lies in by `transform`.
+  /// The support in another frame, in which the body lies at `transform`.
   Support moved(const Transform& transform) const;
-  /// Of all that the body sweeps as it turns about z over an interval, in radians.
+  /// The support of the volume swept by turning about z over an interval, in radians.
   Support turned(const Interval& angles) const;
-  /// The same, sliding along z.
+  /// The support of the volume swept by sliding along z.
   Support slid(const Interval& distances) const;
-  /// How far from the z axis any of its points lies, at most.
+  /// A bound on the distance of the body's points from the z axis.
   double reach() const;
-  /// How far from the origin.
+  /// A bound on their distance from the origin.
   double radius() const;
 
  private:
   Support() = default;
-  /// With h(direction) of each of the grid's points.
+  /// Stores h(direction) for each point of the grid.
   template <class Function>
   static Support made(Function&& h);
 
-  /// Over all that the turns make of a direction.
+  /// The largest value over all images of the direction under `turns`.
   template <class Turns>
   double most_of(const Vector3& direction, const Turns& turns) const;
 
   std::vector<double> values_;
 };
 
-/// Of an edge of the cube from -1 to 1. Relative error of an interpolated value: about 1/(2 n^2).
+/// Steps of a cube's edge from -1 to 1. Relative error of an interpolated value: about 1/(2 n^2).
 constexpr std::size_t kSteps = 24;
 constexpr std::size_t kPoints = kSteps + 1;
-/// Of a full turn: arcs are replaced by polygons round them, 1/cos(half a part) as far out.
+/// Parts of a full turn: a polygon round an arc has its corners 1/cos(half a part) as far out.
 constexpr double kParts = 72;
-/// Over so many joints what a link sweeps is a shape, beyond them a ball: each takes milliseconds.
+/// Joints over which a swept volume keeps its shape; later it is a ball. Each takes milliseconds.
 constexpr int kJointsKept = 12;
 constexpr double kTurn = 6.283185307179587;
-/// For what doubles round: a few units in 2^52 each, a few hundred operations.
+/// Covers the rounding of doubles: a few units in 2^52 each, a few hundred operations.
 constexpr double kRoundUp = 1 + 1e-12;
 
 double at_point(std::size_t i) {
   return 2.0 * static_cast<double>(i) / kSteps - 1;
 }
 
-/// Face 2 k has the coordinate k at -1, face 2 k + 1 at 1; rows and columns are the next two.
+/// Face 2 k has coordinate k at -1, face 2 k + 1 at 1; row and column are the next two coordinates.
 Vector3 grid_direction(std::size_t face, std::size_t row, std::size_t column) {
   const std::size_t axis = face / 2;
   Vector3 direction{};
@@ -72,13 +72,13 @@ Vector3 grid_direction(std::size_t face, std::size_t row, std::size_t column) {
   return direction;
 }
 
-/// A coordinate in steps: the point before it and how far it lies towards the next one.
+/// A coordinate in grid steps: the point before it and the fraction of the step to the next point.
 struct Step {
   std::size_t point;
   double part;
 };
 
-/// Of a coordinate from -1 to 1, which no rounding brings below no step or beyond the last.
+/// For coordinates from -1 to 1. Clamps the point, so that rounding can't leave the grid.
 Step step_at(double coordinate) {
   const double steps = (coordinate + 1) / 2 * kSteps;
   const auto before = static_cast<std::size_t>(steps);
@@ -86,7 +86,7 @@ Step step_at(double coordinate) {
   return {point, steps - static_cast<double>(point)};
 }
 
-/// What turns a vector about z, and stretches it.
+/// Turns a vector about z and scales its distance from z.
 struct Turn {
   double c;
   double s;
@@ -97,7 +97,7 @@ struct Turn {
   }
 };
 
-/// To the corners of a polygon round the arc that a vector describes as it turns about z.
+/// Turns to the corners of a polygon round the arc of a vector that turns about z.
 std::vector<Turn> turns_to_corners(const Interval& angles) {
   const double width = std::min(angles.upper - angles.lower, kTurn);
   const int parts = std::max(1, static_cast<int>(std::ceil(width / kTurn * kParts)));
@@ -202,20 +202,20 @@ double Support::radius() const {
       }
     }
   }
-  // The direction of the farthest point is within half a step of one of these along both.
+  // The farthest point's direction is within half a step of a grid point along both axes.
   constexpr double kNearest = 1 / (1 - 2.0 / (kSteps * kSteps));
   return most * kNearest * kRoundUp;
 }
 
-/// From body to body over the joints, with what the link sweeps on the way. A body is what hangs on
-/// a joint, in the joint's frame, or the base.
+/// Visits body after body over the joints, with the volume that the link sweeps. A body is all that
+/// is attached to a joint, in the joint's frame, or to the base.
 class Spread {
  public:
   Spread(const Model& model, const Deadline& deadline)
       : model_(model), deadline_(deadline), reaches_(model.joints.size()) {}
 
-  /// `from`: the joint that it came over, or none. `left`: joints over which the shape is kept,
-  /// if there is time.
+  /// `from`: the joint crossed last, or none. `left`: joints over which the shape is kept, while
+  /// time lasts.
   void visit(std::size_t body, std::size_t from, const Support& support, int left = kJointsKept) {
     if (left == 0 || deadline_.is_past()) {
       visit(body, from, support.radius());
@@ -239,7 +239,7 @@ class Spread {
     }
   }
 
-  /// The same of a link that is only known to be in a ball about the body's origin.
+  /// Visits for a link that is only known to lie in a ball about the body's origin.
   void visit(std::size_t body, std::size_t from, double radius) {
     if (body != kNoJoint && body != from) {
       reach(body, radius);
@@ -261,7 +261,7 @@ class Spread {
   const std::vector<double>& reaches() const { return reaches_; }
 
  private:
-  /// Whether there is a joint at the body but the one that it was reached over.
+  /// True if the body has a joint other than the one crossed last.
   bool leads_on(std::size_t body, std::size_t from) const {
     const auto& joints = model_.joints;
     for (std::size_t child = 0; child < joints.size(); ++child) {
@@ -272,7 +272,7 @@ class Spread {
     return body != kNoJoint && body != from;
   }
 
-  /// From the joint's frame to its parent's.
+  /// The distance of the joint's frame from its parent's.
   double step_of(std::size_t number) const {
     const Vector3& t = model_.joints[number].fixed.translation;
     return bake::length(t[0], t[1], t[2]) * kRoundUp;
@@ -294,8 +294,8 @@ class Spread {
     reaches_[number] = model_.joints[number].type == JointType::prismatic ? 1 : radius;
   }
 
-  /// In the joint's frame, beyond it. Outward: from the parent's side, where what lies still moves
-  /// backwards.
+  /// The volume swept beyond a joint, in the joint's frame. Outward, from the parent's side to the
+  /// child's, the parent's side moves backwards.
   Support swept(std::size_t number, const Support& support, bool outward) const {
     Interval range = range_of_joint(model_, number);
     if (outward) {

@@ -1,10 +1,10 @@
-// How far joints move links: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking for
-// Single and Multiple Articulated Robots in Complex Environments", IEEE Transactions on Robotics
-// 21(3), 2005.
+// Bounds on how far joints move links: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision
+// Checking for Single and Multiple Articulated Robots in Complex Environments", IEEE Transactions
+// on Robotics 21(3), 2005.
 //
-// As joint k turns by an angle w, a point that lies r from its axis moves by r w at most. So seen
-// from any body between links a and b, no point of a moves by more than the sum of reach times
-// change over the joints between it and that body, whichever way they get there.
+// If joint k turns by an angle w, a point at distance r from its axis moves by r w at most. Seen
+// from any body between links a and b, a point of a moves by at most the sum of reach times change
+// over the joints between a and that body, along any path of joint values.
 #pragma once
 
 #include <vector>
@@ -14,19 +14,19 @@
 
 namespace flashbvh::tool {
 
-/// How far rounding to the lattice moves a vertex at most, in cells: half the diagonal of a cell,
-/// and what doubles round.
+/// A bound on a vertex's motion by rounding to the lattice, in cells: half the diagonal of a cell,
+/// and the rounding of doubles.
 constexpr double kDeviation = 0.8661;
 
-/// [joint]: how far any point of the link, rounded to the lattice, can lie from the joint's axis,
-/// in metres, over all settings within the limits of the joints between them; 1 for prismatic
-/// joints. Of any joint: on the link's branch, beyond it or on another one. Never below the truth;
-/// above it by some parts in a thousand where joints don't depend on each other.
-/// Beyond twelve joints, and where there is no time, it is only known to lie in a ball.
+/// [joint]: a bound on the distance of the link's points, rounded to the lattice, from the joint's
+/// axis, in metres, over all values within the limits of the joints between; 1 for prismatic
+/// joints. The joint may be on the link's branch, beyond it or on another one. Never too low; too
+/// high by some parts in a thousand if joints are independent. Beyond twelve joints, or when time
+/// is up, the link is only bounded by a ball.
 std::vector<double> reaches_of(const Model& model, std::size_t link, double cell,
                                const Deadline& deadline = {});
 
-/// Of each link. On all processors.
+/// One vector per link. Uses all processors.
 using Reaches = std::vector<std::vector<double>>;
 Reaches all_reaches(const Model& model, double cell, const Deadline& deadline = {});
 

@@ -10,11 +10,11 @@
 namespace flashbvh::tool {
 namespace {
 
-/// With fewer a link is quick enough itself.
+/// A link with fewer triangles is fast enough itself.
 constexpr std::size_t kManyTriangles = 8000;
-/// Cells that a length has at least to be worth it.
+/// The smallest useful length, in cells.
 constexpr double kLeastCellsOfLength = 8;
-/// Of the distance that counts as touching: about so well a zone's size matters.
+/// The length as a part of the distance that counts as contact: a zone needs no better accuracy.
 constexpr double kPartOfTouching = 1.0 / 8;
 
 void append(const bake::SourceMesh& more, bake::SourceMesh& mesh) {

@@ -1,5 +1,5 @@
-// A coarser link in place of one with very many triangles, where no more is wanted than about where
-// it touches: which zone is chosen, not what is proven.
+// Coarser versions of links with very many triangles. They choose joint zones and are used in no
+// proof.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ namespace flashbvh::tool {
 struct StandIn {
   ModelLink link;
   BakedPart baked;
-  double length = 0;  ///< in metres, within which it lies of the link's mesh
+  double length = 0;  ///< largest distance from the link's mesh, in metres
 };
 
-/// Within `length`, source by source, shell by shell. None if the link has few triangles, the cell
-/// is hardly finer than that, or shells would not be the same ones.
+/// Coarsens within `length`, source by source, shell by shell. None if the link has few triangles,
+/// `length` is only a few cells, or the number of shells changes.
 std::optional<StandIn> stand_in(const ModelLink& link, double cell, double length);
 
-/// Of links next to joints, within a part of the distance at which they touch; as long as there is
-/// time.
+/// For links next to joints, within a part of the distance that counts as contact, while time
+/// lasts.
 std::vector<std::optional<StandIn>> stand_ins(const Model& model, double cell,
                                               const MatrixOptions& options);
 

@@ -11,14 +11,14 @@
 namespace flashbvh::tool {
 namespace {
 
-/// How far from a height a cut is, in margins; more than what both are rounded.
+/// Distance of a cut from a height, in margins; more than the rounding of both.
 constexpr double kBeside = 1.6;
-/// Times as many slabs as there may be, are looked at.
+/// Examines at most this many times the slabs allowed.
 constexpr std::uint32_t kTries = 8;
 constexpr double kHalfTurn = 3.141592653589793;
 
-/// The largest distance from z of a segment's part between two heights; 0 if there is none.
-/// Distance from a line is convex: it is largest at an end.
+/// The largest distance from z of a segment's part between two heights, or 0 if there is no such
+/// part. The distance from a line is convex, so it is largest at an end.
 double widest(const Vector3& p, const Vector3& q, double low, double high) {
   const double rise = q[2] - p[2];
   double from = 0;
@@ -40,7 +40,7 @@ double widest(const Vector3& p, const Vector3& q, double low, double high) {
   return std::max(at(from), at(to));
 }
 
-/// Of all triangles: what of one lies between two heights has its corners on its edges.
+/// For all triangles: a triangle's part between two heights has its corners on the edges.
 double widest(const bake::SourceMesh& mesh, double low, double high) {
   double most = 0;
   for (const bake::TriangleCorners& triangle : mesh.triangles) {
@@ -52,15 +52,15 @@ double widest(const bake::SourceMesh& mesh, double low, double high) {
   return most;
 }
 
-/// A part of the axis and how wide the body is there.
+/// An interval of the axis, and the body's radius in it.
 struct Slab {
   double low;
   double high;
   double radius;
 };
 
-/// Near the mesh's heights, from which a solid's width may jump: the margin away, so that a slab
-/// between two such has nothing of theirs. Few, or none: the mesh has more than are worth it.
+/// Cuts a margin away from the heights of vertices, where a solid's width may jump, so that slabs
+/// between heights exclude both. None if the mesh has too many heights.
 std::vector<double> cuts_by_heights(const bake::SourceMesh& mesh, double margin, std::size_t most) {
   std::set<double> heights;
   for (const Vector3& vertex : mesh.vertices) {
@@ -103,7 +103,7 @@ std::vector<Slab> slabs_of(const bake::SourceMesh& mesh, const std::vector<doubl
   return slabs;
 }
 
-/// Neighbours of nearly the same width as one: fewer triangles.
+/// Merges neighbours of nearly equal width, to save triangles.
 std::vector<Slab> merged(const std::vector<Slab>& slabs, double alike) {
   std::vector<Slab> kept;
   for (const Slab& slab : slabs) {
@@ -116,7 +116,7 @@ std::vector<Slab> merged(const std::vector<Slab>& slabs, double alike) {
   return kept;
 }
 
-/// As few as the fineness allows.
+/// Merges slabs down to the number that the fineness allows.
 std::vector<Slab> few(const std::vector<Slab>& slabs, const Fineness& fineness) {
   std::vector<Slab> kept = merged(slabs, fineness.alike);
   for (double alike = 2 * fineness.alike; kept.size() > fineness.slabs; alike *= 2) {
@@ -132,8 +132,8 @@ void add_ring(bake::SourceMesh& mesh, double radius, double z, std::uint32_t sid
   }
 }
 
-/// Sides between one ring and the next, and the lids; the vertices are all there, the middles of
-/// the lids last.
+/// Adds the sides between successive rings, and the lids. All vertices exist; the last two are the
+/// lids' middles.
 void add_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
   const auto bottom = static_cast<std::uint32_t>(mesh.vertices.size() - 2);
   const std::uint32_t last = bottom - sides;
@@ -148,7 +148,7 @@ void add_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
   }
 }
 
-/// Angles below this are not worth it, in radians.
+/// Smaller ranges are not worth a solid, in radians.
 constexpr double kSmallTurn = 0.5;
 
 }  // namespace
@@ -203,7 +203,7 @@ SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double ce
     Model swept = model;
     for (const SweptEnd& end : ends) {
       bake::SourceMesh& mesh = swept.links[end.link].mesh;
-      // For what the link is rounded, and the solid.
+      // Covers the rounding of the link and of the solid.
       mesh = revolved(mesh, end.axis, 2 * kDeviation * cell, fineness);
       ModelJoint& held = swept.joints[swept.variables[model.joints[end.joint].variable]];
       held.lower = held.upper = held.lower + (held.upper - held.lower) / 2;

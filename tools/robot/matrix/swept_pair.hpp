@@ -1,6 +1,6 @@
-// Two links, one or both of which are the solids that they sweep in a full turn about the joint
-// next to them: that joint's angle does not matter then. A solid is a closed body of revolution
-// that contains a mesh however it is turned about an axis.
+// Two links, one or both replaced by the solids that they sweep in a full turn about the joint next
+// to them, which removes that joint's angle. A solid is a closed body of revolution that contains a
+// mesh at every angle about an axis.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@
 
 namespace flashbvh::tool {
 
-/// How many sides a solid has, and how many parts along its axis. `by_heights`: cut where the mesh
-/// has vertices, too, while that leaves no more than `slabs`.
+/// The number of a solid's sides, and of its slabs along the axis. `by_heights`: also cuts at the
+/// heights of the mesh's vertices, unless they are too many for `slabs`.
 struct Fineness {
   std::uint32_t slabs;
   std::uint32_t sides;
-  double alike;  ///< widths that differ by less than this part are the same
+  double alike;  ///< widths with a smaller relative difference are merged
   bool by_heights;
 };
 constexpr Fineness kCoarse{16, 32, 0.02, false};
 constexpr Fineness kFine{128, 48, 0.001, true};
 
-/// `axis`: a frame, in the mesh's, whose z is the axis. The body goes `margin` beyond the mesh at
-/// least: a stack of prisms, each as wide as the mesh in its part of the axis. In one piece, and
-/// filled: what lies inside it may be in the mesh's way, too.
+/// `axis`: a frame in the mesh's frame, whose z is the axis. The solid exceeds the mesh by `margin`
+/// or more: a stack of prisms, each as wide as the mesh in its slab. It is connected and filled:
+/// an object inside it may collide with the mesh, too.
 bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, double margin,
                           const Fineness& fineness);
 
-/// A joint next to a link, on the way to the other one.
+/// A joint next to a link, on the path to the other link.
 struct SweptEnd {
   std::size_t link;
   std::size_t joint;
   Transform axis;  ///< in the link's frame
 };
 
-/// None if the link's solid of revolution does not do away with a variable.
+/// None if the link's solid of revolution would remove no variable.
 std::optional<SweptEnd> swept_end(const Model& model, std::size_t link, std::size_t other);
 
-/// The model with solids for links, and the joints about which they turn held.
+/// The model with solids for links, and with the joints of their axes held.
 struct SweptPair {
   Model model;
   double cell;
@@ -47,14 +47,14 @@ struct SweptPair {
   BakedPart b;
 };
 
-/// With the finest cell, of those twice and twice as large, that takes the solids. A solid holds
-/// the link as it is rounded to the lattice, wherever it is rounded to itself; a link that is none
-/// is rounded again, up to kDeviation from where it is.
+/// Bakes with the finest cell of `cell`, 2 `cell`, 4 `cell`, ... that holds the solids. A rounded
+/// solid contains the link as rounded to the lattice. A link without a solid is rounded again, by
+/// up to kDeviation.
 SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double cell,
                      const std::vector<SweptEnd>& ends, const Fineness& fineness);
 
-/// Whether any part of `other`, which lies at `frame` and comes nowhere nearer to the solid's
-/// surface than a cell of the lattice, lies in the solid.
+/// True if a part of `other`, placed at `frame`, lies in the solid. `other` has to be more than a
+/// cell of the lattice away from the solid's surface.
 bool is_any_inside(const WholeMesh& solid, const WholeMesh& other, const Transform& frame,
                    double cell);
 

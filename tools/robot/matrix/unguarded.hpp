@@ -1,4 +1,4 @@
-// Pairs of links that a joint moves and that no guard looks at, or only outside a joint zone.
+// Pairs of links that move relative to each other and that no guard tests, or only outside a zone.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace flashbvh::tool {
 
-/// A collision of the two, or in the zone, is never detected.
+/// A collision of the two links, or in their zone, is never detected.
 struct UnguardedPair {
   std::size_t a;  ///< links, a below b
   std::size_t b;
@@ -20,21 +20,21 @@ struct UnguardedPair {
   double radius = 0;             ///< of a zone, in metres
 };
 
-/// For people: "touch within 0.126 m about elbow".
+/// For users: "touch within 0.126 m about elbow".
 std::string reason_of(const Model& model, const UnguardedPair& pair);
 
-/// Of all pairs those that may collide, and that are not guarded all the same; in their order.
+/// The pairs that may collide and that are not guarded, or only outside a zone; in their order.
 std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs,
                                            const std::vector<JointZone>& zones);
 
-/// As firmware holds it, and back.
+/// Conversions to firmware's form and back.
 RobotUnguarded fixed_unguarded(const UnguardedPair& pair, double cell);
 UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell);
 
 /// "base - arm within 0.1 m about shoulder, arm - hand": the pairs by the names of their links.
 std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs);
 
-/// For users: each reason with all its pairs by name, what it means and what they can do.
+/// For users: each reason with all its pairs by name, its meaning and a remedy.
 std::vector<std::string> unguarded_warnings(const Model& model,
                                             const std::vector<UnguardedPair>& pairs);
 
@@ -45,9 +45,9 @@ std::string witness_text(const Model& model, const PairVerdict& pair);
 /// does not disable it.
 void believe(std::size_t a, std::size_t b, const std::string& place, Model& model);
 
-/// UserError, with the line of `srdf`, the joints' values and the fix, if a pair that is disabled
-/// can collide and is not believed; names all such pairs. Warns of those that are undecided,
-/// and of those that are believed for nothing.
+/// UserError, with the line of `srdf`, the joints' values and the fix, if a disabled pair can
+/// collide and is not believed; names all such pairs. Warns of undecided pairs, and of pairs that
+/// are believed needlessly.
 void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
                     const std::string& srdf, Warnings& warnings);
 

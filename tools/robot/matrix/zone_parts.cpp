@@ -1,4 +1,4 @@
-// What a guard looks at of two neighbours outside their zone.
+// The parts of two neighbours outside their zone that a guard tests.
 #include <algorithm>
 #include <numeric>
 
@@ -10,12 +10,12 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of cells in the search of whether a part of a link ever comes near the other one.
+/// Joint boxes for the search whether a part of a link ever comes near the other link.
 constexpr std::uint64_t kCellsOfPart = 400;
-/// Triangles that are looked at together at last.
+/// So few triangles are no longer divided.
 constexpr std::size_t kFewTriangles = 4;
 
-/// The triangles of one side that may come near the other one, as far as there is time.
+/// Finds the triangles of one side that may come near the other. When time is up, keeps the rest.
 class Sieve {
  public:
   Sieve(const Model& model, const JointZone& zone, bool of_a, double cell,
@@ -27,7 +27,7 @@ class Sieve {
         options_(options),
         stop_(options.distances_of(zone.a, zone.b).stop) {
     options_.most_cells = kCellsOfPart;
-    options_.slack += 2 * kDeviation;  // where triangles are cut, vertices are rounded again
+    options_.slack += 2 * kDeviation;  // vertices at cuts are rounded again
   }
 
   bake::SourceMesh near(const bake::SourceMesh& mesh, const WholeMesh& other) const {
@@ -67,7 +67,7 @@ class Sieve {
     look_at(mesh, other, upper, kept);
   }
 
-  /// By where they lie along the axis in which they lie farthest apart.
+  /// Halves by position along the axis in which the triangles lie farthest apart.
   static std::array<std::vector<std::uint32_t>, 2> halves(const bake::SourceMesh& mesh,
                                                           std::vector<std::uint32_t> triangles) {
     const auto at = [&](std::uint32_t triangle, std::size_t axis) {

@@ -12,8 +12,8 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Triangles are not cut beyond so many: firmware gets parts of them, and its 16-bit indices reach
-/// 65,535 triangles and vertices.
+/// Cutting ends at this number of triangles: firmware gets parts of them, and its 16-bit indices
+/// reach 65,535 triangles and vertices.
 constexpr std::size_t kMostTriangles = 24'000;
 
 double length(const Vector3& p, const Vector3& q) {
@@ -27,7 +27,7 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
   return i;
 }
 
-/// Of a link's triangles, by the file or primitive that each comes from.
+/// The file or primitive that each of a link's triangles comes from.
 std::vector<std::uint32_t> sources_of(const ModelLink& link) {
   std::vector<std::uint32_t> sources(link.mesh.triangles.size());
   for (std::size_t i = 1; i < link.source_begins.size(); ++i) {
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> sources_of(const ModelLink& link) {
   return sources;
 }
 
-/// Halves triangles across their longest edges. An edge that two share is cut in the same place.
+/// Halves triangles across their longest edges. Triangles that share an edge share its middle.
 class Cutter {
  public:
   Cutter(bake::SourceMesh& mesh, std::vector<std::uint32_t>& shells,

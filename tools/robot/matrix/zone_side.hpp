@@ -1,5 +1,5 @@
-// What lies where at a joint: one of its two links, its triangles by how far they are from the
-// middle of the joint's zone.
+// One of the two links at a joint: its triangles by their distance from the middle of the joint's
+// zone.
 #pragma once
 
 #include <cstdint>
@@ -10,35 +10,35 @@
 
 namespace flashbvh::tool {
 
-/// A solid that a joint moves into itself: a ball about a point of the joint's axis, or, where the
-/// joint slides, a cylinder without ends round a line along it.
+/// A solid that the joint moves into itself: a ball about a point of its axis or, for a prismatic
+/// joint, an infinite cylinder round a line along the axis.
 struct ZoneShape {
   bool is_cylinder = false;
   std::array<double, 3> middle{};  ///< in the joint's frame, metres
   double radius = 0;
 
-  /// From the middle, or from the line.
+  /// The distance from the middle, or from the line.
   double distance_of(const std::array<double, 3>& point) const;
 };
 
 class ZoneSide {
  public:
-  /// `frame`: the joint's, where its coordinate is 0, in the link's.
+  /// `frame`: the joint's frame at coordinate 0, in the link's.
   ZoneSide(const ModelLink& link, const Transform& frame);
 
   const bake::SourceMesh& mesh() const { return mesh_; }
-  /// Of connected triangles of one source; numbered from 0.
+  /// A shell consists of connected triangles of one source; numbered from 0.
   std::uint32_t shell_of(std::uint32_t triangle) const { return shells_[triangle]; }
   std::uint32_t shell_count() const { return shell_count_; }
   /// In the joint's frame.
   std::array<double, 3> corner(std::uint32_t triangle, std::size_t i) const;
 
   /// Cuts the triangles of these shells that reach into the shape until no edge is longer than
-  /// `edge`, or there are very many.
+  /// `edge`, or there are very many triangles.
   void cut(const std::vector<bool>& shells, const ZoneShape& shape, double edge);
-  /// These triangles alone; such as all parts of are among them, whole.
+  /// A mesh of these triangles alone. Where all pieces of a triangle are among them, it is whole.
   bake::SourceMesh part(const std::vector<std::uint32_t>& triangles) const;
-  /// How far the farthest point of each triangle is from the shape's middle.
+  /// The largest distance of each triangle from the shape's middle.
   std::vector<double> farthest(const ZoneShape& shape) const;
 
  private:
@@ -47,8 +47,8 @@ class ZoneSide {
   bake::SourceMesh mesh_;  ///< in the link's frame
   Transform to_joint_;
   std::vector<std::uint32_t> shells_;         ///< of each triangle
-  std::vector<std::uint32_t> origins_;        ///< the link's triangle that each is a part of
-  std::vector<bake::TriangleCorners> whole_;  ///< the link's
+  std::vector<std::uint32_t> origins_;        ///< the link's triangle that each is a piece of
+  std::vector<bake::TriangleCorners> whole_;  ///< the link's triangles
   std::uint32_t shell_count_ = 0;
 };
 
