@@ -14,7 +14,7 @@ constexpr const char* kForeignFix = "; correct it, or convert it to a URDF";
 constexpr ForeignForm kMjcf = {"mujoco", "MJCF", "flashbvh_read_mjcf"};
 constexpr ForeignForm kSdf = {"sdf", "SDF", "flashbvh_read_sdf"};
 
-/// Names that a tree of links goes by.
+/// UserError if two links, or two joints, have one name.
 void check_names(const UrdfRobot& robot, const std::string& path) {
   std::set<std::string> links;
   for (const UrdfLink& link : robot.links) {

@@ -9,12 +9,12 @@
 
 namespace flashbvh::tool {
 
-/// Whether a file whose outermost element is `root` is read by a program of its own.
+/// True if a separate program reads files whose outermost element is `root`.
 bool is_foreign_form(std::string_view root);
 
-/// Runs the reader of MJCF (`root` "mujoco") or SDF ("sdf") in a process of its own, so that no
-/// file crashes or hangs this one. UserError, with the file and the library's message, if it is
-/// refused.
+/// Runs the reader of MJCF (`root` "mujoco") or SDF ("sdf") in a separate process, so that no file
+/// crashes or hangs this one. UserError, with the file and the library's message, if the reader
+/// refuses the file.
 UrdfRobot read_foreign(const std::string& path, std::string_view root, Warnings& warnings);
 
 }  // namespace flashbvh::tool

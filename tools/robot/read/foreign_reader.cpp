@@ -1,4 +1,4 @@
-// POSIX, and Linux's /proc for where this program is.
+// Needs POSIX, and Linux's /proc to find this program's folder.
 #include "robot/read/foreign_reader.hpp"
 
 #include <fcntl.h>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Next to this program, as it is built, or in libexec, as it is installed.
+/// Next to this program in a build, or in libexec after installation.
 std::string reader_of(const ForeignForm& form, const std::string& path) {
   std::error_code unknown;
   const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path();
@@ -27,7 +27,7 @@ std::string reader_of(const ForeignForm& form, const std::string& path) {
                   folder.string(), "; install flashbvh again, or convert the file to a URDF");
 }
 
-/// Its meshes count, too, and may lie anywhere.
+/// The reader loads the robot's meshes, too, from any folder.
 ImportLimits limits_of_robot() {
   constexpr std::uint64_t kMebibyte = 1 << 20;
   return {2048 * kMebibyte, 120};

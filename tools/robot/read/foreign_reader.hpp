@@ -1,4 +1,4 @@
-// The programs that read robots of forms other than URDF.
+// Runs the programs that read robots of forms other than URDF.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct ForeignForm {
   const char* reader;  ///< the program
 };
 
-/// What the form's reader prints of the file. UserError if there is no reader, or if it fails.
+/// The output of the form's reader for the file. UserError if the reader is missing or fails.
 std::string text_of_reader(const ForeignForm& form, const std::string& path);
 
 }  // namespace flashbvh::tool

@@ -1,4 +1,4 @@
-// In place of foreign_reader.cpp in a program that is built without readers.
+// Replaces foreign_reader.cpp in programs that are built without readers.
 #include "robot/read/foreign_reader.hpp"
 
 #include "text/messages.hpp"

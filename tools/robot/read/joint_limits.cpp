@@ -12,7 +12,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Files are often rounded: so much beyond the URDF's limit is that limit.
+/// Files are often rounded: a limit up to this much beyond the URDF's counts as equal.
 constexpr double kRounding = 1e-4;
 
 std::string yaml_place(const std::string& path, const YAML::Mark& mark) {

@@ -21,7 +21,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, unknown);
 }
 
-/// REST in the folder NAME, wherever it is found first. Folders upwards by their real names.
+/// Finds `rest` in a folder `name` in `folder` or above it. Upper folders go by their real names.
 std::optional<fs::path> find_upwards(const std::string& name, const std::string& rest,
                                      const fs::path& folder) {
   if (is_there(folder / name / rest)) {
@@ -64,11 +64,10 @@ std::string find_in_package(const std::string& mesh, const std::string& name_and
   return file.string();
 }
 
-/// The file that `mesh` means in the URDF `urdf`: a path, relative to the URDF's folder, one behind
-/// file://, or package://NAME/REST and model://NAME/REST. The folder NAME is that of `packages`, or
-/// else the first of that name, looked for in the URDF's folder and upwards; so it may be any
-/// folder next to the URDF, as in files that call no package by its name. UserError, at `place`, if
-/// there is no such file.
+/// The file of `mesh` in the URDF `urdf`: a path relative to the URDF's folder, file://PATH,
+/// package://NAME/REST or model://NAME/REST. NAME is a folder of `packages`, or else the first of
+/// that name in the URDF's folder or upwards, so that files may name any folder next to the URDF.
+/// UserError, at `place`, if there is no such file.
 std::string find_mesh(const std::string& mesh, const std::string& urdf, const Packages& packages,
                       const std::string& place) {
   const fs::path beside = fs::path(urdf).parent_path();
@@ -97,7 +96,7 @@ struct Element {
   bake::SourceMesh mesh;
   std::string source;
   double precision = 0;
-  std::string file = {};  ///< that was read, if any
+  std::string file = {};  ///< file that was read, if any
 };
 
 void check_positive(double length, const char* what, const std::string& place) {
@@ -139,7 +138,7 @@ Element primitive_element(const UrdfGeometry& shape, const std::string& place) {
                                     cylinder_mesh(shape.radius, shape.length));
 }
 
-/// A mirrored mesh is turned outside in; its triangles are turned back.
+/// Mirroring turns triangles inside out; this swaps their corners back.
 void scale(bake::SourceMesh& mesh, const Vector3& factors) {
   for (Vector3& vertex : mesh.vertices) {
     for (std::size_t i = 0; i < 3; ++i) {

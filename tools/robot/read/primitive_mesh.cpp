@@ -10,7 +10,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// More than what rounding of coordinates takes from a radius.
+/// More than a radius loses by the rounding of coordinates.
 constexpr double kRoundingMargin = 1 + 0x1p-48;
 
 Vector3 scaled(const Vector3& v, double factor) {
@@ -26,7 +26,7 @@ Vector3 unit(const Vector3& v) {
   return scaled(v, 1 / std::sqrt(dot(v, v)));
 }
 
-/// Each triangle becomes four, corners on the unit sphere.
+/// Divides each triangle into four, with all corners on the unit sphere.
 void cut(bake::SourceMesh& sphere) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -71,7 +71,7 @@ bake::SourceMesh icosahedron() {
   return mesh;
 }
 
-/// From the centre to the plane that lies nearest.
+/// The distance from the centre to the nearest plane of a triangle.
 double inner_radius(const bake::SourceMesh& sphere) {
   double least = 1;
   for (const auto& [a, b, c] : sphere.triangles) {
@@ -118,8 +118,8 @@ PrimitiveMesh sliced_box(const Vector3& size, std::size_t along, std::uint32_t s
 
 }  // namespace
 
-/// Of the two triangles of a bar's long side the boxes are as large as whatever the bar is part of:
-/// the longest axis is cut into slices about twice as long as they are thick.
+/// Two triangles along a bar's side would have boxes as large as the mesh that the bar is part of.
+/// So the longest axis is cut into slices about twice as long as they are thick.
 PrimitiveMesh box_mesh(const Vector3& size) {
   constexpr double kMostSlices = 16;
   const auto along =
@@ -164,8 +164,8 @@ PrimitiveMesh cylinder_mesh(double radius, double length) {
   return cylinder;
 }
 
-/// Rings of corners about z, each end a corner. The half circles of the outline have a regular
-/// polygon about them, each ring has one about its circle.
+/// Rings of corners about z, and a corner at each end. Regular polygons circumscribe the outline's
+/// half circles and each ring's circle.
 PrimitiveMesh capsule_mesh(double radius, double length) {
   constexpr std::uint32_t kSides = 24;
   constexpr std::uint32_t kRings = 10;  // half of them about either end

@@ -1,5 +1,5 @@
-// Primitives as closed meshes, triangles counter-clockwise from outside. What is round lies inside
-// its mesh: whatever hits it hits the mesh.
+// Primitives as closed meshes, triangles counter-clockwise from outside. A round shape lies inside
+// its mesh: an object that hits the shape hits the mesh.
 #pragma once
 
 #include "bake/mesh.hpp"
@@ -9,20 +9,20 @@ namespace flashbvh::tool {
 
 struct PrimitiveMesh {
   bake::SourceMesh mesh;
-  double excess = 0;  ///< how far the mesh reaches beyond the shape, at most
+  double excess = 0;  ///< bound on how far the mesh reaches beyond the shape
 };
 
-// In the middle of its frame, lengths positive, in one unit.
+// Centred in their frames; lengths are positive, in one unit.
 
-/// 12 triangles.
+/// 12 triangles; a long bar has up to 132.
 PrimitiveMesh box_mesh(const Vector3& size);
-/// Along z. A prism of 32 sides, 124 triangles: 0.5 % wider.
+/// Along z. A prism with 32 sides, 124 triangles: 0.5 % wider.
 PrimitiveMesh cylinder_mesh(double radius, double length);
 /// An icosahedron cut twice, 320 triangles: 1.9 % wider.
 PrimitiveMesh sphere_mesh(double radius);
 /// Along z, `length` without the round ends. 480 triangles: 2.1 % wider.
 PrimitiveMesh capsule_mesh(double radius, double length);
-/// `size`: from side to side. The sphere's mesh, drawn out.
+/// `size`: from side to side. The sphere's mesh, scaled.
 PrimitiveMesh ellipsoid_mesh(const Vector3& size);
 
 }  // namespace flashbvh::tool

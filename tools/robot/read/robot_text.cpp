@@ -88,7 +88,7 @@ void write(const UrdfJoint& joint, Writer& writer) {
   }
 }
 
-/// The parts of a line, taken one by one; what is wrong leaves it not good.
+/// Takes the parts of a line one by one; errors stick.
 class Parts {
  public:
   explicit Parts(std::string_view line) : rest_(line) {}
@@ -115,7 +115,7 @@ class Parts {
     is_good_ = is_good_ && value >= 0 && value <= 0xFFFFFFFF;
     number = static_cast<std::uint32_t>(value);
   }
-  /// Below `limit`.
+  /// Takes a number below `limit`.
   void take_index(std::size_t& number, std::size_t limit) {
     std::uint32_t value = 0;
     take(value);
@@ -156,7 +156,7 @@ class Reader {
  public:
   ReadRobot read;
 
-  /// False if it makes no sense where it stands.
+  /// False if the line is malformed or out of place.
   bool take_line(std::string_view line) {
     Parts parts(line);
     const std::string_view word = parts.take();

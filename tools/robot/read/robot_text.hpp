@@ -1,4 +1,4 @@
-// A robot as text: what the programs that read MJCF and SDF pass to this one. A line a fact, its
+// A robot as text, which the readers of MJCF and SDF pass to this program: one line per fact, its
 // parts separated by tabs.
 #pragma once
 
@@ -12,18 +12,18 @@
 
 namespace flashbvh::tool {
 
-/// What a reader found: a robot and its warnings, or why it refuses the file.
+/// A reader's result: a robot and its warnings, or the reason why it refuses the file.
 struct ReadRobot {
   UrdfRobot robot;
   std::vector<PlacedWarning> warnings;
   std::string refusal;  ///< place and message; empty if there is a robot
 };
 
-/// Names lose control characters.
+/// Removes control characters from names.
 std::string text_of(const ReadRobot& read);
 
-/// Nothing if the text is not such a one to its end: a number, or that of a link or a vertex, is
-/// wrong. Whether the joints make a tree is not looked at.
+/// None if the text is incomplete or malformed, or has a wrong number of a link or a vertex. Does
+/// not check that the joints make a tree.
 std::optional<ReadRobot> robot_of_text(std::string_view text);
 
 }  // namespace flashbvh::tool

@@ -57,7 +57,7 @@ class SrdfReader {
     return at_line(path_, line_of(element));
   }
 
-  /// Its number, or the number of links if it has no geometry. UserError if there is no name.
+  /// A link's number, or the number of links if it has no geometry. UserError if it has no name.
   std::size_t link_of(const TiXmlElement& element, const char* which) {
     const std::string name = attribute(&element, which);
     if (name.empty()) {
@@ -74,7 +74,7 @@ class SrdfReader {
     return static_cast<std::size_t>(found - model_.links.begin());
   }
 
-  /// Of two links with geometry, the lower first.
+  /// The numbers of two links with geometry, the lower first.
   std::optional<Pair> pair_of(const TiXmlElement& element) {
     const std::size_t one = link_of(element, "link1");
     const std::size_t other = link_of(element, "link2");

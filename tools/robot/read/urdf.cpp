@@ -17,29 +17,29 @@
 namespace flashbvh::tool {
 namespace {
 
-// From joints as a URDF has them to those of a Model: fixed ones folded, axes turned to z, mimics
-// named by the variable that moves them.
+// Converts a URDF's joints to a Model's: removes fixed ones, rotates axes to z, and replaces the
+// joint of a mimic by a variable.
 
 struct KinematicTree {
-  /// Where a link lies: in the frame of the moving joint that it hangs on, or of the base.
+  /// A link's frame in that of the moving joint that it is attached to, or of the base.
   struct Place {
     std::size_t joint = kNoJoint;
     Transform transform;
   };
 
-  std::vector<ModelJoint> joints;      ///< parents before children, each branch in one run
+  std::vector<ModelJoint> joints;      ///< parents before children, each branch contiguous
   std::vector<std::size_t> variables;  ///< as in Model
-  std::vector<Place> links;            ///< of each link of the URDF
+  std::vector<Place> links;            ///< for each link of the URDF
 };
 
-/// A coordinate as multiplier * (that of `joint`) + offset.
+/// A coordinate as multiplier * (coordinate of `joint`) + offset.
 struct Follows {
-  std::size_t joint;  ///< of the URDF
+  std::size_t joint;  ///< number in the URDF
   double multiplier;
   double offset;
 };
 
-/// Of a mimic: the joint at the chain's end, which is none.
+/// Follows a mimic's chain to its end, a joint that is no mimic.
 Follows follow(const UrdfRobot& robot, const std::map<std::string, std::size_t>& numbers,
                std::size_t mimic, const std::string& path) {
   Follows found = {mimic, 1, 0};
@@ -68,7 +68,7 @@ Follows follow(const UrdfRobot& robot, const std::map<std::string, std::size_t>&
   return found;
 }
 
-/// A mimic of a joint without ends: it turns on, too, and a whole number of times.
+/// For a mimic of a continuous joint: it has to be continuous, with an integer multiplier.
 void follow_continuous(ModelJoint& joint, const std::string& master, const std::string& place) {
   if (joint.type == JointType::prismatic) {
     throw UserError(place, "slides with ", tool::quoted(master),
@@ -83,7 +83,7 @@ void follow_continuous(ModelJoint& joint, const std::string& master, const std::
   joint.type = JointType::continuous;
 }
 
-/// What the variable's limits give.
+/// Sets the limits that follow from the variable's.
 void follow_limited(ModelJoint& joint, const ModelJoint& master, const std::string& place,
                     Warnings& warnings) {
   const double one = joint.multiplier * master.lower + joint.offset;
@@ -106,9 +106,9 @@ void follow_limited(ModelJoint& joint, const ModelJoint& master, const std::stri
   }
 }
 
-/// Numbers the variables and says for each joint which one moves it and how, through chains of
-/// mimics. A mimic's limits become what its variable's give it: the field ignores its own.
-/// `urdf_joints`: of each joint of the Model, its number in the URDF.
+/// Numbers the variables, and sets each joint's variable, multiplier and offset through chains of
+/// mimics. A mimic's limits follow from its variable's; its own are ignored, as is usual.
+/// `urdf_joints`: the number in the URDF of each joint of the Model.
 void resolve_mimics(const UrdfRobot& robot, const std::vector<std::size_t>& urdf_joints,
                     const std::string& path, std::vector<ModelJoint>& joints,
                     std::vector<std::size_t>& variables, Warnings& warnings) {
@@ -142,14 +142,14 @@ void resolve_mimics(const UrdfRobot& robot, const std::vector<std::size_t>& urdf
   }
 }
 
-/// Of a joint that few machines have, in radians: who writes as much may mean degrees.
+/// Few joints have such limits, in radians: the file may mean degrees.
 constexpr double kManyTurns = 4 * kPi;
 
 std::string in_radians(double degrees) {
   return significant(degrees * kPi / 180, 6);
 }
 
-/// To unit length. `place`: of the joint.
+/// Scales an axis to unit length. `place`: of the joint.
 Vector3 unit_axis(const Vector3& axis, const std::string& place, Warnings& warnings) {
   const double length = bake::length(axis[0], axis[1], axis[2]);
   if (!(length > 1e-6 && length < 1e6)) {
@@ -198,7 +198,7 @@ class TreeBuilder {
   TreeBuilder(const UrdfRobot& robot, const std::string& path, Warnings& warnings)
       : robot_(robot), path_(path), warnings_(warnings), below_(robot.links.size()) {
     for (std::size_t i = robot.joints.size(); i-- != 0;) {
-      below_[robot.joints[i].parent].push_back(i);  // the last first, as a stack takes them
+      below_[robot.joints[i].parent].push_back(i);  // in reverse, for a stack
     }
   }
 
@@ -242,14 +242,14 @@ class TreeBuilder {
   const UrdfRobot& robot_;
   const std::string& path_;
   Warnings& warnings_;
-  std::vector<std::vector<std::size_t>> below_;  ///< of each link, its joints
+  std::vector<std::vector<std::size_t>> below_;  ///< joints below each link
   std::vector<std::size_t> urdf_joints_;
   KinematicTree tree_;
 };
 
-/// `path`: for messages. UserError, naming the joint and the remedy, for axes of no length, limits
-/// out of order or of four turns or more, and mimics of nothing, of each other, or that could
-/// not turn on where their joint does.
+/// `path`: for messages. UserError, naming the joint and the remedy, for axes of length 0, limits
+/// out of order or of four turns or more, and mimics of unknown joints, of each other, or of a
+/// continuous joint that they can't follow.
 KinematicTree kinematic_tree(const UrdfRobot& robot, const std::string& path, Warnings& warnings) {
   return TreeBuilder(robot, path, warnings).build();
 }
@@ -266,7 +266,7 @@ bool are_neighbours(const Model& model, std::size_t a, std::size_t b) {
 constexpr const char* kUrdfShapes = "a <collision>";
 constexpr const char* kMjcfShapes = "a geom that contacts (contype, conaffinity)";
 
-/// Of a link that has no collision geometry.
+/// The warning for a link without collision geometry.
 std::string is_seen_alone(const UrdfRobot& robot) {
   const char* const shapes = robot.is_mjcf ? kMjcfShapes : kUrdfShapes;
   return concat("has ", robot.is_mjcf ? "visual geoms" : "a <visual>", " but no ", shapes + 2,
@@ -296,7 +296,7 @@ void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::str
   }
 }
 
-/// Distinguished by the outermost element.
+/// Chooses the reader by the outermost element.
 UrdfRobot read_document(const std::string& path, bool visual_too, Warnings& warnings) {
   check_no_mesh(path);
   std::string text = read_file(path);

@@ -1,8 +1,8 @@
-// urdfdom, and what it leaves to its caller. It reads on past elements that it can't read and says
-// so in its log only; it reads materials, sensors and other elements that nothing here needs, and
-// refuses the file for them; and it takes any graph of links with one root for a tree.
+// Reads URDFs with urdfdom, and adds checks. urdfdom skips elements that it can't read and reports
+// them in its log only. It refuses files for faults in materials, sensors and other elements that
+// are not needed here. It accepts any graph of links with one root as a tree.
 //
-// Its numbers are those of the C locale, whatever the program's is.
+// urdfdom reads numbers in the C locale, whatever the program's locale is.
 #include "robot/read/urdf_document.hpp"
 
 #include <console_bridge/console.h>
@@ -25,8 +25,8 @@
 namespace flashbvh::tool {
 namespace {
 
-/// urdfdom takes what it says of a text for a format of printf()'s, in which each '%' has to stand
-/// twice; so it gets the text, and has its names, like that.
+/// urdfdom uses its messages as formats of printf(). So each '%' of its text, and of its names, is
+/// doubled.
 std::string doubled(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -43,7 +43,7 @@ std::string halved(const std::string& text) {
   return result;
 }
 
-/// Keeps the errors that urdfdom logs, as long as it lives.
+/// Keeps the errors that urdfdom logs during the object's lifetime.
 class ErrorLog : public console_bridge::OutputHandler {
  public:
   ErrorLog() { console_bridge::useOutputHandler(this); }

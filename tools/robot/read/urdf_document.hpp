@@ -1,4 +1,4 @@
-// What the file of a robot says, as it says it: a URDF, or another form as if it were one.
+// The contents of a robot's file: a URDF, or another form in a URDF's terms.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ struct UrdfGeometry {
   enum class Shape : std::uint8_t { box, cylinder, sphere, capsule, ellipsoid, mesh, triangles };
 
   Shape shape = Shape::box;
-  Vector3 size{};        ///< of a box or an ellipsoid, from side to side; of a mesh its scale
+  Vector3 size{};        ///< a box's or an ellipsoid's, from side to side; a mesh's scale
   double radius = 0;     ///< of a cylinder, sphere or capsule
-  double length = 0;     ///< along z, of a cylinder; of a capsule without its round ends
-  std::string mesh{};    ///< where it is, as the file says; of triangles a name
-  double precision = 0;  ///< how far the reader may have moved a vertex of `triangles`
+  double length = 0;     ///< along z: a cylinder's, or a capsule's without its round ends
+  std::string mesh{};    ///< path as in the file; for triangles a name
+  double precision = 0;  ///< bound on the reader's displacement of a vertex of `triangles`
   bake::SourceMesh triangles{};
 };
 
@@ -34,7 +34,7 @@ struct UrdfLink {
   std::string name;
   std::vector<UrdfCollision> collisions;
   bool has_visual = false;
-  std::vector<UrdfCollision> visuals;  ///< of forms other than URDF
+  std::vector<UrdfCollision> visuals;  ///< for forms other than URDF
 };
 
 struct UrdfMimic {
@@ -53,7 +53,7 @@ struct UrdfJoint {
   Transform origin;       ///< in the parent's frame
   Vector3 axis{1, 0, 0};  ///< of any length, in the child's frame
   Vector3 anchor{};       ///< a point of the axis, in the child's frame
-  double lower = 0;       ///< of a continuous joint, too, if the file gives them
+  double lower = 0;       ///< also for a continuous joint, if the file has limits
   double upper = 0;
   std::optional<UrdfMimic> mimic;  ///< none on fixed joints
 };
@@ -64,21 +64,21 @@ struct UrdfRobot {
   std::size_t root = 0;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
-  std::vector<std::string> files;  ///< that were read with the robot's own
+  std::vector<std::string> files;  ///< further files that were read
   bool is_mjcf = false;            ///< for messages: it has geoms, no <visual> and no <collision>
 };
 
-/// The URDF `text` of the file `path`. UserError, with the element and the remedy, if it is none,
-/// or has what firmware can't hold: joints that slide in a plane, or float and hold no base, shapes
-/// that URDF has not, loops. Soft limits narrow limits. `visual_too`: a link without <collision>
-/// collides by its <visual>.
+/// Parses the URDF `text` of the file `path`. UserError, with the element and the remedy, if it is
+/// no URDF, or for features beyond firmware: planar joints, floating joints that hold no base,
+/// shapes that are not in URDF, loops. Soft limits narrow limits. `visual_too`: a link without
+/// <collision> collides by its <visual>.
 UrdfRobot read_urdf_document(const std::string& path, std::string text, bool visual_too,
                              Warnings& warnings);
 
-/// UserError if the name of a file ends as that of a mesh or of a model of CAD.
+/// UserError if a file's name ends like that of a mesh or of a CAD model.
 void check_no_mesh(const std::string& path);
 
-/// UserError if a link hangs on two joints, or on a loop.
+/// UserError if a link has two parent joints, or is part of a loop.
 void check_tree(const std::vector<UrdfLink>& links, const std::vector<UrdfJoint>& joints,
                 const std::string& path);
 

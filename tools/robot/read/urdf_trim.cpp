@@ -15,7 +15,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Takes out all that is inside `element` but those of these names.
+/// Removes all that is inside `element` but elements of these names.
 void keep_only(TiXmlElement& element, std::initializer_list<std::string_view> names) {
   for (TiXmlNode* child = element.FirstChild(); child != nullptr;) {
     TiXmlNode* const next = child->NextSibling();
@@ -26,8 +26,8 @@ void keep_only(TiXmlElement& element, std::initializer_list<std::string_view> na
   }
 }
 
-/// As XML wants attributes (1.0, 3.3.3): each tab and line end a blank. None around them either:
-/// urdfdom takes "0.5 " for no number.
+/// Normalises attributes as XML demands (1.0, 3.3.3): tabs and line ends become blanks. Also trims
+/// blanks: urdfdom refuses "0.5 " as a number.
 void normalise_attributes(TiXmlElement& element) {
   constexpr const char* kBlanks = " \t\r\n";
   for (TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
@@ -45,12 +45,12 @@ void normalise_attributes(TiXmlElement& element) {
   }
 }
 
-/// Whether an element is another program's, as <drake:capsule> is.
+/// True if an element is another program's, such as <drake:capsule>.
 bool is_foreign(const TiXmlNode& node) {
   return node.ToElement() != nullptr && node.ValueStr().find(':') != std::string::npos;
 }
 
-/// Takes out what is another program's. UserError if nothing else is inside.
+/// Removes other programs' elements. UserError if nothing else is inside.
 void drop_foreign(TiXmlElement& element, const std::string& place) {
   std::string dropped;
   for (TiXmlNode* child = element.FirstChild(); child != nullptr;) {
@@ -67,7 +67,7 @@ void drop_foreign(TiXmlElement& element, const std::string& place) {
   }
 }
 
-/// What urdfdom would skip.
+/// UserError for faults that urdfdom would skip.
 void check_geometry(TiXmlElement& collision, const std::string& place) {
   TiXmlElement* const geometry = collision.FirstChildElement("geometry");
   if (geometry != nullptr) {
@@ -120,7 +120,7 @@ void check_limits(TiXmlElement& joint, const std::string& type, const std::strin
     throw UserError(place, "is ", type, " without limits; give it <limit lower=\"...\" upper=\"...",
                     type == "revolute" ? "\">, or make it continuous" : "\">");
   }
-  if (limit != nullptr) {  // Forces and speeds, which urdfdom wants, are nothing to firmware.
+  if (limit != nullptr) {  // urdfdom demands forces and speeds; firmware ignores them
     limit->SetAttribute("effort", "0");
     limit->SetAttribute("velocity", "0");
   }
@@ -154,7 +154,7 @@ void trim_joint(TiXmlElement& joint, const std::string& path) {
 
 using LinkNumbers = std::map<std::string, std::size_t>;
 
-/// Of the link that <parent> or <child> names.
+/// The number of the link that <parent> or <child> names.
 std::size_t link_of(const TiXmlElement& joint, const char* which, const LinkNumbers& links,
                     const std::string& path) {
   const std::string name = attribute(joint.FirstChildElement(which), "link");
@@ -181,7 +181,7 @@ void add_joints(const TiXmlElement& robot, const std::string& path, TrimmedRobot
   }
 }
 
-/// The only joint of a robot that floats, if it hangs on a root without shapes, or null.
+/// The robot's only floating joint if its parent is a root without shapes, or null.
 TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
   TiXmlElement* floating = nullptr;
   std::set<std::string> children;
@@ -208,7 +208,7 @@ TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
   return children.count(root) == 0 ? floating : nullptr;
 }
 
-/// Which links of a robot collide does not depend on where it floats.
+/// Collisions between a robot's links do not depend on the pose of its base.
 void fix_floating_base(TiXmlElement& robot, bool visual_too, const std::string& path,
                        Warnings& warnings) {
   if (TiXmlElement* const joint = floating_base(robot, visual_too)) {
@@ -246,7 +246,7 @@ TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual
     }
   }
   add_joints(robot, path, trimmed);
-  check_tree(trimmed.links, trimmed.joints, path);  // urdfdom's own model of a loop is never freed
+  check_tree(trimmed.links, trimmed.joints, path);  // urdfdom never frees its model of a loop
   TiXmlPrinter printer;
   document.Accept(&printer);
   trimmed.text = printer.Str();

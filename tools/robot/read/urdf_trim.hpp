@@ -1,5 +1,4 @@
-// Makes a URDF ready for urdfdom: takes out what is nothing to us, and finds faults that it would
-// skip.
+// Prepares a URDF for urdfdom: removes unused elements, and finds faults that urdfdom would skip.
 #pragma once
 
 #include <string>
@@ -10,21 +9,21 @@
 
 namespace flashbvh::tool {
 
-/// Of a <safety_controller>: what the machine keeps to.
+/// The limits of a <safety_controller>.
 struct SoftLimits {
   std::optional<double> lower;
   std::optional<double> upper;
 };
 
-/// What the file says, without what is nothing to us.
+/// The contents of a file without unused elements.
 struct TrimmedRobot {
   std::string text;
   std::vector<UrdfLink> links;          ///< without their collisions
-  std::vector<UrdfJoint> joints;        ///< which links they join, no more
+  std::vector<UrdfJoint> joints;        ///< with names and links only
   std::vector<SoftLimits> soft_limits;  ///< of each joint
 };
 
-/// Of the URDF `text` of the file `path`. UserError as of read_urdf_document().
+/// Trims the URDF `text` of the file `path`. UserError like read_urdf_document().
 TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual_too,
                           Warnings& warnings);
 

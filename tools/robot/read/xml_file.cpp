@@ -8,12 +8,12 @@
 namespace flashbvh::tool {
 namespace {
 
-/// TinyXML calls itself once a level.
+/// TinyXML recurses once per level.
 constexpr int kMostLevels = 1000;
-/// And takes as many bytes for a character as its first one says, beyond the end, too.
+/// TinyXML reads as many bytes of a character as its first byte announces, even beyond the end.
 constexpr std::size_t kLongestCharacter = 4;
 
-/// At least how deep elements are nested, whatever else is wrong with them.
+/// Computes a lower bound of the depth, also in malformed text.
 bool is_too_deep(std::string_view text) {
   int level = 0;
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {

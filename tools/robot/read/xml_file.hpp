@@ -1,4 +1,4 @@
-// Files of XML, by TinyXML, which urdfdom reads with, too.
+// Reads XML files with TinyXML, which urdfdom uses, too.
 #pragma once
 
 #include <tinyxml.h>
@@ -8,17 +8,17 @@
 
 namespace flashbvh::tool {
 
-/// The name of the outermost element of an XML, by its first bytes alone: empty if there is none.
+/// The name of an XML text's outermost element, by its first bytes alone; empty if there is none.
 std::string_view root_element(std::string_view text);
 
 /// Reads a file whose outermost element is <`root`>. UserError if it is missing, malformed, nested
-/// deeper than any robot, or something else.
+/// deeper than any robot, or has another root.
 void read_xml(const std::string& path, const char* root, TiXmlDocument& document);
-/// The same of a text. `path`: for messages.
+/// Parses a text like read_xml(). `path`: for messages.
 void parse_xml(std::string text, const std::string& path, const char* root,
                TiXmlDocument& document);
 
-/// Empty if the element has no such attribute, or is null.
+/// The attribute's value; empty if there is none, or if the element is null.
 std::string attribute(const TiXmlElement* element, const char* name);
 
 /// A place for UserError: "arm.urdf, joint 'elbow'".

@@ -11,15 +11,15 @@
 namespace flashbvh::tool {
 namespace {
 
-/// The rows of tests/figures/budgets.csv that are read below, its head first.
+/// The rows of tests/figures/budgets.csv that are read below, with the header first.
 constexpr const char* kRows =
 #include "guard_costs.inc"
     ;
-/// Those of tests/figures/cycles.csv.
+/// The rows of tests/figures/cycles.csv that are read below.
 constexpr const char* kCyclesRows =
 #include "guard_cycles.inc"
     ;
-/// A column there that is of a part, not of a core without flash.
+/// A column of cycles.csv for a part, rather than for a core without flash.
 struct MeasuredPart {
   const char* core;
   const char* flash;
@@ -174,7 +174,7 @@ std::optional<LeastWork> least_work(const Robot& robot, const Trajectory& trajec
     }
     return is_enough;
   };
-  // What the longest period took is enough, but for what a guard does ahead of time.
+  // The work of the longest period suffices, except for work that a guard does in advance.
   std::uint32_t enough = std::max(1u, summary_of(least.answers).most);
   while (!take_if_enough(enough)) {
     enough = enough > kAllWork / 2 ? kAllWork : 2 * enough;

@@ -1,6 +1,5 @@
-// What a guard's periods take on a core: estimates by the work that they spend. The means that they
-// are made of were measured on another robot's guard (tests/figures/guard.cpp); they are no bound.
-// proven_period.hpp has one.
+// Estimates of a guard's periods on a core, by the work that they spend. They use means measured on
+// another robot's guard (tests/figures/guard.cpp) and are no bounds; proven_period.hpp has bounds.
 #pragma once
 
 #include <array>
@@ -15,91 +14,91 @@
 
 namespace flashbvh::tool {
 
-/// Of one robot, in instructions.
+/// Costs for one robot, in instructions.
 struct PeriodCosts {
   std::string core;  ///< "Cortex-M4F"
-  double pass;       ///< each period: the frames of all joints, and a look at each pair
-  double walk;       ///< a period that spends work, in addition
-  double work;       ///< a unit of work
-  double longest;    ///< the longest period that was measured, by the estimate for as much work
+  double pass;       ///< each period: the frames of all joints, and a check of each pair
+  double walk;       ///< in addition, for a period that spends work
+  double work;       ///< per unit of work
+  double longest;    ///< the longest period measured, as a multiple of the estimate for its work
 };
 
-/// The cores on which a guard was measured, as --core takes them: "cortex-m4f".
+/// The cores on which a guard was measured, in the form of --core: "cortex-m4f".
 std::vector<std::string> measured_cores();
-/// "Cortex-M4F" of "cortex-m4f". UserError, with a list of measured_cores(), unless it is one.
+/// "Cortex-M4F" for "cortex-m4f". UserError, with a list of measured_cores(), for other cores.
 std::string measured_name(const std::string& core);
-/// UserError as measured_name().
+/// UserError like measured_name().
 PeriodCosts costs_on(const std::string& core, const Robot& robot);
-/// What these estimates are.
+/// A note on these estimates, for users.
 std::string estimate_note(const PeriodCosts& costs);
 double instructions_of(const PeriodCosts& costs, std::uint32_t work);
 
-/// The periods that PeriodQuantiles has: the parts of all that take no more; the last is the most.
+/// The percentiles in PeriodQuantiles; the last one is the maximum.
 constexpr std::array<const char*, 4> kQuantileNames = {"50", "99", "99.9", "100"};
-/// Instructions; all 0 if no period but the one that primes was accepted.
+/// In instructions; all 0 if no period after the priming one was accepted.
 using PeriodQuantiles = std::array<double, kQuantileNames.size()>;
-/// Of the periods that are accepted after the one that primes.
+/// Over the periods accepted after the priming one.
 PeriodQuantiles quantiles_of(const PeriodCosts& costs, const std::vector<GuardAnswer>& answers);
 
-/// The part of a trajectory's periods that may be `not_yet_known`: less than one in so many.
+/// Less than one in so many of a trajectory's periods may be `not_yet_known`.
 constexpr std::size_t kOneUnknownIn = 1000;
 
 struct LeastWork {
-  std::uint32_t work;                ///< granted each period
+  std::uint32_t work;                ///< granted per period
   std::vector<GuardAnswer> answers;  ///< with it
 };
 
-/// The least work a period that keeps `not_yet_known` below 1 / kOneUnknownIn of this trajectory's
-/// lines, by replays that halve the range. One unit less leaves more; much less may not, as more
-/// work does not always leave less unknown. None if all the work leaves more.
+/// The least work per period that keeps `not_yet_known` below 1 / kOneUnknownIn of this
+/// trajectory's lines, by bisection with replays. One unit less leaves more; much less may not,
+/// since more work does not always leave less unknown. None if unlimited work leaves more.
 std::optional<LeastWork> least_work(const Robot& robot, const Trajectory& trajectory);
 
 /// A core's clock, and how often the guard runs.
 struct PeriodClock {
   double megahertz;
   double hertz;
-  double cycles;  ///< an instruction, on average
+  double cycles;  ///< per instruction, on average
   bool is_rough;  ///< `cycles` is no measurement
 
-  /// What a period has time for.
+  /// The cycles of a period.
   double period_cycles() const { return megahertz * 1e6 / hertz; }
   double instructions() const { return period_cycles() / cycles; }
 };
 
-/// The cycles of an instruction of a guard's periods, as measured on a core in a part with that
-/// flash; none where nothing was measured.
+/// The mean cycles per instruction in a guard's periods, measured on a core in a part with that
+/// flash; none if not measured.
 std::optional<double> measured_cycles(const std::string& core, const std::string& flash);
 
-/// A trajectory's periods on a core.
+/// The costs of a trajectory's periods on a core.
 struct GuardTiming {
   PeriodCosts costs;
   PeriodQuantiles replayed;  ///< of the trajectory's answers
   std::optional<LeastWork> least;
-  PeriodQuantiles of_least;  ///< if there is one
+  PeriodQuantiles of_least;  ///< of `least`, if there is one
   std::optional<PeriodClock> clock;
-  std::uint32_t work;  ///< granted each period as replayed; kAllWork: no limit
+  std::uint32_t work;  ///< granted per replayed period; kAllWork: no limit
   std::optional<ProvenPeriod> proven;
 };
 
-/// "4165, about 5956 cycles, 0.0355 ms, 3.5 %"; of a bound that is proven in `cycles`, those;
-/// without a clock no time. `whole` prints a whole number.
+/// "4165, about 5956 cycles, 0.0355 ms, 3.5 %". `cycles`: of a bound that is proven in cycles.
+/// Without a clock there is no time. `whole` prints a whole number.
 std::string cost_text(const GuardTiming& timing, double instructions,
                       std::optional<std::uint64_t> cycles, std::string (*whole)(double));
 
-/// A period's work, and the instructions and cycles that it is proven to take at most.
+/// A period's work, and its proven bounds.
 struct ProvenWork {
   std::uint32_t work;
   std::uint64_t instructions;
   std::optional<std::uint64_t> cycles;
 };
-/// Of the work granted, and of the least work; where there is no limit, or nothing is proven, of
-/// neither.
+/// Bounds for the granted work and for the least work, unless there is no limit or nothing is
+/// proven.
 std::vector<ProvenWork> proven_work(const GuardTiming& timing);
-/// The most work whose proven cycles, or instructions where no cycles are proven, are no more than
-/// the period has; 0: none.
+/// The most work whose proven cycles fit the period, or instructions if no cycles are proven; 0:
+/// none.
 std::uint32_t proven_work_within(const ProvenPeriod& proven, const PeriodClock& clock);
 
-/// The most work whose estimate is no longer than the period; none if the pass is.
+/// The most work whose estimate fits the period; none if the pass alone is longer.
 std::optional<std::uint32_t> work_within(const PeriodCosts& costs, const PeriodClock& clock);
 
 }  // namespace flashbvh::tool

@@ -28,7 +28,7 @@ std::optional<GuardCosts> guard_cycles_on(const std::string& core, std::uint32_t
   return std::nullopt;
 }
 
-/// None if the proof does not hold of a tree.
+/// None if the proof does not cover one of the trees.
 std::optional<GuardSize> size_of(const Robot& robot) {
   std::uint32_t depth = 0;
   std::uint32_t leaf_size = 0;

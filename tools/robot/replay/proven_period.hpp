@@ -1,5 +1,5 @@
-// What a guard's periods take on a core at most: proven of each core
-// (flashbvh/robot/period_bound.hpp), where period_costs.hpp has estimates.
+// Proven bounds of a guard's period on each core (flashbvh/robot/period_bound.hpp);
+// period_costs.hpp has estimates.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@ namespace flashbvh::tool {
 struct ProvenPeriod {
   GuardCosts costs;
   GuardSize size;
-  std::optional<GuardCosts> cycles = {};  ///< in cycles, wait states included; none of some cores
+  std::optional<GuardCosts> cycles = {};  ///< in cycles, wait states included; none for some cores
 
-  /// Instructions; none without a limit of work.
+  /// In instructions; none without a limit of work.
   std::optional<std::uint64_t> most(std::uint32_t work) const;
-  /// None of cores whose cycles are not proven, too.
+  /// None, too, if the core's cycles are not proven.
   std::optional<std::uint64_t> most_cycles(std::uint32_t work) const;
 };
 
-/// None of a robot with leaves or nodes beyond kMostBoundedLeaf or kMostBoundedArity. `core`:
-/// "Cortex-M4F"; `wait_states`: of each read of flash.
+/// None for a robot with leaves or nodes beyond kMostBoundedLeaf or kMostBoundedArity. `core`:
+/// "Cortex-M4F"; `wait_states`: per read of flash.
 std::optional<ProvenPeriod> proven_period(const std::string& core, std::uint32_t wait_states,
                                           const Robot& robot);
 

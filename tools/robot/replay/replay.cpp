@@ -15,14 +15,14 @@ constexpr std::uint32_t kMostPairs = kMaxLinks * (kMaxLinks - 1) / 2;
 using AnyGuardState = GuardStateOf<kMaxJoints, kMostPairs, kMostPairs * kMaxJoints>;
 using AnyMotionState = MotionStateOf<kMaxJoints, kMaxJoints>;
 
-/// The coordinates of the variables, as firmware makes them of floats.
+/// The coordinates of the variables, converted from floats as in firmware.
 std::vector<JointCoordinate> coordinates_of(const Robot& robot, const float* floats) {
   std::vector<JointCoordinate> values(robot.variable_count);
   set_values(robot, floats, values.data());
   return values;
 }
 
-/// In radians and metres.
+/// The values in radians and metres.
 std::vector<double> lengths_of(const Robot& robot, const std::vector<JointCoordinate>& values) {
   constexpr double kTwoPi = 6.283185307179586;
   std::vector<double> lengths(values.size());
@@ -56,7 +56,7 @@ CertifiedMotion certified(const Robot& robot, AnyMotionState& state, const float
   return motion;
 }
 
-/// The pair, if it is nearer than the closest one by now.
+/// Takes the pair if it is nearer than the closest one so far.
 void take_nearer(const Robot& robot, std::size_t period, std::uint16_t number, const Pose& pose,
                  std::optional<ClosestMoment>& closest) {
   const Mesh& a = robot.meshes[robot.pairs[number].a];

@@ -7,7 +7,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Larger: shown sooner. Refused values are reported elsewhere, too.
+/// Larger weights are shown sooner. Refused values are reported elsewhere, too.
 auto weight(const Stretch& stretch) {
   constexpr std::size_t kWeights[kPeriodKinds] = {0, 1, 3, 4, 2};
   return std::tuple(kWeights[stretch.kind], stretch.last - stretch.first);
@@ -29,7 +29,7 @@ Robot with_one_pair(const Robot& robot, std::uint16_t pair) {
   return one;
 }
 
-/// Each pair by a guard of its own, which takes all the work it needs; what is not yet known, by
+/// The verdicts of a guard of its own for each pair, with unlimited work; `not_yet_known` is from
 /// the answers.
 std::vector<NearPair> named_pairs(const Robot& robot, const Trajectory& trajectory,
                                   const std::vector<GuardAnswer>& answers) {
@@ -72,7 +72,7 @@ void measure(const Robot& robot, std::size_t period, PosedPairs& posed, NearPair
   }
 }
 
-/// Larger: sooner in the list.
+/// Larger weights come sooner in the list.
 auto weight(const NearPair& pair) {
   constexpr auto kWarn = static_cast<std::size_t>(Verdict::warn);
   constexpr auto kUnknown = static_cast<std::size_t>(Verdict::not_yet_known);

@@ -18,11 +18,11 @@ namespace {
 struct TrajectoryColumn {
   std::string name;
   bool is_time = false;
-  std::size_t joint = kNoJoint;  ///< of Model::joints; none: the time's
+  std::size_t joint = kNoJoint;  ///< of Model::joints; kNoJoint for a time
 };
 
 struct TrajectoryColumns {
-  char separator;  ///< of the fields in each line: a semicolon, a comma or a tab
+  char separator;  ///< between the fields of a line: a semicolon, a comma or a tab
   std::vector<TrajectoryColumn> columns;
 };
 
@@ -36,7 +36,7 @@ std::string variable_names(const Model& model) {
       model.variables, [&](std::size_t joint) { return model.joints[joint].name; }, ",");
 }
 
-/// The first of them that the line holds; of a file with one column, any.
+/// The first separator that the line holds; any one for a file with one column.
 char separator_of(std::string_view line) {
   for (const char separator : {';', ',', '\t'}) {
     if (line.find(separator) != std::string_view::npos) {
@@ -109,7 +109,7 @@ TrajectoryColumns read_columns(const Model& model, std::string_view line,
   return made;
 }
 
-/// How far a mimic's value may be from what its joint gives: both have three decimals at least.
+/// A bound on a mimic's difference from its joint's value: both have three decimals at least.
 constexpr double kMostRounding = 1e-3;
 
 double number_in(std::string_view field, const std::string& column, const std::string& place) {
@@ -127,7 +127,7 @@ double number_in(std::string_view field, const std::string& column, const std::s
                   " is no finite number; give radians, or metres");
 }
 
-/// The numbers of a line, one a column; none for a time that is no number, as a date.
+/// The numbers of a line, one per column; none for a time that is no number, such as a date.
 std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
                                               std::string_view line, const std::string& place) {
   const std::vector<std::string_view> fields = fields_of(line, header.separator);
@@ -144,7 +144,7 @@ std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
   return numbers;
 }
 
-/// Of a line; `values`: of the variables.
+/// Checks a mimic in a line. `values`: of the variables.
 void check_mimic(const Model& model, const TrajectoryColumn& column, double given,
                  const std::vector<double>& values, const std::string& place) {
   const ModelJoint& joint = model.joints[column.joint];
@@ -167,7 +167,7 @@ class RowReader {
     }
   }
 
-  /// Of the variables, in their order.
+  /// The values of the variables, in their order.
   std::vector<float> read(std::string_view line, const std::string& place) {
     const std::vector<std::optional<double>> numbers = numbers_of(header_, line, place);
     check_times(numbers, place);
@@ -186,12 +186,12 @@ class RowReader {
     return {values.begin(), values.end()};
   }
 
-  /// Whether all lines have a number in the first column of times.
+  /// True if all lines have a number in the first column of times.
   bool has_times() const { return times_in_ < last_.size() && !times_.empty(); }
   const std::string& time_name() const { return header_.columns[times_in_].name; }
   const std::vector<double>& times() const { return times_; }
 
-  /// The columns of times that `times()` is not of.
+  /// The columns of times other than that of times().
   std::vector<std::string> unused_times() const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < header_.columns.size(); ++i) {
@@ -210,7 +210,7 @@ class RowReader {
     if (numbers[times_in_]) {
       times_.push_back(*numbers[times_in_]);
     } else {
-      times_in_ = numbers.size();  // a date, say
+      times_in_ = numbers.size();  // for example a date
     }
   }
 
@@ -235,15 +235,15 @@ class RowReader {
 
   const Model& model_;
   TrajectoryColumns header_;
-  std::vector<std::optional<double>> last_;  ///< times, by column
-  std::size_t times_in_ = 0;                 ///< the column of times_; none: all columns
+  std::vector<std::optional<double>> last_;  ///< last times, by column
+  std::size_t times_in_ = 0;  ///< the column of times_; if none, the number of columns
   std::vector<double> times_;
 };
 
-/// Steps of a column of times differ by more than this part of the first one, or they are even.
+/// Steps of times are uneven if they differ from the first one by more than this part of it.
 constexpr double kMostUneven = 0.1;
 
-/// Warns of times that don't set the periods: of the first step that is no period of the others.
+/// Warns of columns of times that are not used, and of the first uneven step of the used one.
 void note_times(const std::string& path, const RowReader& reader, const Trajectory& trajectory,
                 Warnings& warnings) {
   constexpr const char* kPeriod = "each line is one period after the line before";
@@ -253,7 +253,7 @@ void note_times(const std::string& path, const RowReader& reader, const Trajecto
   for (std::size_t i = 2; trajectory.has_times() && i < trajectory.size(); ++i) {
     const double first = trajectory.time(1) - trajectory.time(0);
     const double step = trajectory.time(i) - trajectory.time(i - 1);
-    // Large stamps have less digits than their steps.
+    // Large stamps have fewer digits than their steps.
     if (std::fabs(step - first) > kMostUneven * first + 1e-15 * std::fabs(trajectory.time(i))) {
       warnings.add(at_line(path, trajectory.line(i)),
                    concat(tool::quoted(trajectory.time_name()), " steps by ", significant(step, 6),
