@@ -19,10 +19,10 @@ struct Traversal {
   std::vector<std::uint32_t> levels;
   std::vector<std::uint32_t> next_sibling;  ///< kNone for a last child
   std::vector<std::uint32_t> first_sibling;
-  std::vector<std::uint32_t> stack_need;  ///< pairs left on a stack on the way down to the node
+  std::vector<std::uint32_t> stack_need;  ///< pairs that a descent to the node leaves on a stack
 };
 
-/// Nodes before their subtrees; the first subtree follows first, or the last one (`post`).
+/// Each node before its subtrees, the first subtree first or, if `post`, the last one.
 Traversal array_order(const BuildTree& tree, bool post) {
   const std::size_t count = tree.nodes.size();
   std::vector<std::uint32_t> position(count);
@@ -79,7 +79,7 @@ std::vector<std::uint32_t> right_child_levels(const Traversal& order) {
   return levels;
 }
 
-/// By array position, clamped to the parent's.
+/// By array position, clamped to the parent's rank.
 std::vector<std::uint32_t> ranks(const Traversal& order, const BuildTree& tree) {
   std::vector<std::uint32_t> ranks(order.build_nodes.size(), 0);
   for (std::size_t at = 0; at < ranks.size(); ++at) {

@@ -39,14 +39,14 @@ struct BakedTree {
   Unit unit = Unit::none;
   std::string name;
 
-  /// Of array position i: the node of the BuildTree. Not written anywhere.
+  /// [array position]: the node of the BuildTree. Not written to any file.
   std::vector<std::uint32_t> build_nodes;
 
   /// A view into these arrays.
   BasicMeshWithLevels<Index, layout> view() const;
 };
 
-/// What an index type can hold.
+/// The limits of an index type.
 template <class Index>
 struct IndexLimits {
   static constexpr std::uint32_t kMost =
@@ -54,7 +54,7 @@ struct IndexLimits {
   static constexpr std::uint32_t kMostLeaves = kMost / 2 + 1;
 };
 
-/// Whether the tree and its mesh are within the limits of `Index`.
+/// True if the tree and its mesh are within the limits of `Index`.
 template <class Index>
 bool fits_index(const BuildTree& tree, const LatticeMesh& mesh) {
   std::uint32_t leaves = 0;
@@ -70,8 +70,8 @@ bool fits_index(const BuildTree& tree, const LatticeMesh& mesh) {
 template <class Index, Layout layout>
 BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh);
 
-/// Turns the corners of a leaf's triangles so that shared edges show: refits then take two
-/// triangles for the price of four vertices (is_quad).
+/// Rotates the corners of a leaf's triangles so that is_quad() finds shared edges: a refit then
+/// reads four vertices for two triangles.
 template <class Index, Layout layout>
 void show_quads(BakedTree<Index, layout>& baked);
 

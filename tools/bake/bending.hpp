@@ -1,4 +1,4 @@
-// What a mesh takes that bends (flashbvh/deformable.hpp).
+// The cost of a deformable mesh (flashbvh/deformable.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@ namespace flashbvh::bake {
 
 struct BendingCost {
   std::size_t ram_bytes;           ///< nodes and vertices
-  std::size_t refit_instructions;  ///< of all of it, on a Cortex-M4F at -O2, within 5 %
+  std::size_t refit_instructions;  ///< of a whole refit, on a Cortex-M4F at -O2, within 5 %
 };
 
-/// The instructions are those that tests/query/refit_cost_test.cpp holds to.
+/// tests/query/refit_cost_test.cpp checks the instructions.
 template <class Mesh>
 BendingCost bending_cost(const Mesh& mesh) {
   std::size_t refit = 12 * std::size_t{mesh.node_count};

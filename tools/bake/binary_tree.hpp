@@ -1,4 +1,4 @@
-// A binary tree with one triangle a leaf, in which subtrees can be moved.
+// A binary tree with one triangle per leaf, in which subtrees can be moved.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct BinaryNode {
   std::uint64_t surface = 0;  ///< half_surface(box)
   std::uint32_t parent = kNoNode;
   std::array<std::uint32_t, 2> children = {kNoNode, kNoNode};
-  std::uint32_t triangle = 0;  ///< of a leaf: its number in the source mesh
+  std::uint32_t triangle = 0;  ///< of a leaf: number in the source mesh
 
   bool is_leaf() const { return children[0] == kNoNode; }
 };
@@ -27,18 +27,18 @@ struct BinaryTree {
   std::vector<BinaryNode> nodes;
 };
 
-/// The surface area heuristic's cost (Goldsmith and Salmon 1987): the surfaces of all internal
-/// nodes. The sum of at most 2^32 numbers below 2^32.
+/// The surface area heuristic's cost (Goldsmith and Salmon 1987): the sum of the surfaces of all
+/// internal nodes, at most 2^32 numbers below 2^32.
 std::uint64_t cost_of(const BinaryTree& tree);
 
 /// The tree over the triangles of the mesh, at least one, by the surface area heuristic.
-/// O(n log n) to sort, then O(n) a level.
+/// O(n log n) to sort, then O(n) per level.
 BinaryTree sweep(const LatticeMesh& mesh);
 
-/// Moves subtrees to where they cost less. The cost never grows. Returns what it fell by.
+/// Moves subtrees to places where they cost less. Returns the decrease of the cost, never negative.
 std::uint64_t reinsert_all(BinaryTree& tree);
 
-/// The same tree with each largest subtree of up to `leaf_size` triangles made a leaf.
+/// The tree with each largest subtree of up to `leaf_size` triangles made a leaf.
 BuildTree with_leaves(const BinaryTree& tree, std::uint32_t leaf_size);
 
 }  // namespace flashbvh::bake

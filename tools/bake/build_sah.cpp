@@ -15,7 +15,7 @@ std::vector<std::uint32_t> top_down(const BinaryTree& tree) {
   return order;
 }
 
-/// Of each node.
+/// The number of triangles below each node.
 std::vector<std::uint32_t> triangle_counts(const BinaryTree& tree) {
   std::vector<std::uint32_t> counts(tree.nodes.size(), 1);
   const std::vector<std::uint32_t> order = top_down(tree);
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> triangle_counts(const BinaryTree& tree) {
   return counts;
 }
 
-/// Below a node, from its first child to its last.
+/// The triangles below a node, from its first child to its last.
 std::vector<std::uint32_t> triangles_below(const BinaryTree& tree, std::uint32_t node) {
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> pending = {node};
@@ -58,7 +58,7 @@ BuildTree with_leaves(const BinaryTree& tree, std::uint32_t leaf_size) {
   const std::vector<std::uint32_t> counts = triangle_counts(tree);
   BuildTree built;
   built.nodes.push_back({tree.nodes[0].box, {}, {}});
-  std::vector<std::uint32_t> source = {0};  // of each new node
+  std::vector<std::uint32_t> source = {0};  // node of `tree` for each new node
   for (std::uint32_t node = 0; node < built.nodes.size(); ++node) {
     if (counts[source[node]] <= leaf_size) {
       built.nodes[node].triangles = triangles_below(tree, source[node]);

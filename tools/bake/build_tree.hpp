@@ -23,29 +23,28 @@ struct BuildTree {
   std::vector<BuildNode> nodes;
 };
 
-/// The box of one triangle, and the smallest box round two.
+/// The box of a triangle, and the smallest box round two boxes.
 Box box_of(const LatticeMesh& mesh, std::uint32_t triangle);
 Box join(const Box& a, const Box& b);
 
-/// The paper's builder (section 9): top-down, half the triangles each side of the middle along the
-/// longest axis of the node's box, down to `leaf_size` triangles. Ordered by the sum of the
-/// corners, ties by number, so the result is the same on every machine. At least one triangle. O(n
-/// log^2 n).
+/// The paper's builder (section 9): top-down, half the triangles on each side of the middle along
+/// the longest axis of the node's box, down to `leaf_size` triangles. Ordered by the sum of the
+/// corners, ties by number: the result is the same on every machine. At least one triangle.
+/// O(n log^2 n).
 BuildTree build_median(const LatticeMesh& mesh, std::uint32_t leaf_size);
 
-/// By the surface area heuristic: the best of all splits along the three axes, then subtrees moved
-/// to where they cost less (sweep.cpp, reinsert.cpp). Subtrees of up to `leaf_size` triangles
-/// become leaves. In integers, ties by position and number, so the result is the same on every
-/// machine. At least one triangle. O(n log n) and O(n) a level.
+/// By the surface area heuristic: takes the best of all splits along the three axes, then moves
+/// subtrees to places where they cost less (sweep.cpp, reinsert.cpp). Subtrees of up to `leaf_size`
+/// triangles become leaves. In integers, ties by position and number: the result is the same on
+/// every machine. At least one triangle. O(n log n) and O(n) per level.
 BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size);
 
-/// The same leaves with up to `arity` children a node: each node takes in the internal child that
-/// is likeliest to overlap what the node overlaps, in place, again and again, while the children of
-/// that child fit and its test would seldom save theirs (collapse.cpp). 2 leaves a binary tree as
-/// it is.
+/// The tree with up to `arity` children per node and unchanged leaves. Each node repeatedly
+/// replaces the internal child with the highest chance of overlap by its children, while they fit
+/// and the child's test would seldom save theirs (collapse.cpp). 2 leaves a binary tree unchanged.
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
 
-/// What `flashbvh bake` builds without options.
+/// The default of `flashbvh bake`.
 constexpr std::uint32_t kDefaultLeafSize = 2;
 constexpr std::uint32_t kDefaultArity = 4;
 BuildTree build_default(const LatticeMesh& mesh, std::uint32_t leaf_size = kDefaultLeafSize);

@@ -1,10 +1,10 @@
-// Collapsing: a node whose test rarely rejects anything gives its place to its children (Gu, He and
+// Collapsing: replaces a node whose test rarely rejects anything by its children (Gu, He and
 // Blelloch 2015, "Ray specialized contraction on bounding volume hierarchies", for boxes).
 //
-// With a chance p that the child overlaps what the parent overlaps, testing the child costs 1 visit
-// and saves those of its k children in 1 - p of the cases. That would make 1/2 the limit for two
-// children; a little more measures better, since between two trees the child is also a place to
-// go on in the other tree.
+// Let p be the chance that a child overlaps an object that its parent overlaps. The child's test
+// costs 1 visit, and saves visits to its k children in 1 - p of the cases. The limit for two
+// children would be 1/2. A little more measures better: in a walk over two trees, the child is also
+// a node at which to descend the other tree.
 #include "bake/build_tree.hpp"
 #include "bake/measure.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 /// A child less likely to overlap is worth its test: 0.58.
 constexpr std::uint64_t kWorthTesting = kSurely * 58 / 100;
 
-/// The position of the internal child that is likeliest to overlap, if its children fit and it is
-/// not worth its test; -1 if there is none. The first of equals.
+/// The position of the internal child with the highest chance of overlap, if its children fit and
+/// it is not worth its test, or -1. Ties: the first one.
 std::ptrdiff_t child_to_take_in(const BuildTree& tree, const Box& parent,
                                 const std::vector<std::uint32_t>& children, std::uint32_t arity) {
   std::ptrdiff_t best = -1;
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> widened_children(const BuildTree& tree, std::uint32_t
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity) {
   BuildTree tree;
   tree.nodes.push_back(binary.nodes[0]);
-  std::vector<std::uint32_t> source = {0};  // of each new node
+  std::vector<std::uint32_t> source = {0};  // node of `binary` for each new node
   for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {
     const std::vector<std::uint32_t> children = widened_children(binary, source[node], arity);
     tree.nodes[node].children.clear();

@@ -22,7 +22,7 @@ std::uint64_t square_root(std::uint64_t square) {
   return root;
 }
 
-/// Of the leaf's triangles along a direction, in 1/256 of a cell; one cell at least.
+/// The extent of the leaf's triangles along a direction, in 1/256 cell; one cell at least.
 std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
                         const Point& direction) {
   std::int64_t least = INT64_MAX;
@@ -39,8 +39,8 @@ std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t
   return 256 + (static_cast<std::uint64_t>(most - least) << 16) / square_root(length << 16);
 }
 
-/// How much the slabs of this triangle let through: their thicknesses multiplied. One without area
-/// comes last.
+/// The cross-section of this triangle's two slabs, the product of their thicknesses: less rejects
+/// more. Largest for a triangle without area.
 std::uint64_t measure(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
                       std::uint32_t first) {
   const TriangleCorners& corners = mesh.triangles[first];

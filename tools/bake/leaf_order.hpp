@@ -1,4 +1,4 @@
-// Which triangle of a leaf comes first: the one whose slabs reject most
+// Chooses the first triangle of a leaf: the one whose slabs reject most
 // (lib/docs/design.md, section 6).
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace flashbvh::bake {
 
-/// A leaf's triangles, that one first and the others as they were. In integers, the first of
-/// equals, so the result is the same on every machine.
+/// A leaf's triangles, that one first and the others in their order. In integers, ties by order:
+/// the result is the same on every machine.
 std::vector<std::uint32_t> leaf_order(const LatticeMesh& mesh,
                                       std::vector<std::uint32_t> triangles);
 

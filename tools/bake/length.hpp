@@ -1,5 +1,5 @@
-// The length of a vector, rounded in one way: std::hypot of three differs between standard
-// libraries.
+// The length of a vector, rounded equally everywhere: std::hypot of three arguments differs between
+// standard libraries.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace flashbvh::bake {
 
-/// No square overflows or vanishes. 0 of a vector of zeros.
+/// No square overflows or vanishes. 0 for a vector of zeros.
 inline double length(double x, double y, double z) {
   const double most = std::max({std::fabs(x), std::fabs(y), std::fabs(z)});
   if (most == 0) {

@@ -1,7 +1,7 @@
-// Sizes of lattice boxes by which trees are built and ranked: integers, the same on every machine.
+// Sizes of lattice boxes for building and ranking trees: integers, the same on every machine.
 //
-// A box counts as the cells that it covers, its extent and one more along each axis: so flat and
-// thin boxes, and points, have a size too.
+// A box's size is the number of cells that it covers: its extent and one more along each axis. So
+// flat and thin boxes, and points, have a size, too.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ constexpr std::array<std::uint64_t, 3> cells_of(const Box& box) {
           static_cast<std::uint64_t>(box.upper.z - box.lower.z + 1)};
 }
 
-/// Of all three axes together; 3 to 2^17.
+/// The sum over all three axes; 3 to 2^17.
 constexpr std::uint64_t cells_sum(const Box& box) {
   const auto cells = cells_of(box);
   return cells[0] + cells[1] + cells[2];
@@ -30,16 +30,16 @@ constexpr std::uint64_t half_surface(const Box& box) {
   return cells[0] * cells[1] + cells[1] * cells[2] + cells[2] * cells[0];
 }
 
-/// The number of places in which a cube overlaps the box, times 27. `edges`: three of the cube's
-/// edges together, in cells, at most 2^17. Below 2^54.
+/// The number of places in which a cube overlaps the box, times 27. `edges`: the sum of three of
+/// the cube's edges, in cells, at most 2^17. Below 2^54.
 constexpr std::uint64_t places_of_overlap(const Box& box, std::uint64_t edges) {
   const auto cells = cells_of(box);
   return (3 * cells[0] + edges) * (3 * cells[1] + edges) * (3 * cells[2] + edges);
 }
 
-/// How likely what overlaps `parent` overlaps `child`, a box within it, as well; in parts of
-/// kSurely. All places are equally likely, and what overlaps is a cube of the parent's size, its
-/// edge the mean of the parent's: `ranked` pairs nodes of like size.
+/// The chance that an object that overlaps `parent` also overlaps `child`, a box within it; in
+/// parts of kSurely. The object is a cube, whose edge is the mean of the parent's since `ranked`
+/// pairs nodes of similar size. All places are equally likely.
 constexpr std::uint64_t kSurely = 512;
 constexpr std::uint64_t chance_of_overlap(const Box& parent, const Box& child) {
   const std::uint64_t edges = cells_sum(parent);

@@ -1,4 +1,4 @@
-// The meshes that baking passes through: as read, and on the lattice.
+// The meshes of baking: as read, and on the lattice.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ struct SourceMesh {
   std::vector<TriangleCorners> triangles;
 };
 
-/// Of a mesh's name in an image.
+/// The longest name of a mesh in an image, in bytes.
 constexpr std::size_t kMaxNameSize = 255;
 
-/// Rounded: vertex i lies at (origin + vertices[i]) * cell.
+/// A rounded mesh: vertex i lies at (origin + vertices[i]) * cell.
 struct LatticeMesh {
   double cell = 1;                         ///< in the mesh's unit
   std::array<std::int32_t, 3> origin{};    ///< in cells

@@ -26,9 +26,9 @@ Range range_of(const SourceMesh& mesh, std::size_t axis) {
   return range;
 }
 
-/// The nearest multiple of the cell, in cells; halves away from zero. Also what is a half but for
-/// the rounding of the coordinate, the cell and their quotient, half a unit in the last place each:
-/// a mesh in another unit is the same on its lattice.
+/// The nearest multiple of the cell, in cells; halves away from zero. The factor makes up for the
+/// rounding of the coordinate, the cell and their quotient, half a unit in the last place each: a
+/// mesh in another unit is the same on its lattice.
 double nearest(double coordinate, double cell) {
   return std::round(coordinate / cell * (1 + 0x1p-51));
 }
@@ -40,8 +40,8 @@ std::int32_t middle(const Range& range, double cell) {
   return static_cast<std::int32_t>(std::floor((low + high) / 2));
 }
 
-/// With which no axis of the mesh is over `width` cells wide or reaches further than `origin`,
-/// before rounding.
+/// The cell with which no axis of the mesh is over `width` cells wide or reaches further than
+/// `origin`, before rounding.
 double cell_of(const SourceMesh& mesh, double width, double origin) {
   double cell = std::numeric_limits<double>::min();
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -69,8 +69,8 @@ bool fits(const SourceMesh& mesh, double cell) {
 
 double finest_cell(const SourceMesh& mesh) {
   const double full = cell_of(mesh, kMaxWidth, kMaxOrigin);
-  // Where the ends of the mesh lie halfway between cells, rounding widens it by one; a slightly
-  // larger cell keeps them off the halves.
+  // If the ends of the mesh lie halfway between cells, rounding widens it by one cell; a slightly
+  // larger cell keeps the ends off the halves.
   for (const double cell : {full, full * (1 + 0x1p-48)}) {
     if (fits(mesh, cell)) {
       return cell;

@@ -1,13 +1,12 @@
 // Ranks: the order in which `ranked` descends.
 //
-// Which of two overlapping nodes a and b to descend first, if afterwards the other one follows?
-// With k children each, of which a part p goes on overlapping, a first takes k_a visits and then
-// k_b for each of the p_a k_a that are left. That is fewer than the other way round if
+// Two nodes a and b overlap: which one to descend first if the other one follows? Each has k
+// children, of which a part p still overlaps. Descending a first takes k_a visits, then k_b for
+// each of the p_a k_a pairs left. That is fewer than in the other order if
 //   1 - p_a + 1/k_a > 1 - p_b + 1/k_b.
 // To first order, 1 - p_a is the sum over the axes of how much shorter a's children are than a, in
-// parts of the extents of a and b together: of two nodes, a and b have the same denominator. So
-// each node's side is multiplied by its own extents, and becomes a length that any two nodes can
-// compare.
+// parts of the extents of a and b together: the denominator is the same for a and b. So each side
+// is multiplied by its node's own extents and becomes a length that all nodes can compare.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +16,8 @@
 
 namespace flashbvh::bake {
 
-/// What descending into an internal node gains, in cells, at most 1.5 * 2^17: its
-/// extents times (1 - p + 1/2k). Half of the theoretical second term measures better.
+/// The gain of descending an internal node, in cells, at most 1.5 * 2^17: its extents times
+/// (1 - p + 1/2k). Half of the theoretical second term measures better.
 inline std::uint32_t rank_measure(const BuildTree& tree, const BuildNode& node) {
   std::uint64_t chances = 0;
   for (const std::uint32_t child : node.children) {
@@ -29,7 +28,7 @@ inline std::uint32_t rank_measure(const BuildTree& tree, const BuildNode& node) 
   return static_cast<std::uint32_t>(cells_sum(node.box) * gain / (2 * kSurely * count));
 }
 
-/// A measure on a logarithmic scale of eight steps an octave: 1 (nothing) to 121. Monotone.
+/// A measure on a logarithmic scale of eight steps per octave: 1 (nothing) to 121. Monotone.
 /// Below 16 the measure itself; above, its four leading bits after eight for each octave.
 constexpr std::uint32_t rank_on_scale(std::uint32_t measure) {
   std::uint32_t shift = 0;
@@ -39,7 +38,7 @@ constexpr std::uint32_t rank_on_scale(std::uint32_t measure) {
   return 1 + shift * 8 + (measure >> shift);
 }
 
-/// Of an internal node, before baking clamps it to its parent's.
+/// The rank of an internal node, before baking clamps it to its parent's.
 inline std::uint32_t rank_of(const BuildTree& tree, const BuildNode& node) {
   return rank_on_scale(rank_measure(tree, node));
 }

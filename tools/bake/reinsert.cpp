@@ -1,13 +1,12 @@
-// Reinsertion: a subtree is taken out and put in again where it costs least (Bittner, Hapala and
-// Havran 2013, "Fast insertion-based optimization of bounding volume hierarchies"), each subtree in
-// turn, those of large surface first.
+// Reinsertion: removes a subtree and inserts it again where it costs least (Bittner, Hapala and
+// Havran 2013, "Fast insertion-based optimization of bounding volume hierarchies"). Takes each
+// subtree in turn, those of large surface first.
 //
-// What a place costs is the surface of the new parent there, and by how much all nodes above grow.
-// The second part, the growth, can only increase on the way down, and the first is at least the
-// subtree's own surface: so the search takes nodes in order of growth and ends when growth and own
-// surface are no less than the best cost. Invariant: the best cost starts as that of the subtree's
-// old place, so the tree's cost never grows, whenever the search is ended. Equal costs: the old
-// place, then the first one found, in order of growth, then of node.
+// A place costs the surface of the new parent there, and the growth of all nodes above. Growth can
+// only increase on the way down, and the new parent's surface is at least the subtree's. So the
+// search takes nodes in order of growth, and ends when growth and the subtree's surface reach the
+// best cost. Invariant: the best cost starts as the old place's, so the tree's cost never grows,
+// whenever the search ends. Ties: the old place, then the first one in order of growth and of node.
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -23,15 +22,15 @@ bool same(const Box& p, const Box& q) {
          p.upper.x == q.upper.x && p.upper.y == q.upper.y && p.upper.z == q.upper.z;
 }
 
-/// Places that a search looks at: as good as no limit in a surface. In a heap of triangles that all
-/// overlap each other, a full search would look at every node.
+/// Most places that a search visits: as good as no limit in a surface. In a heap of triangles that
+/// all overlap each other, a full search would visit every node.
 constexpr int kMostPlaces = 256;
 
 class Reinsertion {
  public:
   explicit Reinsertion(BinaryTree& tree) : nodes_(tree.nodes) {}
 
-  /// All subtrees once.
+  /// Reinserts all subtrees once.
   void pass() {
     std::vector<std::uint32_t> order(nodes_.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -49,7 +48,7 @@ class Reinsertion {
  private:
   struct Place {
     std::uint64_t growth;  ///< of all nodes above
-    std::uint32_t node;    ///< whose sibling the subtree would become
+    std::uint32_t node;    ///< sibling that the subtree would get
 
     bool operator>(const Place& other) const {
       return growth != other.growth ? growth > other.growth : node > other.node;
@@ -75,7 +74,7 @@ class Reinsertion {
     nodes_[by].parent = parent;
   }
 
-  /// False if the box was tight.
+  /// Tightens a box. False if it was tight.
   bool tighten(std::uint32_t node) {
     BinaryNode& at = nodes_[node];
     const Box box = join(nodes_[at.children[0]].box, nodes_[at.children[1]].box);
@@ -87,7 +86,7 @@ class Reinsertion {
     return true;
   }
 
-  /// From a node up whose children have changed.
+  /// Refits upwards from a node whose children have changed.
   void refit(std::uint32_t node) {
     while (node != kNoNode && tighten(node)) {
       node = nodes_[node].parent;
@@ -98,7 +97,7 @@ class Reinsertion {
     return half_surface(join(nodes_[place].box, subtree.box));
   }
 
-  /// What putting the subtree next to `place` costs, from the place up.
+  /// The cost of putting the subtree next to `place`, from the place up.
   std::uint64_t cost_at(std::uint32_t place, const BinaryNode& subtree) const {
     std::uint64_t cost = surface_with(place, subtree);
     for (std::uint32_t at = nodes_[place].parent; at != kNoNode; at = nodes_[at].parent) {

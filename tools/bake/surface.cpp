@@ -14,7 +14,7 @@ std::uint64_t squared_length(const Vertex& p, const Vertex& q) {
   return square(p.x - q.x) + square(p.y - q.y) + square(p.z - q.z);
 }
 
-/// Rounded up.
+/// The square root, rounded up.
 std::uint16_t root_of(std::uint64_t squared) {
   std::uint64_t root = 0;
   while (root * root < squared) {
@@ -23,7 +23,7 @@ std::uint16_t root_of(std::uint64_t squared) {
   return static_cast<std::uint16_t>(root);
 }
 
-/// Groups of vertices that triangles join; each is known by its first vertex.
+/// Sets of vertices that triangles connect; each is represented by its first vertex.
 class Shells {
  public:
   explicit Shells(std::size_t vertex_count) : above_(vertex_count) {
@@ -50,7 +50,7 @@ class Shells {
 }  // namespace
 
 bool is_closed(const std::vector<TriangleCorners>& triangles) {
-  std::map<std::array<std::uint32_t, 2>, std::int64_t> runs;  // of an edge, less those back
+  std::map<std::array<std::uint32_t, 2>, std::int64_t> runs;  // forward less backward, by edge
   for (const TriangleCorners& corners : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t u = corners[i];

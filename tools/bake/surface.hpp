@@ -1,4 +1,4 @@
-// What a mesh's surface is made of.
+// Properties of a mesh's surface.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ struct Surface {
   bool is_closed = false;
 };
 
-/// Whether each edge is run along as often in either direction. O(n log n).
+/// True if triangles run along each edge equally often in both directions. O(n log n).
 bool is_closed(const std::vector<TriangleCorners>& triangles);
 
-/// Of each vertex, the first one that triangles join it to.
+/// For each vertex, the first one that triangles connect it to.
 std::vector<std::uint32_t> shells_of(const std::vector<TriangleCorners>& triangles,
                                      std::size_t vertex_count);
 

@@ -1,11 +1,11 @@
-// The surface area heuristic, top-down: of all ways to split a node's triangles, sorted by the
-// centres of their boxes along any of the three axes, the one of least
+// The surface area heuristic, top-down. A node's triangles are sorted by the centres of their boxes
+// along each of the three axes. Of all splits, it takes the one with the least
 //   surface(left) * triangles(left) + surface(right) * triangles(right)
-// is taken (MacDonald and Booth 1990; the sweep over presorted lists: Wald and Havran 2006).
+// (MacDonald and Booth 1990; the sweep over presorted lists: Wald and Havran 2006).
 //
-// Invariant: the triangles of each pending node are the same range of all three lists, in each
-// sorted by centre, ties by number. Splits of equal cost: the one nearest to the middle, then the
-// first axis, then the first position; so triangles that nothing tells apart are halved.
+// Invariant: the triangles of a pending node are the same range of all three lists, each sorted by
+// centre, ties by number. Splits of equal cost: the one nearest to the middle, then the first axis,
+// then the first position; so indistinguishable triangles are halved.
 #include <algorithm>
 #include <numeric>
 
@@ -28,10 +28,10 @@ struct NodeRange {
   std::uint32_t end;
 };
 
-/// The triangles before position `at` of one list against the rest.
+/// A split of one list before position `at`.
 struct Split {
   std::uint64_t cost;
-  std::uint32_t unbalance;  ///< how many triangles more one side has
+  std::uint32_t unbalance;  ///< difference of the sides' numbers of triangles
   std::size_t axis;
   std::uint32_t at;
 
@@ -83,7 +83,7 @@ class Sweep {
   }
 
  private:
-  /// The range with a node of its own.
+  /// Adds a node for the range.
   NodeRange added(NodeRange range, std::uint32_t parent) {
     range.node = static_cast<std::uint32_t>(tree_.nodes.size());
     BinaryNode node;
@@ -126,7 +126,7 @@ class Sweep {
     return best;
   }
 
-  /// Brings the left side to the front of all three lists; each side keeps its order.
+  /// Moves the left side to the front of all three lists; each side keeps its order.
   void partition(const NodeRange& range, const Split& split) {
     for (std::uint32_t at = range.first; at < range.end; ++at) {
       is_right_[lists_[split.axis][at]] = at >= split.at ? 1 : 0;
@@ -149,8 +149,8 @@ class Sweep {
   BinaryTree tree_;
   std::vector<Box> boxes_;                           ///< of the triangles
   std::array<std::vector<std::uint32_t>, 3> lists_;  ///< triangles, by axis
-  std::vector<std::uint64_t> after_;  ///< by position: the cost of it and all after it
-  std::vector<char> is_right_;        ///< by triangle
+  std::vector<std::uint64_t> after_;                 ///< [position]: cost of it and all after it
+  std::vector<char> is_right_;                       ///< by triangle
   std::vector<std::uint32_t> scratch_;
 };
 

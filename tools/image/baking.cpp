@@ -14,7 +14,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// The cell with which no vertex moves further than `deviation`: half the diagonal of a cell.
+/// The largest cell that moves no vertex further than `deviation`: half the diagonal of a cell.
 double sure_cell(double deviation) {
   return deviation * 2 / std::sqrt(3.0);
 }
@@ -47,8 +47,8 @@ void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
                       : "; the mesh is too large for so fine a cell: cut it in parts");
 }
 
-/// Leaves out what the options say, and vertices that nothing uses any more. Returns the source's
-/// numbers of the triangles that stay.
+/// Removes triangles as the options say, and unused vertices. Returns the source's numbers of the
+/// triangles that stay.
 TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const BakeOptions& options) {
   std::vector<bool> dropped(mesh.triangles.size(), false);
   const auto mark = [&](const TriangleIds& triangles, bool wanted) {
@@ -85,7 +85,7 @@ TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const Bake
 
 constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
 
-/// UserError if something of the mesh or its tree is over the limit of 16-bit indices.
+/// UserError if the mesh or its tree exceeds 16-bit indices.
 void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
                    const bake::BuildTree& tree, const TriangleIds& kept, bool offers_wide) {
   const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
@@ -110,14 +110,14 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
   }
 }
 
-/// About a 500th of the mesh, to one digit: hardly seen, and a large mesh becomes a small one.
+/// About a 500th of the mesh, to one digit: hardly visible, and makes a large mesh small.
 double offered_length(const bake::SourceMesh& mesh) {
   const double length = bake::finest_cell(mesh) * 128;
   const double power = std::pow(10, std::floor(std::log10(length)));
   return std::floor(length / power) * power;
 }
 
-/// Gives the triangles the numbers that they have in the file.
+/// Gives the triangles their numbers in the file.
 template <class Index, Layout layout>
 void renumber(bake::BakedTree<Index, layout>& baked, const TriangleIds& kept) {
   for (Index& source : baked.triangle_ids) {

@@ -23,7 +23,7 @@ std::string version_guard(const OutputName& name) {
          "; bake it again with this version\"\n#endif\n";
 }
 
-/// "{...}", as many words a line as fit 100 columns.
+/// "{...}", with as many words per line as fit 100 columns.
 std::string words_of(const std::vector<std::uint32_t>& image) {
   constexpr std::size_t kWordsPerLine = 7;
   std::string text = "{";
@@ -33,13 +33,13 @@ std::string words_of(const std::vector<std::uint32_t>& image) {
   return text + "\n}";
 }
 
-/// As firmware works it out from an image's cell; 0 if no finite float is near.
+/// Computed as in firmware from an image's cell; 0 if no finite float is near.
 std::string cells_per_unit_literal(double cell) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &cell, sizeof bits);
   return float_literal(cells_per_unit(bits));
 }
-
+/// The macro for bounds of queries.
 /// For bounds.
 std::string tree_size(const std::string& word) {
   std::string text = "/** A flashbvh_tree_size. */\n#define " + word + "_TREE_SIZE \\\n  {";
@@ -83,7 +83,7 @@ std::string cell_macros(const std::string& word, double cell, const std::string&
 
 namespace {
 
-/// Twice: what firmware adds to a distance is in 1/256 cell, rounded up.
+/// In the unit, and in 1/256 cell, rounded up, as firmware adds it to a distance.
 std::string deviation_macros(const std::string& word, double deviation, double cell,
                              const std::string& unit) {
   return concat("#define ", word, "_DEVIATION ", floating_literal(deviation), " /* in ",

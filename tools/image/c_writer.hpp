@@ -1,5 +1,5 @@
-// A baked image as source: a constant array of words, and in a header what is known of it when
-// firmware is compiled. Both are C99 and C++: the same text for the same image, on every machine.
+// A baked image as source: a constant array of words, and a header of constants for firmware's
+// compiler. Both are C99 and C++; an image has the same text on every machine.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,8 @@ struct SourceFiles {
   std::string source;  ///< NAME.fbvh.c
 };
 
-/// `unit`: the name of the unit of length; empty if it is not known. All names in the text begin
-/// with the mesh's; no two of them are equal for two meshes, since none ends in '_' and the rest of
-/// another.
+/// `unit`: the name of the unit of length; empty if unknown. All names in the text begin with the
+/// mesh's. Names of two meshes never coincide, since none ends in '_' and the rest of another.
 SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName& name,
                       const std::string& unit);
 
@@ -32,12 +31,12 @@ struct Count {
 };
 std::string count_macros(const std::string& word, const std::vector<Count>& counts);
 
-/// Two macros. `unit`: as above.
+/// Two macros. `unit`: as for mesh_in_c().
 std::string cell_macros(const std::string& word, double cell, const std::string& unit);
 
-/// What stands around a text about an image.
+/// The frame of a text about an image.
 struct SourceFrame {
-  const char* command;    ///< that writes it
+  const char* command;    ///< the command that writes it
   std::string extension;  ///< of the image, as in ".fbvh"
   std::string array;      ///< its name
   std::string array_comment;

@@ -72,7 +72,7 @@ ImageFile::ImageFile(const std::string& path) : ImageFile(path, read_file(path))
 ImageFile::ImageFile(const std::string& path, const std::string& bytes)
     : path_(path), words_((bytes.size() + 3) / 4) {
   std::memcpy(words_.data(), bytes.data(), bytes.size());
-  // Only for what messages say: the library judges.
+  // Only for messages: the library validates.
   std::memcpy(&header_, bytes.data(), std::min(bytes.size(), sizeof header_));
   ImageHeader header{};
   Status status = read_image_header(words_.data(), bytes.size(), header);

@@ -1,4 +1,4 @@
-// Reading binary images.
+// Reads binary images.
 #pragma once
 
 #include <array>
@@ -13,17 +13,17 @@
 
 namespace flashbvh::tool {
 
-/// Whatever the layout and the width of the indices.
+/// A mesh of any layout and width of indices.
 using AnyTree =
     std::variant<PreMeshWithLevels, MeshWithLevels, PreMeshWithLevels32, MeshWithLevels32>;
 
-/// Of open_levelled().
+/// The arrays of open_levelled().
 using LevelArrays = std::variant<std::vector<std::uint16_t>, std::vector<std::uint32_t>>;
 
-/// An image in memory, opened and found good by the library.
+/// An image in memory, opened and validated by the library.
 class ImageFile {
  public:
-  /// UserError if the file can't be read or is no good image.
+  /// UserError if the file can't be read or is no valid image.
   explicit ImageFile(const std::string& path);
   /// Opens the bytes of a file; `path` is its name for messages.
   ImageFile(const std::string& path, const std::string& bytes);
@@ -34,16 +34,16 @@ class ImageFile {
   /// The file's name without folder and extension.
   std::string name() const;
   const ImageHeader& header() const { return header_; }
-  /// header().byte_count of them.
+  /// header().byte_count bytes.
   const char* bytes() const { return reinterpret_cast<const char*>(words_.data()); }
-  /// A view into the object; it has the levels, whether the image has or not.
+  /// A view into the object. It has levels even if the image has none.
   const AnyTree& tree() const { return tree_; }
 
   Layout layout() const { return static_cast<Layout>(header_.layout); }
-  double cell() const;       ///< in the unit
+  double cell() const;       ///< in the mesh's unit
   double deviation() const;  ///< in the mesh's unit
   Unit unit() const { return static_cast<Unit>(header_.unit); }
-  /// Of the mesh, as it was baked.
+  /// The mesh's name when it was baked.
   std::string source() const;
 
  private:
@@ -70,7 +70,7 @@ std::vector<SourceTriangle> source_triangles(const ImageFile& image);
 /// The image's vertices and these triangles of it, in cells from its own origin.
 bake::LatticeMesh mesh_of(const ImageFile& image, const std::vector<SourceTriangle>& triangles);
 
-/// In the order of the image.
+/// The vertices in the order of the image.
 std::vector<LatticePoint> vertices_of(const AnyTree& any);
 
 /// "pre" or "post".

@@ -18,7 +18,7 @@ bool is_word(char c) {
   return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// For compilers: a '_' before another one or before a capital.
+/// Reserved for compilers: a '_' before another one or before a capital.
 bool is_reserved(const std::string& word) {
   return word.size() > 1 && word[0] == '_' &&
          (word[1] == '_' || (word[1] >= 'A' && word[1] <= 'Z'));

@@ -1,4 +1,4 @@
-// How the files of a baked mesh are called, and the names in them.
+// The names of a baked mesh's files, and of identifiers in them.
 #pragma once
 
 #include <map>
@@ -14,28 +14,28 @@ struct OutputName {
   std::string word;  ///< the stem as an identifier, with which all names in the files begin
 };
 
-/// After the mesh file, or after `chosen` if that is not empty: "meshes/base link.STL" gives the
-/// stem "base link" and the word base_link. UserError if `chosen` is no word.
+/// Names the output after the mesh file, or after `chosen` if that is not empty: "meshes/base
+/// link.STL" gives the stem "base link" and the word base_link. UserError if `chosen` is no word.
 OutputName output_name(const std::string& mesh_path, const std::string& chosen);
 
-/// The names of one call's outputs so far: no two may differ in case alone, since some file systems
-/// ignore it.
+/// The names of one call's outputs so far. No two may differ in case alone, since some file systems
+/// ignore case.
 class TakenOutputs {
  public:
   /// UserError, naming `mesh` and ending with the `fix`, if the name is taken.
   void add(const OutputName& name, const std::string& mesh, const char* fix);
 
  private:
-  std::map<std::string, std::string> words_;  ///< by their small letters
-  std::map<std::string, std::string> stems_;  ///< the same
+  std::map<std::string, std::string> words_;  ///< by lower-case name
+  std::map<std::string, std::string> stems_;  ///< by lower-case name
 };
 
-/// Of the bodies of a mesh file: words, by their names there, after the mesh file where a
-/// body has no name, numbered from 2 on where they are equal but for their case.
+/// Words for the bodies of a mesh file: their names there, or the mesh file's for a body without a
+/// name. Numbered from 2 on if they are equal but for their case.
 std::vector<OutputName> body_names(const std::string& mesh_path,
                                    const std::vector<InputMesh>& bodies);
 
-/// Of any names, in the same way: none of them may be empty.
+/// Like body_names(), for any names; none of them may be empty.
 std::vector<OutputName> distinct_names(const std::vector<std::string>& names);
 
 }  // namespace flashbvh::tool

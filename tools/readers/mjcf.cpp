@@ -1,7 +1,7 @@
-// flashbvh_read_mjcf FILE: a robot of MuJoCo's form, MJCF, as MuJoCo compiles it.
+// flashbvh_read_mjcf FILE: reads a robot in MuJoCo's form, MJCF, as MuJoCo compiles it.
 //
-// A body is a link, its joints one after the other a chain of links without shapes. Of a mesh it
-// has the vertices as MuJoCo stores them: moved to the middle of the mesh, as floats.
+// A body becomes a link; further joints of a body become a chain of links without shapes. A mesh
+// has the vertices that MuJoCo stores: moved to the middle of the mesh, as floats.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 std::string path_of_model;  ///< for mju_error(), which ends the program
 
-/// The first number of an element of `width` numbers.
+/// The first number of an element in a table with `width` numbers per element.
 template <class Number>
 const Number* row(const Number* table, int width, int element) {
   return table + std::ptrdiff_t{width} * element;
@@ -52,7 +52,7 @@ class MjcfReader {
     }
     UrdfLink left_out;
     if (!has_world()) {
-      add_shapes(0, left_out);  // for what they are warned of
+      add_shapes(0, left_out);  // for its warnings
     }
     for (int body = has_world() ? 0 : 1; body < m_.nbody; ++body) {
       add_body(body);
@@ -104,7 +104,7 @@ class MjcfReader {
     return std::any_of(m_.geom_type + first, m_.geom_type + first + m_.body_geomnum[body], counts);
   }
 
-  /// Not if nothing is fixed to it but one body that floats or lies in its frame.
+  /// False if the world has no shape and a single body, which floats or lies in the world's frame.
   bool has_world() {
     const auto children = std::count(m_.body_parentid + 1, m_.body_parentid + m_.nbody, 0);
     const Transform at = m_.nbody > 1 ? frame_of(m_.body_pos + 3, m_.body_quat + 4) : Transform();
@@ -146,7 +146,7 @@ class MjcfReader {
     }
   }
 
-  /// MuJoCo counts a joint's value from `ref`, where the file draws the body.
+  /// MuJoCo counts a joint's value from `ref`, at which the file draws the body.
   void add_joint(int joint, std::size_t parent, std::size_t child, const Transform& origin) {
     const double ref = m_.qpos0[m_.jnt_qposadr[joint]];
     const bool slides = m_.jnt_type[joint] == mjJNT_SLIDE;
@@ -166,7 +166,7 @@ class MjcfReader {
     set_mimic(joint, made);
   }
 
-  /// About the joint's axis through its anchor.
+  /// A turn about the joint's axis through its anchor.
   Transform turned_about(int joint, double angle) const {
     if (angle == 0) {
       return {};
@@ -268,7 +268,7 @@ class MjcfReader {
                                               static_cast<std::uint32_t>(face[1]),
                                               static_cast<std::uint32_t>(face[2])});
     }
-    // As read, scaled, moved and stored: each a float's rounding.
+    // A float's rounding each for reading, scaling, moving and storing.
     const mjtNum* const at = row(m_.geom_pos, 3, geom);
     geometry.precision = 0x1p-22 * (farthest + std::hypot(at[0], at[1], at[2]));
   }
@@ -295,11 +295,11 @@ class MjcfReader {
   const MjcfDocument& document_;
   std::vector<std::size_t> links_;  ///< of each body
   std::set<int> paired_;            ///< geoms that collide by a <pair>
-  int floating_ = -1;               ///< joint
+  int floating_ = -1;               ///< joint, or -1
   ReadRobot made_;
 };
 
-constexpr const char* kName = "model.xml";  ///< in memory
+constexpr const char* kName = "model.xml";  ///< of the file in memory
 
 ReadRobot read_mjcf(const std::string& path) {
   path_of_model = path;
@@ -317,7 +317,7 @@ ReadRobot read_mjcf(const std::string& path) {
   const mjModel* const model =
       mj_loadXML(kName, files.get(), error.data(), static_cast<int>(error.size()));
   std::string message = one_line(error.data());
-  message = message.substr(0, message.find(", line "));  // of the trimmed text
+  message = message.substr(0, message.find(", line "));  // a line of the trimmed text
   if (model == nullptr) {
     throw UserError(path, "is no sound MJCF: ", message, "; correct what it names");
   }

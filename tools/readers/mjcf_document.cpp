@@ -12,8 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// Of these each attribute but those named is dropped. Elements that are in none of both lists stay
-/// as they are.
+/// The attributes that elements keep; all others are dropped. Elements in neither list stay
+/// unchanged.
 const std::map<std::string, Names> kKept = {
     {"body",
      {"name", "childclass", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "mocap"}},
@@ -62,7 +62,7 @@ class Trimmer {
     for (const auto& [name, file] : made_.mesh_files) {
       add_file(folder_ / mesh_folder_ / file);
     }
-    // In front, so that the file's own overrule it.
+    // In front, so that the file's own ones override it.
     TiXmlNode* const first = root.FirstChild();
     (void)(first == nullptr ? root.InsertEndChild(compiler())
                             : root.InsertBeforeChild(first, compiler()));
@@ -73,7 +73,7 @@ class Trimmer {
   }
 
  private:
-  /// Limits as newer MuJoCo has them; masses, which are nothing to shapes, must not be refused.
+  /// Sets limits as in newer MuJoCo, and accepts all masses, which do not matter to shapes.
   TiXmlElement compiler() const {
     TiXmlElement compiler("compiler");
     for (const char* const name : {"autolimits", "balanceinertia"}) {
@@ -121,7 +121,7 @@ class Trimmer {
     }
   }
 
-  /// Puts what the file has in place of `included`, an element of `parent`.
+  /// Replaces `included`, an element of `parent`, by the contents of its file.
   void include(TiXmlElement& included, TiXmlElement& parent) {
     const std::string path = (folder_ / attribute(&included, "file")).string();
     if (!seen_.insert(path).second) {

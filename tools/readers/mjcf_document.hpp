@@ -1,5 +1,5 @@
-// An MJCF without all that is nothing to a robot's shapes and joints. So files for newer MuJoCo are
-// read, too, whose actuators and materials Debian's does not know.
+// An MJCF reduced to a robot's shapes and joints. So files for newer MuJoCo can be read, too, whose
+// actuators and materials Debian's MuJoCo does not know.
 #pragma once
 
 #include <map>
@@ -10,9 +10,9 @@
 namespace flashbvh::tool {
 
 struct MjcfDocument {
-  std::string text;                               ///< includes in place
-  std::vector<std::string> files;                 ///< includes and meshes that are there
-  std::map<std::string, std::string> mesh_files;  ///< as the MJCF says, by the mesh's name
+  std::string text;                               ///< with includes inserted
+  std::vector<std::string> files;                 ///< includes and meshes that exist
+  std::map<std::string, std::string> mesh_files;  ///< as in the MJCF, by the mesh's name
   std::set<std::string> dropped;                  ///< names of elements left out
 };
 

@@ -1,7 +1,7 @@
-// flashbvh_read_sdf FILE: a robot of Gazebo's form, SDF, as libsdformat reads it.
+// flashbvh_read_sdf FILE: reads a robot in Gazebo's form, SDF, with libsdformat.
 //
-// Links of nested models count as the model's own, by the names that SDF gives them there, as
-// arm::hand. Poses, which SDF lets be relative to any frame, are taken from links in the model's.
+// Links of nested models become the model's own, by SDF's names for them, such as arm::hand. SDF's
+// poses may be relative to any frame; the reader converts links' poses to the model's frame.
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -71,7 +71,7 @@ class SdfReader {
     return *root.WorldByIndex(0)->ModelByIndex(0);
   }
 
-  /// `frame`: of the model, in that of the outermost one.
+  /// `frame`: the model's in the outermost model's.
   void add_links(const sdf::Model& model, const std::string& scope, const Transform& frame) {
     if (model.Element() != nullptr) {
       add_file(model.Element()->FilePath());
@@ -252,7 +252,7 @@ class SdfReader {
     }
   }
 
-  /// The link that hangs on no joint.
+  /// The link that is no joint's child.
   std::size_t root_link() const {
     std::set<std::size_t> roots;
     for (std::size_t i = 0; i < made_.robot.links.size(); ++i) {
@@ -277,7 +277,7 @@ class SdfReader {
   ReadRobot made_;
 };
 
-/// libsdformat says of these that it is unable to read the file.
+/// Checks for faults at which libsdformat only reports that it can't read the file.
 void check_xml(const std::string& path) {
   TiXmlDocument document;
   read_xml(path, "sdf", document);
