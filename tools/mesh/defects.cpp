@@ -10,7 +10,7 @@ namespace {
 
 using bake::TriangleCorners;
 
-/// Whether a * b == c * d, exactly: the products as sums of two numbers.
+/// True if a * b == c * d, exactly: compares each product as a sum of two numbers.
 bool equal_products(double a, double b, double c, double d) {
   const double left = a * b;
   const double right = c * d;
@@ -49,7 +49,7 @@ TriangleIds without_area(const Mesh& mesh) {
   return found;
 }
 
-/// Ordered by `first`, then by `second`: one comparison.
+/// Orders by `first`, then by `second`, in one comparison.
 std::uint64_t key_of(std::uint32_t first, std::uint32_t second) {
   return std::uint64_t{first} << 32 | second;
 }
@@ -97,7 +97,7 @@ TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh) {
 }
 
 TriangleIds duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
-  // Two corners; the third and the triangle.
+  // Two corners; the third one and the triangle.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> sorted;
   sorted.reserve(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -149,8 +149,8 @@ EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
 }
 
 bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates) {
-  // Six times the volume: tetrahedra with an apex at the lattice's zero, each below 2^45. The sums
-  // may wrap, the whole fits unless the surface is wound round the same cells 2^15 times.
+  // Six times the volume: sums tetrahedra with an apex at the lattice's zero, each below 2^45. Sums
+  // may wrap; the total fits unless the surface winds round the same cells 2^15 times.
   std::uint64_t volume = 0;
   auto duplicate = duplicates.begin();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

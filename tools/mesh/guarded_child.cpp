@@ -1,5 +1,5 @@
-// POSIX; that memory is limited takes Linux's /proc. A platform without processes replaces this
-// file by one that calls the reader.
+// Needs POSIX, and Linux's /proc to limit memory. A platform without processes replaces this file
+// by one that calls the reader.
 #include "mesh/guarded_child.hpp"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Of the child. A crash ends it at once, without a core; so does the end of its parent.
+/// The child's limits. It ends at once, without a core dump, if it crashes or its parent ends.
 void set_limits(std::uint64_t cpu_seconds) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit cpu = {cpu_seconds, cpu_seconds + 1};
@@ -32,7 +32,7 @@ void set_limits(std::uint64_t cpu_seconds) {
   }
 }
 
-/// The child's whole life: the parent's buffered output and exit handlers are not its own.
+/// Runs the child to its end, without the parent's buffered output and exit handlers.
 [[noreturn]] void live(const std::function<void(int to)>& work, std::uint64_t cpu_seconds, int to) {
   set_limits(cpu_seconds);
   const int nowhere = open("/dev/null", O_WRONLY);
@@ -42,7 +42,7 @@ void set_limits(std::uint64_t cpu_seconds) {
   _exit(0);
 }
 
-/// 0 where that cannot be known.
+/// 0 if unknown.
 std::uint64_t resident_bytes(pid_t process) {
   std::ifstream statm(concat("/proc/", process, "/statm"));
   std::uint64_t all = 0;
@@ -51,7 +51,7 @@ std::uint64_t resident_bytes(pid_t process) {
   return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// The reader's process, seen from its parent.
+/// The reader's process, as its parent handles it.
 class Child {
  public:
   Child(const std::function<void(int to)>& work, const std::string& file,
@@ -79,7 +79,7 @@ class Child {
     close(from_);
   }
 
-  /// What it sent before it ended. UserError unless it ended well.
+  /// The bytes that the child sends. UserError unless it ends with exit code 0.
   std::string result() {
     if (process_ < 0) {
       refuse("no process can be started");
@@ -110,9 +110,9 @@ class Child {
     throw UserError(file_, "can't be read: ", what..., fix_);
   }
 
-  static constexpr int kMilliseconds = 10;  ///< between two looks at the memory
+  static constexpr int kMilliseconds = 10;  ///< between two checks of memory
 
-  /// Appends what came within a while, if anything. False at the end.
+  /// Appends bytes that arrive within kMilliseconds, if any. False at the end.
   bool receive(std::string& bytes) const {
     pollfd waited = {from_, POLLIN, 0};
     if (poll(&waited, 1, kMilliseconds) <= 0) {
@@ -135,7 +135,7 @@ class Child {
   const std::string file_;
   const char* const fix_;
   const ImportLimits limits_;
-  const std::uint64_t shared_bytes_;  ///< the parent's, which the child has, too, from the start
+  const std::uint64_t shared_bytes_;  ///< the parent's, which the child shares at its start
   int from_ = -1;
   pid_t process_ = -1;
 };

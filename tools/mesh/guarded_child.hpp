@@ -1,4 +1,4 @@
-// Work that may crash, grow or never end, done apart from the program.
+// Runs work that may crash, grow or never end in a separate process.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace flashbvh::tool {
 
-/// What a reader may use.
+/// The limits of a reader.
 struct ImportLimits {
   std::uint64_t bytes;        ///< of resident memory
   std::uint64_t cpu_seconds;  ///< of processor time
@@ -21,12 +21,12 @@ constexpr ImportLimits limits_of_file(std::uint64_t file_bytes) {
 }
 
 /// Runs `work` in a child process and returns the bytes that it writes to the file descriptor `to`.
-/// UserError, naming `file` and ending in `fix`, if it crashes, ends with an exit code but 0,
-/// writes nothing, or exceeds a limit. The child's output is discarded.
+/// UserError, naming `file` and ending in `fix`, if it crashes, ends with an exit code other than
+/// 0, writes nothing, or exceeds a limit. Discards the child's output.
 std::string guarded_bytes(const std::function<void(int to)>& work, const std::string& file,
                           const ImportLimits& limits, const char* fix);
 
-/// Writes all the bytes. Ends the process with 1 if that fails.
+/// Writes all bytes. Ends the process with exit code 1 on failure.
 void send(std::string_view bytes, int to);
 
 }  // namespace flashbvh::tool

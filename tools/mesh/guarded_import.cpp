@@ -45,7 +45,7 @@ void append(std::string& bytes, const std::vector<std::string>& texts) {
   }
 }
 
-/// Takes what append() put there, front to back.
+/// Reads the values that append() wrote, front to back.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}

@@ -1,6 +1,6 @@
-// A reader that may crash, grow or never end, run apart from the program.
+// Runs a reader that may crash, grow or never end in a separate process.
 //
-// A mesh of a file as bytes, to pass it from one process of this program to another.
+// A file's mesh passes from one process of this program to another as bytes.
 #pragma once
 
 #include <functional>
@@ -14,13 +14,13 @@
 namespace flashbvh::tool {
 
 /// Runs `read` in a child process and returns its result. UserError, naming `file`, if `read`
-/// throws one, crashes, ends the process, or exceeds a limit. The child's output is discarded.
+/// throws one, crashes, ends the process, or exceeds a limit. Discards the child's output.
 FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string& file,
                         const ImportLimits& limits);
 
 std::string bytes_of(const FileMesh& mesh);
 
-/// Nothing if the bytes are not those of a mesh: a size, an index or a coordinate is wrong.
+/// None if the bytes are no mesh: a size, an index or a coordinate is wrong.
 std::optional<FileMesh> mesh_of_bytes(std::string_view bytes);
 
 }  // namespace flashbvh::tool

@@ -24,7 +24,7 @@ constexpr std::array<Format, 8> kFormats = {{{"stl", read_stl},
                                              {"glb", read_with_assimp},
                                              {"3mf", read_with_assimp}}};
 
-/// What isn't read, and what to do about it.
+/// A format that is not read, and the remedy.
 struct Refusal {
   std::string_view extension;
   const char* what;
@@ -41,7 +41,7 @@ constexpr std::array<Refusal, 22> kRefusals = {
      {"3dm", kSolid},     {"scad", kSolid},   {"urdf", kRobot},  {"xacro", kRobot},
      {"sdf", kRobot},     {"srdf", kRobot}}};
 
-/// Other meshes and scenes, which are not read: named as a mesh they are refused as one.
+/// Other formats of meshes and scenes that are not read: their names are refused as meshes.
 constexpr std::array<std::string_view, 12> kUnread = {
     "blend", "fbx", "3ds", "wrl", "x3d", "amf", "usd", "usda", "usdc", "usdz", "dxf", "lwo"};
 
@@ -50,7 +50,7 @@ std::string lower_extension(const std::string& path) {
   return extension.empty() ? extension : extension.substr(1);
 }
 
-/// Null if there is none of that extension.
+/// Null if no entry has this extension.
 template <class Table>
 const typename Table::value_type* find(const Table& table, const std::string& extension) {
   const auto found = std::find_if(table.begin(), table.end(),

@@ -1,4 +1,4 @@
-// In place of guarded_import.cpp where there are no processes: the reader runs in this one. A crash
+// Replaces guarded_import.cpp where there are no processes: runs the reader in this one. A crash
 // ends the program, with a message and the exit code of a file that can't be read.
 #include <csignal>
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kFix = "; export the mesh again, or as STL or PLY";
 
-std::string crash;  // what to say of one
+std::string crash;  // the message on a crash
 
 [[noreturn]] void end_by_crash(int) {
   std::fputs(crash.c_str(), stderr);

@@ -71,7 +71,7 @@ std::uint32_t MeshBuilder::vertex_of(FilePoint& point) {
 }
 
 void MeshBuilder::add(const bake::TriangleCorners& triangle) {
-  // So that the vertices, at most three of each, have numbers too.
+  // Keeps the vertices, at most three per triangle, within 32-bit numbers.
   if (built_.mesh.triangles.size() == kUnused / 3) {
     throw UserError(file_, "has over ", kUnused / 3, " triangles; cut the mesh in parts");
   }

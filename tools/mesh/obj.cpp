@@ -1,4 +1,4 @@
-// Wavefront OBJ: `v` and `f` lines; what else may be there has no part in the shape.
+// Wavefront OBJ: reads `v` and `f` lines; others do not affect the shape.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 23> kNoShape = {
     "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech",
     "stech",  "deg",   "vg",       "call",     "csh", "bmat",       "step"};
 
-/// A line that ends with a backslash goes on in the next.
+/// Joins a line that ends with a backslash with the next one.
 bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
   if (!lines.next_content()) {
     return false;
@@ -108,7 +108,7 @@ class ObjReader {
     }
   }
 
-  /// Of "12", "12/3", "12//4" or "12/3/4"; negative numbers count back from the last vertex.
+  /// The point of "12", "12/3", "12//4" or "12/3/4"; negative numbers count from the last vertex.
   std::uint32_t point(std::string_view corner, std::size_t number) const {
     const auto count = static_cast<long long>(builder_.point_count());
     const auto index = parse_integer(corner.substr(0, corner.find('/')));

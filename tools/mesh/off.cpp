@@ -1,4 +1,4 @@
-// OFF: a header, counts, a line a vertex, a line a polygon.
+// OFF: a header, counts, one line per vertex, one line per polygon.
 #include <cstdint>
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
 // PLY: a header of elements and their properties, then the elements, as text or binary. Vertices
-// and faces make the mesh; what else is there is gone through, to learn whether the file has all
-// that its header announces.
+// and faces make the mesh. Other elements are read only to check that the file has all that its
+// header announces.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -22,8 +22,8 @@ namespace {
 
 using Encoding = PlyHeader::Encoding;
 
-/// The numbers after the header, one after the other. Nothing at the end of the file, or where no
-/// such number is.
+/// Reads the numbers after the header in order. None at the end of the file, or if no such number
+/// follows.
 class Body {
  public:
   explicit Body(const PlyHeader& header) : bytes_(header.body), encoding_(*header.encoding) {}
@@ -57,19 +57,19 @@ class Body {
                           : number_of<double>(*bits);
   }
 
-  /// Past a number that has no part in the shape; false at the end of the file.
+  /// Skips a number that does not affect the shape; false at the end of the file.
   bool skip(const PlyType& type) {
     return encoding_ == Encoding::ascii ? !word().empty() : binary(type).has_value();
   }
 
-  /// Of a text; empty at the end of the file and in a binary.
+  /// In a text; empty at the end of the file and in a binary.
   std::string_view last_word() const { return last_word_; }
   bool at_end() const { return bytes_.find_first_not_of(kBlanks) == std::string_view::npos; }
 
  private:
   static constexpr std::string_view kBlanks = " \t\r\n";
 
-  /// Empty at the end of the file.
+  /// The next word; empty at the end of the file.
   std::string_view word() {
     bytes_.remove_prefix(std::min(bytes_.find_first_not_of(kBlanks), bytes_.size()));
     last_word_ = bytes_.substr(0, bytes_.find_first_of(kBlanks));
@@ -206,7 +206,7 @@ class PlyReader {
     }
   }
 
-  /// Kept to the end of the file: faces may come before vertices.
+  /// Keeps the corners to the end of the file: faces may come before vertices.
   void read_corners(const PlyProperty& property, long long i) {
     const long long length = need(body_.integer(*property.length), *property.length, *faces_, i);
     if (length < 3) {

@@ -1,4 +1,4 @@
-// The header of a PLY file: what elements it holds, and in what form.
+// The header of a PLY file: its elements and their encoding.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace flashbvh::tool {
 
-/// Of a number.
+/// The type of a number.
 struct PlyType {
   std::string_view name;
   std::string_view other_name;
@@ -19,7 +19,7 @@ struct PlyType {
 struct PlyProperty {
   std::string_view name;
   PlyType value;
-  std::optional<PlyType> length;  ///< of the list's length; absent if the property is one number
+  std::optional<PlyType> length;  ///< of the list's length; none if the property is one number
 };
 
 struct PlyElement {
@@ -31,15 +31,15 @@ struct PlyElement {
 struct PlyHeader {
   enum class Encoding { ascii, little_endian, big_endian };
 
-  std::optional<Encoding> encoding;  ///< always there once read
-  std::vector<PlyElement> elements;  ///< no two of a name, nor two properties of one
-  std::string_view body;             ///< what comes after the header
+  std::optional<Encoding> encoding;  ///< always present after reading
+  std::vector<PlyElement> elements;  ///< with unique names; so are the properties of each
+  std::string_view body;             ///< all that follows the header
 
-  /// Null if there is none.
+  /// Null if there is no such element.
   const PlyElement* element(std::string_view name) const;
 };
 
-/// `text`: the whole file, which the result points into. UserError if it has no such header.
+/// `text`: the whole file; the result points into it. UserError if it has no valid header.
 PlyHeader read_ply_header(std::string_view text, const std::string& file);
 
 }  // namespace flashbvh::tool

@@ -12,7 +12,7 @@ namespace {
 
 using Corner3 = std::array<double, 3>;
 
-/// Newell's normal: the polygon's areas in the three projections, twice.
+/// Newell's normal: twice the polygon's areas in the three projections.
 Corner3 normal_of(const std::vector<Corner3>& corners) {
   Corner3 normal{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -27,7 +27,7 @@ Corner3 normal_of(const std::vector<Corner3>& corners) {
   return normal;
 }
 
-/// Along the axis in which the polygon is widest, so that it runs counter-clockwise.
+/// Projects along the axis of the largest area, so that the polygon runs counter-clockwise.
 std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
   const Corner3 normal = normal_of(corners);
   std::size_t axis = 0;
@@ -47,11 +47,11 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
   return flat;
 }
 
-/// The polygon that is left while ears are cut off. The next ear is the first corner in order that
-/// is one, the polygon's first corner being the last to be tested.
+/// The rest of a polygon while ears are cut off. The next ear is the first corner in order that is
+/// an ear; the polygon's first corner is tested last.
 ///
-/// A corner that is none is tested again only when its triangle has changed, or when the corner
-/// that lay in it is gone: corners go and never come.
+/// A corner that is no ear is tested again only if its triangle changes, or if the corner that lay
+/// in its triangle is removed: corners are never added.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Corner2>& flat)
@@ -74,7 +74,7 @@ class EarCutter {
   std::array<std::uint32_t, 3> last() const { return {head_, next_[head_], before_[head_]}; }
 
  private:
-  /// The corner after the first if there is no ear.
+  /// The corner after the first one if there is no ear.
   std::uint32_t next_ear() {
     for (auto at = to_ask_.upper_bound(head_); at != to_ask_.end(); at = to_ask_.erase(at)) {
       if (is_ear(*at)) {
@@ -87,7 +87,7 @@ class EarCutter {
     return next_[head_];
   }
 
-  /// Whether the corner is convex and no other corner lies in its triangle.
+  /// True if the corner is convex and no other corner lies in its triangle.
   bool is_ear(std::uint32_t corner) {
     const Triangle2 triangle = {flat_[before_[corner]], flat_[corner], flat_[next_[corner]]};
     if (!(turn(triangle[0], triangle[1], triangle[2]) > 0)) {
@@ -119,11 +119,11 @@ class EarCutter {
 
   const std::vector<Corner2>& flat_;
   CornerTree tree_;
-  std::uint32_t head_ = 0;           ///< the first that is left
-  std::vector<std::uint32_t> next_;  ///< of those that are left
+  std::uint32_t head_ = 0;           ///< the first remaining corner
+  std::vector<std::uint32_t> next_;  ///< of remaining corners
   std::vector<std::uint32_t> before_;
-  std::set<std::uint32_t> to_ask_;                   ///< may be ears; the others are none
-  std::vector<std::vector<std::uint32_t>> waiting_;  ///< whose triangles a corner lay in
+  std::set<std::uint32_t> to_ask_;                   ///< may be ears; other corners are none
+  std::vector<std::vector<std::uint32_t>> waiting_;  ///< [corner]: those in whose triangles it lay
 };
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -172,7 +172,7 @@ CornerTree::CornerTree(const std::vector<Corner2>& corners)
   }
 }
 
-/// Halves the leaves from `first` on, as far as they have corners, across the longer side.
+/// Halves the leaves from `first` on that have corners, across the longer side.
 void CornerTree::split(const std::vector<Corner2>& corners, std::uint32_t first,
                        std::uint32_t width) {
   const std::uint32_t middle = first + width / 2;

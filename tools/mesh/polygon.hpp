@@ -1,8 +1,7 @@
-// From polygons to triangles.
+// Cuts polygons into triangles.
 //
-// Which corners of a polygon lie in a triangle: boxes over corners that are near in the plane, in a
-// complete binary tree. Runs of the polygon's order would not do: the boxes of a star's rays
-// overlap.
+// CornerTree finds a polygon's corners in a triangle: a complete binary tree of boxes over corners
+// near in the plane. Runs of the polygon's order would not do: the boxes of a star's rays overlap.
 #pragma once
 
 #include <array>
@@ -12,20 +11,20 @@
 
 namespace flashbvh::tool {
 
-/// Cuts a polygon of n >= 3 corners into exactly n - 2 triangles by cutting off ears, a convex one
-/// into a fan from its first corner. Corners are the indices 0 to n - 1. A polygon that crosses
-/// itself or has no area is cut all the same. O(n log n) for most polygons, O(n^1.5) where many
-/// corners lie near long edges, as in a star of many rays; O(n^2) at worst.
+/// Cuts a polygon of n >= 3 corners into exactly n - 2 triangles by cutting off ears; a convex one
+/// becomes a fan from its first corner. Corners are the indices 0 to n - 1. Also cuts polygons that
+/// cross themselves or have no area. O(n log n) for most polygons, O(n^1.5) if many corners lie
+/// near long edges, as in a star of many rays; O(n^2) at worst.
 ///
-/// assimp's own way leaves out triangles of less than 1e-5 square units.
+/// assimp's triangulation omits triangles of less than 1e-5 square units.
 std::vector<std::array<std::uint32_t, 3>> triangulate(
     const std::vector<std::array<double, 3>>& corners);
 
 using Corner2 = std::array<double, 2>;
 using Triangle2 = std::array<Corner2, 3>;
 
-/// Twice the area of a triangle, positive if it runs counter-clockwise. Each step of it is monotone
-/// in r's coordinates, after rounding too: over a box it is largest in a corner of the box.
+/// Twice the area of a triangle, positive if it runs counter-clockwise. Each operation is monotone
+/// in r's coordinates, even with rounding: over a box, it is largest at a corner of the box.
 inline double turn(const Corner2& p, const Corner2& q, const Corner2& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
@@ -36,12 +35,12 @@ class CornerTree {
 
   void remove(std::uint32_t corner);
 
-  /// A corner that is still there and lies in the triangle or on its rim, but not where one of the
-  /// triangle's own corners lies; the number of corners if there is none. Exactly the corners that
-  /// turn() places so: no box is passed over that holds one.
+  /// A remaining corner in the triangle or on its rim, but not at one of its own corners; the
+  /// number of corners if there is none. Exact with respect to turn(): skips no box with such a
+  /// corner.
   std::uint32_t any_inside(const Triangle2& triangle);
 
-  /// Nodes that any_inside() looked at so far.
+  /// The number of nodes that any_inside() has visited.
   std::size_t visits() const { return visits_; }
 
  private:

@@ -1,4 +1,4 @@
-// STL: binary (80 bytes, a count, 50 bytes a triangle) and ASCII.
+// STL: binary (80 bytes, a count, 50 bytes per triangle) and ASCII.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -44,7 +44,7 @@ bool looks_like_ascii(std::string_view bytes) {
                   bytes.size(), "; export the mesh again");
 }
 
-/// The words of an ASCII file in turn, each with its line.
+/// Reads the words of an ASCII file in turn, each with its line.
 class AsciiReader {
  public:
   AsciiReader(std::string_view text, const std::string& file)
@@ -68,7 +68,7 @@ class AsciiReader {
   }
 
  private:
-  /// An empty word at the end of the file.
+  /// The next word; empty at the end of the file.
   std::string_view next() {
     while (at_ == words_.size()) {
       if (!lines_.next()) {
@@ -80,7 +80,7 @@ class AsciiReader {
     return words_[at_++];
   }
 
-  /// The words of the line that are left, as they are written.
+  /// The remaining words of the line, as written.
   std::string rest_of_line() {
     const std::size_t first = at_;
     at_ = words_.size();
@@ -92,7 +92,7 @@ class AsciiReader {
   void facet() {
     expect("normal");
     for (int i = 0; i < 3; ++i) {
-      next();  // not recomputed: the tree needs none
+      next();  // the normal, which the tree does not need
     }
     expect("outer");
     expect("loop");

@@ -34,7 +34,7 @@ std::uint64_t length_of(std::string_view name) {
   return unit == kUnits.end() ? 0 : unit->nanometres;
 }
 
-/// "part.stl" names meshes/part.stl, too.
+/// "part.stl" also names meshes/part.stl.
 bool is_meant(const std::string& name, const std::string& file) {
   return name == file || name == std::filesystem::path(file).filename().string();
 }
@@ -92,7 +92,7 @@ void Units::set_own(const std::string& name, const std::string& unit,
   }
 }
 
-/// In lowest terms: from mm to m each length is rounded once, by the division.
+/// In lowest terms: a conversion from mm to m rounds each length once, by the division.
 struct Units::Ratio {
   double numerator = 1;
   double denominator = 1;

@@ -1,4 +1,4 @@
-// Units of length: what the numbers in a mesh file mean.
+// Units of length of the numbers in mesh files.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace flashbvh::tool {
 
-/// What --unit says of some mesh files. "U" is the unit of everything: of all results and lengths,
-/// and of each file that "FILE=U" does not give another one; such a file is converted.
+/// The --unit options for some mesh files. "U" is the unit of all results and lengths, and of each
+/// file without a unit of its own. "FILE=U" gives a file its own unit and converts it.
 class Units {
  public:
   /// The names of all units, for messages.
@@ -18,19 +18,19 @@ class Units {
 
   /// No unit is given.
   Units() = default;
-  /// `given`: the words of each --unit. UserError if a unit or a file is unknown, if a file has two
-  /// units, or if there are units of files but no common one to convert them to.
+  /// `given`: the arguments of each --unit. UserError if a unit or a file is unknown, if a file has
+  /// two units, or if files have units but there is no common one to convert to.
   Units(const std::vector<std::string>& given, const std::vector<std::string>& files);
 
   /// Converts the mesh in `file`, one of the files.
   void convert(bake::SourceMesh& mesh, const std::string& file) const;
-  /// A length of that mesh.
+  /// Converts a length of that mesh.
   double converted(double length, const std::string& file) const;
 
-  /// The name of the common unit; empty if none was given: then no file is converted.
+  /// The name of the common unit; if none was given, it is empty and no file is converted.
   const std::string& common() const { return common_; }
   Unit unit() const;
-  /// `length`, which is in the common unit, with the unit's name if there is one.
+  /// `length`, in the common unit, with the unit's name if there is one.
   std::string with_unit(double length) const;
 
  private:
@@ -44,7 +44,7 @@ class Units {
   std::map<std::string, std::string> own_;  ///< by file
 };
 
-/// As it is given; empty for none.
+/// The unit's name as in --unit; empty for none.
 std::string unit_name(Unit unit);
 
 }  // namespace flashbvh::tool

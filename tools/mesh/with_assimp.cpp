@@ -1,5 +1,5 @@
-// The formats that assimp reads: its nodes' meshes, placed by the nodes. In a process of its own:
-// damaged files make assimp abort, read out of bounds, and take all memory.
+// Formats that assimp reads: the meshes of a scene's nodes, placed by the nodes. Runs in a separate
+// process: damaged files make assimp abort, read out of bounds, and take all memory.
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
@@ -19,13 +19,13 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Rows of a rotation and scale with a translation, in double precision: to place a mesh adds no
-/// rounding that counts.
+/// Rows of a rotation and scale with a translation, in double precision: placing a mesh adds no
+/// rounding that matters.
 using Placement = std::array<std::array<double, 4>, 3>;
 
 constexpr Placement kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-/// `outer` after the node's own.
+/// The node's own placement, then `outer`.
 Placement placed(const Placement& outer, const aiMatrix4x4& own) {
   Placement product{};
   for (std::size_t row = 0; row < 3; ++row) {
@@ -39,7 +39,7 @@ Placement placed(const Placement& outer, const aiMatrix4x4& own) {
   return product;
 }
 
-/// How far the float nearest to a number of this size may be from it.
+/// A bound on the distance of a number of this size from the nearest float.
 double half_ulp(double size) {
   constexpr auto kLeast = static_cast<double>(std::numeric_limits<float>::min());
   return std::ldexp(1.0, std::ilogb(std::max(size, kLeast)) - 24);
@@ -123,11 +123,11 @@ class SceneReader {
   const aiScene& scene_;
   const std::string& file_;
   MeshBuilder builder_;
-  double largest_ = 0;  ///< of the sizes of a coordinate's summands
+  double largest_ = 0;  ///< largest sum of a coordinate's absolute summands
   std::size_t left_out_ = 0;
 };
 
-/// What a file refers to may be a device or a pipe, which may have no end.
+/// Opens regular files alone: a file may refer to a device or a pipe without end.
 class RegularFiles : public Assimp::DefaultIOSystem {
  public:
   bool Exists(const char* file) const override {
@@ -141,7 +141,7 @@ class RegularFiles : public Assimp::DefaultIOSystem {
 
 FileMesh read_scene(const std::string& file) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new RegularFiles);  // which the importer owns
+  importer.SetIOHandler(new RegularFiles);  // owned by the importer
   // Viewers of robot models ignore the up axis of Collada, and models are drawn for them.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
@@ -159,7 +159,7 @@ FileMesh read_scene(const std::string& file) {
 
 FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   if (bytes.substr(0, 5) == "glTF\1") {
-    throw UserError(file, "is of glTF 1; export it as glTF 2");  // read wrongly by assimp
+    throw UserError(file, "is of glTF 1; export it as glTF 2");  // assimp reads it wrongly
   }
   if (!std::filesystem::is_regular_file(file)) {
     throw UserError(file, "is a pipe, from which this format can't be read; name a file");

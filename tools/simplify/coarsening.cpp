@@ -14,15 +14,15 @@
 namespace flashbvh::simplify {
 namespace {
 
-/// Of the error that is requested of the simplifier, from one proposal to the next finer one.
+/// Factor of the simplifier's error from one proposal to the next finer one.
 constexpr double kFiner = 0.6;
 constexpr int kProposals = 6;
-/// Passes over all vertices, at most.
+/// Most passes over all vertices.
 constexpr int kPasses = 24;
-/// A pass that removes less than this part of the triangles is the last.
+/// A pass that removes less than this part of the triangles is the last one.
 constexpr double kLastPass = 0.003;
 
-/// With rounded vertices, those that fall together joined.
+/// Rounds vertices and joins those that coincide.
 bake::SourceMesh on_lattice(const bake::SourceMesh& mesh, double cell) {
   const bake::LatticeMesh rounded = bake::round_to_lattice(mesh, cell);
   bake::SourceMesh placed;
@@ -35,7 +35,7 @@ bake::SourceMesh on_lattice(const bake::SourceMesh& mesh, double cell) {
   return placed;
 }
 
-/// The triangles with these numbers, and their vertices alone, in order of first use.
+/// A mesh of the triangles with these numbers and their vertices, in order of first use.
 bake::SourceMesh part_of(const bake::SourceMesh& mesh, const std::vector<std::uint32_t>& numbers) {
   bake::SourceMesh part;
   std::map<std::uint32_t, std::uint32_t> index_of;
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> all_of(const bake::SourceMesh& mesh) {
   return numbers;
 }
 
-/// What meshoptimizer makes of it when this error is requested: no promise that it keeps to it.
+/// The result of meshoptimizer for this error, which it may exceed.
 bake::SourceMesh proposal(const bake::SourceMesh& mesh, double error) {
   std::vector<float> positions;
   for (const Point& vertex : mesh.vertices) {
@@ -106,8 +106,8 @@ bool is_collapsed(const bake::TriangleCorners& corners) {
   return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
 }
 
-/// Without triangles whose corners fall together, but for one for each edge or point that is no
-/// other triangle's.
+/// Drops triangles with coinciding corners, except one for each edge or point that no other
+/// triangle has.
 void drop_collapsed(bake::SourceMesh& mesh) {
   std::set<std::array<std::uint32_t, 2>> held;
   const auto hold = [&](const bake::TriangleCorners& corners) {
@@ -141,7 +141,7 @@ void drop_collapsed(bake::SourceMesh& mesh) {
   mesh.triangles = std::move(kept);
 }
 
-/// Without repeated triangles, if that leaves a closed mesh closed.
+/// Drops repeated triangles unless that opens a closed mesh.
 void drop_repeated(bake::SourceMesh& mesh) {
   std::map<bake::TriangleCorners, std::size_t> seen;
   std::vector<bake::TriangleCorners> kept;
@@ -182,7 +182,7 @@ bool Coarsening::is_within(const Shell& shell, const bake::SourceMesh& coarse, d
          deviation_from(shell.nearest, coarse, limit).most <= limit;
 }
 
-/// The coarsest proposal that the certificate confirms, or all triangles.
+/// Takes the coarsest proposal that the certificate confirms, or keeps all triangles.
 void Coarsening::propose(Shell& shell, double limit) {
   double error = limit;
   for (int i = 0; i < kProposals; ++i) {
@@ -196,14 +196,14 @@ void Coarsening::propose(Shell& shell, double limit) {
   }
 }
 
-/// What is covered by what is found again for each pass: pieces that were cut hang together again.
+/// Each pass covers the original again, so that pieces cut in earlier passes are joined again.
 void Coarsening::collapse(Shell& shell, double limit) const {
   std::vector<bool> is_changed(shell.coarse.vertices.size(), true);
   for (int pass = 0; pass < kPasses; ++pass) {
     const NearestTriangle nearest(shell.coarse);
     std::vector<CoveredPart> parts;
     if (deviation_from(nearest, shell.original, limit, &parts).most > limit) {
-      return;  // it is hardly any coarser than rounding makes it
+      return;  // rounding alone leaves hardly any distance
     }
     for (CoveredPart& part : parts) {
       part.by = nearest.number(part.by);

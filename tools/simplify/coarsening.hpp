@@ -1,8 +1,8 @@
-// A mesh made coarser step by step, each step certified.
+// Coarsens a mesh step by step, each step certified.
 //
-// meshoptimizer proposes a coarse mesh of each shell; what the certificate (deviation.hpp) does not
-// confirm is not taken. Then edges collapse where the certificate leaves room (collapse.hpp).
-// Vertices of the coarse mesh lie on the lattice, so what rounding moves is certified along.
+// meshoptimizer proposes a coarse mesh of each shell; a proposal that the certificate
+// (deviation.hpp) does not confirm is rejected. Then edges collapse where the certificate allows
+// (collapse.hpp). The coarse mesh's vertices lie on the lattice, so certificates cover rounding.
 #pragma once
 
 #include <vector>
@@ -17,31 +17,31 @@ class Coarsening {
   /// Lengths are in the mesh's unit. Precondition: bake::fits(mesh, cell).
   Coarsening(const bake::SourceMesh& mesh, double cell);
 
-  /// The least limit: what rounding to the lattice moves.
+  /// The least limit: the motion by rounding to the lattice.
   double rounding() const { return rounding_; }
-  /// As coarse as it gets with every point of the original within `limit`, which is no less than
-  /// rounding() and the limit before. Deterministic.
+  /// Coarsens as far as possible with every point of the original within `limit`, which is at least
+  /// rounding() and the last limit. Deterministic.
   void coarsen(double limit);
 
-  /// coarsen() was never called: mesh() is about the original, which is to be taken in its place.
+  /// True before the first coarsen(): use the original then; mesh() is only close to it.
   bool is_original() const { return limit_ == 0; }
   /// Closed if the original is; vertices on the lattice, none unused.
   bake::SourceMesh mesh() const;
-  /// Of the original, until it is coarsened.
+  /// Of the original before the first coarsen().
   std::size_t triangle_count() const;
-  /// Of any point of either mesh from the other, certified; no more than the limit.
+  /// The certified deviation of each mesh from the other; at most the limit.
   Deviation deviation() const;
-  /// About how many triangles coarsen(limit) leaves, before it is called for the first time.
+  /// An estimate of the triangles that the first coarsen(limit) leaves.
   std::size_t estimate(double limit) const;
 
  private:
-  /// What hangs together.
+  /// A connected part of the mesh.
   struct Shell {
     bake::SourceMesh original;
     bake::SourceMesh coarse;
     NearestTriangle nearest;  ///< of the original
   };
-  /// Whether all of either mesh is certified to be near the other.
+  /// True if each mesh is certified to be within `limit` of the other.
   static bool is_within(const Shell& shell, const bake::SourceMesh& coarse, double limit);
   static void propose(Shell& shell, double limit);
   void collapse(Shell& shell, double limit) const;
@@ -49,7 +49,7 @@ class Coarsening {
   double rounding_;
   double cell_;
   std::vector<Shell> shells_;
-  double limit_ = 0;  ///< until now
+  double limit_ = 0;  ///< of the last coarsen()
 };
 
 }  // namespace flashbvh::simplify

@@ -8,12 +8,12 @@
 namespace flashbvh::simplify {
 namespace {
 
-/// Of the limit: parts so small are not cut again.
+/// Parts smaller than this part of the limit are not cut again.
 constexpr double kSmallestCut = 1.0 / 8;
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
-/// Of the planes' weight: what keeps a vertex in its place where planes leave it free.
+/// Part of the planes' weight: keeps a vertex in its place in directions that planes leave free.
 constexpr double kRegularisation = 1e-4;
-/// A vertex moves no farther than so many times the edge that collapses.
+/// The farthest motion of a vertex, as a multiple of the collapsing edge.
 constexpr double kFarthestEdges = 1.5;
 
 /// Sum of squared distances from planes, weighted by the triangles' areas.
@@ -34,7 +34,7 @@ struct Quadric {
       sums[i] += other.sums[i];
     }
   }
-  /// Where the sum is least; where it hardly depends on a direction, near `middle`.
+  /// The point of the least sum; near `middle` in directions on which the sum hardly depends.
   Point least_near(const Point& middle) const {
     const double weight = kRegularisation * (sums[0] + sums[4] + sums[7]);
     const std::array<Point, 3> rows = {{{sums[0] + weight, sums[1] / 2, sums[2] / 2},
@@ -160,7 +160,7 @@ class Collapser {
     return found;
   }
 
-  /// One try a vertex whose surroundings have not changed in this pass. Returns how many went.
+  /// Tries each vertex whose surroundings have not changed in this pass. Returns the collapses.
   std::size_t collapse_all() {
     std::vector<Order> orders;
     for (std::uint32_t from = 0; from < around_.size(); ++from) {
@@ -197,8 +197,8 @@ class Collapser {
     return std::find(corners.begin(), corners.end(), vertex) != corners.end();
   }
 
-  /// Whether no point of it is farther from the original than the limit. `hint`: where to look
-  /// first.
+  /// True if no point of the triangle is farther from the original than the limit. `hint`: the
+  /// triangle to test first.
   bool is_near_original(const PointTriangle& at, std::uint32_t& hint) const {
     if (is_covered_by(original_.triangle(hint), at)) {
       return true;
@@ -232,7 +232,7 @@ class Collapser {
     });
   }
 
-  /// To where both vertices' planes are nearest, or else to where `to` is.
+  /// Collapses to the point nearest to both vertices' planes, or else to `to`.
   bool collapse(std::uint32_t from, std::uint32_t to) {
     const Point best = on_lattice(nearest_to_planes(from, to));
     return collapse(from, to, best) ||
@@ -267,7 +267,7 @@ class Collapser {
     return true;
   }
 
-  /// The triangles of a vertex that the other one has no part in, where it lies at `at`.
+  /// Adds the triangles of `vertex` without `other`, with `vertex` at `at`.
   void add_candidates(std::uint32_t vertex, std::uint32_t other, const Point& at) {
     for (const std::uint32_t triangle : around_[vertex]) {
       const bake::TriangleCorners& corners = mesh_.triangles[triangle];
@@ -282,7 +282,7 @@ class Collapser {
     }
   }
 
-  /// What these triangles cover, but for those with a corner `but`.
+  /// Covers all that these triangles cover, except triangles with a corner `but`.
   bool cover_all(const Numbers& triangles, std::uint32_t but) {
     return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t triangle) {
       return has(mesh_.triangles[triangle], but) ||
@@ -306,7 +306,7 @@ class Collapser {
     return is_near ? best : mesh_.vertices[to];
   }
 
-  /// Nor beyond the box that holds all: a mesh that fits the lattice goes on to do so.
+  /// Rounds to the lattice and clamps to the mesh's box, so that the mesh still fits the lattice.
   Point on_lattice(const Point& p) const {
     Point at{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -315,7 +315,7 @@ class Collapser {
     return at;
   }
 
-  /// Whether candidates, each a part of it alone, are within the limit of all of it.
+  /// True if each piece of the part is within the limit of one candidate.
   bool cover(const PointTriangle& part) {
     for (const Candidate& candidate : candidates_) {
       if (is_covered_by(candidate.at, part)) {
@@ -378,11 +378,11 @@ class Collapser {
   double squared_;
   Point low_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Point high_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  std::vector<Numbers> around_;  ///< of each vertex, the triangles
+  std::vector<Numbers> around_;  ///< triangles of each vertex
   std::vector<Quadric> quadrics_;
-  std::vector<std::vector<PointTriangle>> parts_;  ///< of each triangle, what it covers
+  std::vector<std::vector<PointTriangle>> parts_;  ///< parts that each triangle covers
   std::vector<bool> is_gone_;
-  Numbers hints_;  ///< of each vertex, a triangle of the original near it
+  Numbers hints_;  ///< for each vertex, a triangle of the original near it
   std::vector<Candidate> candidates_;
   std::vector<CoveredPart> covered_;
 };

@@ -1,6 +1,6 @@
-// Edges of a coarse mesh collapsed as long as the certificate holds: Garland and Heckbert, "Surface
-// simplification using quadric error metrics", SIGGRAPH 1997, for the order; what is allowed is
-// decided by what the original needs (deviation.hpp), collapse by collapse.
+// Collapses edges of a coarse mesh while the certificate holds. The order is that of Garland and
+// Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997. The deviation from
+// the original (deviation.hpp) allows or refuses each collapse.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace flashbvh::simplify {
 
-/// Makes one vertex of two of `coarse`, on the lattice of `cell`, and leaves out what has no area
-/// then; one try a vertex that is changed, or is next to one that is. `is_changed`: of each vertex;
-/// afterwards, by this call. What failed once and has not changed would fail again.
-/// `parts`: all of the original, covered by triangles of it; each stays within `limit` of one, and
-/// no triangle that is moved is farther than that from the original. A mesh that is closed stays
-/// so. Returns how many vertices went. Deterministic.
+/// Merges pairs of vertices of `coarse`, on the lattice of `cell`, and removes triangles that lose
+/// their area. Tries each vertex once if it or a neighbour has changed; failed collapses would fail
+/// again without a change. `is_changed`: of each vertex; returns the changes by this call.
+/// `parts`: all of the original, covered by triangles of `coarse`. Each stays within `limit` of
+/// one, and no moved triangle is farther than `limit` from the original. A closed mesh stays
+/// closed. Returns the number of removed vertices. Deterministic.
 std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
                            const NearestTriangle& original, double cell, double limit,
                            std::vector<bool>& is_changed);

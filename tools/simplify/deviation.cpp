@@ -6,15 +6,15 @@
 namespace flashbvh::simplify {
 namespace {
 
-/// One vertex of so many is looked at first: most meshes that reach too far are seen so.
+/// Tests one vertex in so many first: it finds most meshes that deviate too far.
 constexpr std::size_t kSampled = 16;
-/// Below this part of the limit it does not matter how far.
+/// Deviations below this part of the limit need no tight bound.
 constexpr double kFine = 1.0 / 32;
-/// Of the limit: a part of a triangle so small is not cut again.
+/// A part of a triangle smaller than this part of the wanted distance is not cut again.
 constexpr double kSmallest = 1.0 / 4096;
-/// Of the wanted distance: a part that leaves a triangle by less is not cut there.
+/// A part that leaves a triangle by less than this part of the wanted distance is not cut there.
 constexpr double kCut = 1.0 / 8;
-/// What doubles round, as a part of the largest coordinate: some tens of operations.
+/// The rounding of doubles in some tens of operations, as a part of the largest coordinate.
 constexpr double kRounding = 0x1p-44;
 
 double largest_coordinate(const bake::SourceMesh& mesh) {
@@ -55,7 +55,7 @@ class Certificate {
  private:
   bool is_refuted() const { return is_refuted_ || found_.at_least > limit_; }
 
-  /// How near everything has to be: as near as the points seen allow.
+  /// The distance that all parts have to keep, given the points tested so far.
   double wanted() const {
     return parts_ != nullptr
                ? limit_
@@ -72,7 +72,7 @@ class Certificate {
     return nearest;
   }
 
-  /// Of a coarse triangle, at most, from any point of a part.
+  /// A bound on the distance of a part's points from a coarse triangle.
   double farthest(const PointTriangle& part, std::uint32_t place) const {
     double squared = 0;
     for (const Point& corner : part) {
@@ -139,7 +139,7 @@ Deviation deviation_between(const bake::SourceMesh& mesh, const bake::SourceMesh
     return of_coarse.most > of_mesh.most ? of_coarse : of_mesh;
   };
   Deviation found = within(limit);
-  while (found.most <= kFine * limit) {  // far below what was allowed: by how much
+  while (found.most <= kFine * limit) {  // far below the limit: tightens the bound
     limit = found.most;
     const Deviation finer = within(limit);
     found = finer.most <= found.most ? finer : found;

@@ -8,17 +8,17 @@
 namespace flashbvh::simplify {
 namespace {
 
-/// From one length to the next.
+/// The ratio of successive lengths.
 constexpr double kStep = 1.1;
-/// So much longer a length is worth smaller leaves, which answer faster.
+/// Smaller leaves, which answer faster, are worth a length up to this much longer.
 constexpr double kWorthwhile = 1.25;
-/// What would have to shrink by more for smaller leaves is not worth a try.
+/// Smaller leaves are not tried if the meshes would have to shrink by more.
 constexpr double kTooLarge = 1.15;
-/// Of a triangle in large leaves: a guess of which length fits.
+/// Of a triangle in large leaves: to guess the length that fits.
 constexpr double kBytesOfTriangle = 17;
-/// Of the guess, where to begin: what is too coarse at once begins again with all triangles.
+/// The part of the guess to begin at: a start that is too coarse restarts with all triangles.
 constexpr double kBegin = 0.6;
-/// Shorter lengths than this multiple of the rounding leave a mesh as it is.
+/// Lengths below this multiple of the rounding leave a mesh unchanged.
 constexpr double kAboveRounding = 1.5;
 constexpr std::size_t kMostRows = 6;
 
@@ -49,7 +49,7 @@ std::size_t estimate(const std::vector<Coarsening>& meshes, double length) {
   return sum;
 }
 
-/// To three digits, upwards.
+/// Rounds up to three digits.
 double rounded_up(double length) {
   const int power = static_cast<int>(std::floor(std::log10(length))) - 2;
   const double unit = std::pow(10, std::abs(power));
@@ -64,7 +64,7 @@ struct Fitting {
   const std::vector<std::uint32_t>& leaf_sizes;
   const BytesOf& bytes_of;
 
-  /// The first leaf size with which they fit, or 0.
+  /// The first leaf size with which the meshes fit, or 0.
   std::uint32_t leaf_size(const std::vector<Coarsening>& coarse) const {
     for (const std::uint32_t size : leaf_sizes) {
       if (bytes_of(coarse, size) <= most) {
@@ -82,8 +82,8 @@ struct Fitting {
     return found && found->leaf_size > leaf_sizes.front() ? with_smaller_leaves(*found) : found;
   }
 
-  /// Makes them coarser, but for what is the shortest length not as coarse as fits. Returns the
-  /// length.
+  /// Coarsens the meshes, but not so far that they fit unless the length is the shortest. Returns
+  /// the length.
   double begun() const {
     const double shortest = kAboveRounding * most_rounding(meshes);
     const std::vector<Coarsening> full = meshes;
@@ -96,7 +96,7 @@ struct Fitting {
     return length;
   }
 
-  /// Two steps at a time, then perhaps one less.
+  /// Coarsens by two steps at a time, then tries one step less.
   std::optional<Fit> climbed(double length) const {
     std::uint32_t size = leaf_size(meshes);
     std::vector<Coarsening> before = meshes;

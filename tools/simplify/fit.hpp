@@ -1,4 +1,4 @@
-// As little coarser as it takes to fit flash; what each length costs.
+// Finds the least coarsening that fits flash, and tabulates the cost of lengths.
 #pragma once
 
 #include <cstddef>
@@ -10,36 +10,36 @@
 
 namespace flashbvh::simplify {
 
-/// What all meshes take in flash as coarse as they are, in leaves of so many triangles. Infinite if
-/// they can't be baked.
+/// The size of all meshes in flash in their current coarseness, in leaves of `leaf_size` triangles.
+/// Infinite if they can't be baked.
 using BytesOf = std::function<double(const std::vector<Coarsening>&, std::uint32_t leaf_size)>;
 
 struct Fit {
-  double length = 0;  ///< 0: nothing had to become coarser
+  double length = 0;  ///< 0: no mesh was coarsened
   std::uint32_t leaf_size = 0;
 };
 
-/// Makes all coarser, on all processors.
+/// Coarsens all meshes, on all processors.
 void coarsen_all(std::vector<Coarsening>& meshes, double length);
 
-/// About the length with which meshes that are not coarsened yet fit; no promise. 0: as they are.
+/// An estimate of the length with which original meshes fit; 0: unchanged. May be wrong.
 double likely_length(const std::vector<Coarsening>& meshes, double most, double longest);
 
-/// Makes meshes that are not coarsened yet coarser until they take `most` bytes, with the least
-/// length of a ladder of kStep. Of `leaf_sizes`, ascending, the first one that costs no more than
-/// kWorthwhile times the least length of any. None if they do not fit with `longest`.
+/// Coarsens original meshes until they take `most` bytes, with the least length of a ladder of
+/// kStep. Of `leaf_sizes`, ascending, takes the first one that costs no more than kWorthwhile times
+/// the least length of any. None if they do not fit with `longest`.
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
                        const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of);
 
-/// What a length costs.
+/// The cost of a length.
 struct LengthRow {
   double length;
   std::size_t triangles;
-  std::vector<double> bytes;  ///< of each leaf size
+  std::vector<double> bytes;  ///< for each leaf size
 };
 
-/// Of 0 and then of 1, 2 and 5 times powers of ten up to `longest`, as far down as they make sense
-/// for the meshes. Makes the meshes coarser.
+/// Rows for 0, and for 1, 2 and 5 times powers of ten up to `longest`, as far down as they make
+/// sense for the meshes. Coarsens the meshes.
 std::vector<LengthRow> length_table(std::vector<Coarsening>& meshes, double longest,
                                     const std::vector<std::uint32_t>& leaf_sizes,
                                     const BytesOf& bytes_of);

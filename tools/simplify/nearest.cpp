@@ -9,7 +9,7 @@ namespace flashbvh::simplify {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
-/// More than any tree of halves is deep.
+/// More than the depth of any tree of halves.
 constexpr std::size_t kStackSize = 64;
 
 Point between(const Point& p, const Point& q, double part) {
@@ -20,13 +20,13 @@ double dot(const Point& p, const Point& q) {
   return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
 }
 
-/// From the origin to the point `along` the vector from p.
+/// The squared distance from the origin to the point `along` the vector from p.
 double squared_at(const Point& p, const Point& vector, double along) {
   const Point at = {p[0] + along * vector[0], p[1] + along * vector[1], p[2] + along * vector[2]};
   return dot(at, at);
 }
 
-/// From the origin to a segment.
+/// The squared distance from the origin to a segment.
 double squared_to_segment(const Point& from, const Point& vector) {
   const double length = dot(vector, vector);
   const double along = length > 0 ? std::clamp(-dot(from, vector) / length, 0.0, 1.0) : 0;
@@ -37,7 +37,7 @@ double centre(const PointTriangle& triangle, std::size_t axis) {
   return triangle[0][axis] + triangle[1][axis] + triangle[2][axis];
 }
 
-/// Where the plane is that corners lie so high above. One of them is alone on its side.
+/// Cuts at the plane above which the corners have these heights; one corner is alone on its side.
 std::vector<PointTriangle> cut_at_plane(const PointTriangle& part,
                                         const std::array<double, 3>& heights) {
   std::size_t alone = 0;
@@ -137,7 +137,7 @@ double squared_distance(const Point& p, const PointTriangle& triangle) {
                       a[2] + (s * u[2] + t * v[2]) / area};
     return dot(at, at);
   }
-  // Only edges that the point lies beyond can be nearest: with one corner between two of them.
+  // Only edges beyond which the point lies can be nearest, or the one corner between two of them.
   double squared = dot(a, a);
   if (!(area > 0) || t < 0) {
     squared = std::min(squared, squared_to_segment(a, u));

@@ -1,4 +1,4 @@
-// Which triangle of a mesh is nearest to a point, in double precision.
+// Finds the triangle of a mesh that is nearest to a point, in double precision.
 #pragma once
 
 #include <array>
@@ -13,36 +13,36 @@ namespace flashbvh::simplify {
 using Point = std::array<double, 3>;
 using PointTriangle = std::array<Point, 3>;
 
-/// Squared, to a point of the triangle that is nearest but for rounding: never less than the true
-/// distance by more than coordinates are rounded.
+/// The squared distance to a point of the triangle that is nearest except for rounding: never less
+/// than the true distance by more than the rounding of coordinates.
 double squared_distance(const Point& p, const PointTriangle& triangle);
 
 Point minus(const Point& p, const Point& q);
 Point cross(const Point& u, const Point& v);
-/// At the middles of its edges.
+/// Cuts a triangle at the middles of its edges.
 std::array<PointTriangle, 4> quarters_of(const PointTriangle& triangle);
 Point centre_of(const PointTriangle& triangle);
-/// Of the ball about `centre` that holds it.
+/// The radius of the ball about `centre` that holds the triangle.
 double radius_of(const PointTriangle& triangle, const Point& centre);
 
 /// Cuts `part` where it leaves `triangle`, seen along the triangle's normal, by more than `least`,
-/// or else at the middles of its edges. Two to four parts are it, but for rounding.
+/// or else at the middles of its edges. Except for rounding, the two to four parts make up `part`.
 std::vector<PointTriangle> cut(const PointTriangle& part, const PointTriangle& triangle,
                                double least);
 
 class NearestTriangle {
  public:
-  /// Of a mesh with at least one triangle.
+  /// `mesh` has at least one triangle.
   explicit NearestTriangle(const bake::SourceMesh& mesh);
 
   struct Found {
-    std::uint32_t place = 0;  ///< of triangle(), a better `hint` for points near by than any other
+    std::uint32_t place = 0;  ///< argument of triangle(), and the best `hint` for near points
     double squared = std::numeric_limits<double>::infinity();
   };
-  /// `hint`: where to look first.
+  /// `hint`: the triangle to test first.
   Found to(const Point& p, std::uint32_t hint = 0) const;
   const PointTriangle& triangle(std::uint32_t place) const { return triangles_[place]; }
-  /// Its number in the mesh.
+  /// The triangle's number in the mesh.
   std::uint32_t number(std::uint32_t place) const { return numbers_[place]; }
 
  private:
