@@ -40,8 +40,8 @@ BuildTree build_median(const LatticeMesh& mesh, std::uint32_t leaf_size);
 BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size);
 
 /// The tree with up to `arity` children per node and unchanged leaves. Each node repeatedly
-/// replaces the internal child with the highest chance of overlap by its children, while they fit
-/// and the child's test would seldom save theirs (collapse.cpp). 2 leaves a binary tree unchanged.
+/// replaces the internal child with the highest chance of overlap by its children. It ends when
+/// they do not fit, or the child's test often saves theirs (collapse.cpp). 2 keeps a binary tree.
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
 
 /// The default of `flashbvh bake`.

@@ -27,8 +27,8 @@ Range range_of(const SourceMesh& mesh, std::size_t axis) {
 }
 
 /// The nearest multiple of the cell, in cells; halves away from zero. The factor makes up for the
-/// rounding of the coordinate, the cell and their quotient, half a unit in the last place each: a
-/// mesh in another unit is the same on its lattice.
+/// rounding of the coordinate, the cell and their quotient, half a unit in the last place each. So
+/// a mesh in another unit is the same on its lattice.
 double nearest(double coordinate, double cell) {
   return std::round(coordinate / cell * (1 + 0x1p-51));
 }

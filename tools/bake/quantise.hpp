@@ -6,7 +6,7 @@
 namespace flashbvh::bake {
 
 /// A cell with which `mesh` fits the lattice, in the mesh's unit: its largest extent over
-/// 2 * kMaxCoordinate, enlarged for rounding by one part in 2 * kMaxCoordinate - 1 at most. A mesh
+/// 2 * kMaxCoordinate. Rounding enlarges it by one part in 2 * kMaxCoordinate - 1 at most. A mesh
 /// without extent fits any cell: its finest cell is the smallest positive normal number.
 double finest_cell(const SourceMesh& mesh);
 

@@ -5,7 +5,7 @@
 // each of the p_a k_a pairs left. That is fewer than in the other order if
 //   1 - p_a + 1/k_a > 1 - p_b + 1/k_b.
 // To first order, 1 - p_a is the sum over the axes of how much shorter a's children are than a, in
-// parts of the extents of a and b together: the denominator is the same for a and b. So each side
+// parts of the extents of a and b together. The denominator is the same for a and b. So each side
 // is multiplied by its node's own extents and becomes a length that all nodes can compare.
 #pragma once
 

@@ -51,7 +51,7 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
 /// an ear; the polygon's first corner is tested last.
 ///
 /// A corner that is no ear is tested again only if its triangle changes, or if the corner that lay
-/// in its triangle is removed: corners are never added.
+/// in its triangle is removed. Corners are never added.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Corner2>& flat)

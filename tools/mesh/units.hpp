@@ -18,8 +18,8 @@ class Units {
 
   /// No unit is given.
   Units() = default;
-  /// `given`: the arguments of each --unit. UserError if a unit or a file is unknown, if a file has
-  /// two units, or if files have units but there is no common one to convert to.
+  /// `given`: the arguments of each --unit. UserError for an unknown unit or file, a file with two
+  /// units, or units of files without a common unit to convert to.
   Units(const std::vector<std::string>& given, const std::vector<std::string>& files);
 
   /// Converts the mesh in `file`, one of the files.

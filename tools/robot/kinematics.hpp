@@ -30,8 +30,8 @@ Vector3 rotated_back(const Transform& transform, const Vector3& vector);
 Vector3 placed(const Transform& transform, const Vector3& point);
 
 /// A variable's range: the limits of the joint that is no mimic, widened by 2^-22 of the limit or
-/// of 1, whichever is larger, so that a limit rounded to a float is inside. A mimic's own limits
-/// are ignored, here and in firmware.
+/// of 1, whichever is larger. So a limit rounded to a float is inside. A mimic's own limits are
+/// ignored, here and in firmware.
 Interval range_of_variable(const Model& model, std::size_t variable);
 /// The range of a joint's coordinate.
 Interval range_of_joint(const Model& model, std::size_t joint);
@@ -61,8 +61,8 @@ constexpr double kPi = 3.14159265358979323846;
 /// Limits of rotating joints are smaller than this in magnitude, in radians.
 constexpr double kMaxAngle = 2 * kPi * kMaxJointCoordinate / kFullTurn;
 
-/// A rotation that takes z to `axis`, a unit vector: the identity for z and signed permutations for
-/// the other five axis directions, so that frames at right angles stay exact.
+/// A rotation that takes z to `axis`, a unit vector. Frames at right angles stay exact: it is the
+/// identity for z, and a signed permutation for the other five axis directions.
 ///
 /// The shortest rotation (Moller and Hughes 1999, Efficiently Building a Matrix to Rotate One
 /// Vector to Another). If z of `axis` is negative, half a turn about x comes first: no rotation to

@@ -65,7 +65,7 @@ struct DisabledPair {
   std::size_t b;
   std::string reason;        ///< as given in the SRDF
   std::size_t line = 0;      ///< in the SRDF
-  bool is_believed = false;  ///< the user vouches for the line, whatever the verdict
+  bool is_believed = false;  ///< the user vouches for the line, regardless of the verdict
 };
 
 struct Model {
@@ -73,7 +73,7 @@ struct Model {
   std::string path;                    ///< path of its file, for messages
   std::vector<std::string> files;      ///< other files that were read, except those of links
   std::vector<ModelJoint> joints;      ///< parents before children
-  std::vector<std::size_t> variables;  ///< the joint of each variable that is no mimic
+  std::vector<std::size_t> variables;  ///< for each variable, its joint that is no mimic
   std::vector<ModelLink> links;        ///< in the order of the file, followed by parts
   /// The number of parts at the end of `links`. A part is the portion of the link with its name
   /// that a guard checks outside a joint zone.

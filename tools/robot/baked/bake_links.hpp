@@ -28,9 +28,8 @@ std::size_t image_bytes(const std::vector<BakedLink>& links);
 /// UserError if the robot has more joints or links than firmware holds. `path`: the URDF.
 void check_counts(const Model& model, const std::string& path);
 
-/// The cell in metres: `wanted`, or the finest with which all links fit the lattice, and all joints
-/// in all configurations fit firmware's frames and sums. UserError if `wanted` is too fine for
-/// frames.
+/// The cell in metres: `wanted`, or the finest with which links fit the lattice, and joints in all
+/// configurations fit firmware's frames and sums. UserError if `wanted` is too fine for frames.
 double robot_cell(const Model& model, const std::optional<double>& wanted, const std::string& path);
 
 /// The link's mesh as baking takes it, in metres, with its name for messages.

@@ -304,7 +304,7 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
     double error = deviations_[i];
     std::size_t reach = links_[i].first_reach;
     for (std::size_t j = model.links[i].joint; j != kNoJoint; j = model.joints[j].parent) {
-      // Errors of its rotation's norm; of its translation, rounded twice; of its coordinate.
+      // Errors of its rotation's norm, its translation, rounded twice, and its coordinate.
       const double coordinate = is_mimic(model, j) ? 3 : 1;
       error += extent * 0x1p-27 + 2 * 1.7321 / 2 / kFrameCell +
                coordinate * std::ldexp(reaches_[reach++], -kReachBits) / 256;

@@ -1,10 +1,10 @@
 // A model in fixed point, in memory, as firmware holds it.
 //
-// Distance tables for pairs with one or two joints between their links: a guard reads bounds from
+// Pairs with one or two joints between their links have distance tables: a guard reads bounds from
 // them without testing a mesh (lib/src/robot/distance_table.hpp has the layout).
 //
-// A table cell's distance is proven as in the matrix: the exact query measures the links' distance
-// at the middle of a part of it; in the part, it shrinks by at most the links' motion. Parts are
+// A table cell's distance is proven as in the matrix. The exact query measures the links' distance
+// at the middle of a part of it. In the part, it shrinks by at most the links' motion. Parts are
 // halved until the bound is a large enough share of the least distance seen in the table cell.
 #pragma once
 

@@ -18,7 +18,7 @@ constexpr std::size_t kLooks = 33;
 constexpr std::size_t kQuarter = kLooks / 4;
 /// The zone holds all contacts but those of an eighth of the samples at either end of the range ...
 constexpr std::size_t kEnds = kLooks / 8;
-/// ... up to this multiple of the samples' median. Margins cover contacts between samples.
+/// ... up to this multiple of the samples' median radius. Margins cover contacts between samples.
 constexpr double kMoreThanMedian = 1.25;
 constexpr double kMargin = 1.02;
 constexpr double kMarginCells = 2;
@@ -261,7 +261,7 @@ class Finder {
     }
   }
 
-  /// Triangles of touching shells outside the zone; of touching shells; of other shells; all.
+  /// Triangles of touching shells outside the zone, of touching shells, of other shells, or all.
   enum class Which : std::uint8_t { outside, touching, other, all };
   std::vector<std::uint32_t> triangles(std::size_t side, Which which) const {
     const std::vector<double> farthest = sides_[side].farthest(shape_);

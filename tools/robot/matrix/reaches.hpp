@@ -2,9 +2,9 @@
 // Checking for Single and Multiple Articulated Robots in Complex Environments", IEEE Transactions
 // on Robotics 21(3), 2005.
 //
-// If joint k turns by an angle w, a point at distance r from its axis moves by r w at most. Seen
-// from any body between links a and b, a point of a moves by at most the sum of reach times change
-// over the joints between a and that body, along any path of joint values.
+// If joint k turns by an angle w, a point at distance r from its axis moves by r w at most. Let
+// joints move along any path. Seen from any body between links a and b, a point of a then moves by
+// at most the sum of reach times change over the joints between a and that body.
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ namespace flashbvh::tool {
 constexpr double kDeviation = 0.8661;
 
 /// [joint]: a bound on the distance of the link's points, rounded to the lattice, from the joint's
-/// axis, in metres, over all values within the limits of the joints between; 1 for prismatic
-/// joints. The joint may be on the link's branch, beyond it or on another one. Never too low; too
+/// axis, in metres; 1 for prismatic joints. Holds for all values within the limits of the joints
+/// between. The joint may be on the link's branch, beyond it or on another one. Never too low; too
 /// high by some parts in a thousand if joints are independent. Beyond twelve joints, or when time
 /// is up, the link is only bounded by a ball.
 std::vector<double> reaches_of(const Model& model, std::size_t link, double cell,

@@ -10,8 +10,8 @@
 
 namespace flashbvh::tool {
 
-/// A solid that the joint moves into itself: a ball about a point of its axis or, for a prismatic
-/// joint, an infinite cylinder round a line along the axis.
+/// A solid that the joint moves into itself: a ball about a point of its axis. For a prismatic
+/// joint, it is an infinite cylinder round a line along the axis.
 struct ZoneShape {
   bool is_cylinder = false;
   std::array<double, 3> middle{};  ///< in the joint's frame, metres

@@ -66,7 +66,7 @@ std::string find_in_package(const std::string& mesh, const std::string& name_and
 
 /// The file of `mesh` in the URDF `urdf`: a path relative to the URDF's folder, file://PATH,
 /// package://NAME/REST or model://NAME/REST. NAME is a folder of `packages`, or else the first of
-/// that name in the URDF's folder or upwards, so that files may name any folder next to the URDF.
+/// that name in the URDF's folder or upwards. So files may name any folder next to the URDF.
 /// UserError, at `place`, if there is no such file.
 std::string find_mesh(const std::string& mesh, const std::string& urdf, const Packages& packages,
                       const std::string& place) {

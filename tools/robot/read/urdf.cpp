@@ -247,9 +247,9 @@ class TreeBuilder {
   KinematicTree tree_;
 };
 
-/// `path`: for messages. UserError, naming the joint and the remedy, for axes of length 0, limits
-/// out of order or of four turns or more, and mimics of unknown joints, of each other, or of a
-/// continuous joint that they can't follow.
+/// `path`: for messages. UserError, naming the joint and the remedy, for axes of length 0, and for
+/// limits out of order or of four turns or more. Also for mimics of unknown joints, of each other,
+/// or of a continuous joint that they can't follow.
 KinematicTree kinematic_tree(const UrdfRobot& robot, const std::string& path, Warnings& warnings) {
   return TreeBuilder(robot, path, warnings).build();
 }

@@ -69,8 +69,8 @@ struct UrdfRobot {
 };
 
 /// Parses the URDF `text` of the file `path`. UserError, with the element and the remedy, if it is
-/// no URDF, or for features beyond firmware: planar joints, floating joints that hold no base,
-/// shapes that are not in URDF, loops. Soft limits narrow limits. `visual_too`: a link without
+/// no URDF or exceeds firmware. Firmware has no planar joints, floating joints that hold no base,
+/// shapes that are not in URDF, or loops. Soft limits narrow limits. `visual_too`: a link without
 /// <collision> collides by its <visual>.
 UrdfRobot read_urdf_document(const std::string& path, std::string text, bool visual_too,
                              Warnings& warnings);

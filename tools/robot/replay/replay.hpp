@@ -60,9 +60,9 @@ class Trajectory {
 };
 
 /// UserError, with the line, the column and the remedy, unless each variable has one column, all
-/// values are numbers, times don't decrease, and mimics follow their joints within 0.001 rad or m,
-/// times the multiplier if it is above 1. Does not check limits. Warns of unused columns of times,
-/// and of the first uneven step of the used one.
+/// values are numbers, and times don't decrease. Mimics have to follow their joints within 0.001
+/// rad or m, times the multiplier if it is above 1. Does not check limits. Warns of unused columns
+/// of times, and of the first uneven step of the used one.
 Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings);
 
 /// Unlimited work. With UINT32_MAX, the guard does not report the work spent.
@@ -183,8 +183,8 @@ std::vector<Stretch> stretches_of(const Robot& robot, const Trajectory& trajecto
 /// At most `most` stretches, in order: prefers those that stop, then the longest.
 std::vector<Stretch> worst_of(std::vector<Stretch> stretches, std::size_t most);
 
-/// A pair that is not free in some period for a guard of its own with unlimited work, or that the
-/// robot's guard reports as not yet known, or that comes within its warn distance at a line.
+/// A pair that is not free in some period for a guard of its own with unlimited work. Also a pair
+/// that the robot's guard reports as not yet known, or that is within its warn distance at a line.
 struct NearPair {
   std::uint16_t pair;
   std::array<std::size_t, kPeriodKinds> named{};  ///< periods by verdict, except `free`
