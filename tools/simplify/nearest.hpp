@@ -26,7 +26,7 @@ Point centre_of(const PointTriangle& triangle);
 double radius_of(const PointTriangle& triangle, const Point& centre);
 
 /// Cuts `part` where it leaves `triangle`, seen along the triangle's normal, by more than `least`,
-/// or else at the middles of its edges. Except for rounding, the two to four parts make up `part`.
+/// or else at the middles of its edges. Up to rounding, the three or four parts make up `part`.
 std::vector<PointTriangle> cut(const PointTriangle& part, const PointTriangle& triangle,
                                double least);
 
