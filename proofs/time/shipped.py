@@ -1,22 +1,19 @@
-"""shipped.py BOUND HEADER [--write]: fails unless the constants of HEADER are those that prove.py or
-guard_prove.py wrote to BOUND, which may have several cores. HEADER: one of TABLES.
+"""shipped.py BOUND FOLDER [--write]: fails unless the constants of core_costs.h or core_cycles.h in FOLDER are those
+that prove.py or guard_prove.py wrote to BOUND, which may have several cores.
 
---write: changes HEADER to the constants of the cores in BOUND, if it has others of them.
+--write: changes the header to the constants of the cores in BOUND, if it has others of them.
 """
 import re
 import sys
 from collections import defaultdict
 from pathlib import Path
 
-# The constants of each header, in groups.
+# The constants of a row, by the macro that has it.
 TABLES = {
-    "run_costs.h": [("start", "ascent", "later-sibling", "leaf-triangle", "work")],
-    "guard_costs.hpp": [("guard-start", "guard-joint", "guard-turn", "guard-pair", "guard-between",
-                         "guard-table", "guard-measure", "guard-ascent", "guard-within", "guard-work")],
+    "FLASHBVH_FOR_EACH_CORE": ("start", "ascent", "later-sibling", "leaf-triangle", "work"),
+    "FLASHBVH_FOR_EACH_GUARD_CORE": ("guard-start", "guard-joint", "guard-turn", "guard-pair", "guard-between",
+                                     "guard-table", "guard-measure", "guard-ascent", "guard-within", "guard-work"),
 }
-# Cycles, and reads of flash.
-for of, name in (("run_costs.h", "run_cycles.h"), ("guard_costs.hpp", "guard_cycles.hpp")):
-    TABLES[name] = TABLES[of] + [tuple(f"reads-{field}" for field in TABLES[of][0])]
 CORE = r'  core\(.*"(.*)", .*\)'
 
 
@@ -31,35 +28,35 @@ def proven_in(bound):
     return proven
 
 
-def values(costs, groups):
-    """Groups are in braces, unless there is one."""
-    lists = [", ".join(costs[field] for field in group) for group in groups]
-    return lists[0] if len(lists) == 1 else ", ".join(f"{{{values}}}" for values in lists)
+def row(core, costs, fields):
+    """Cycles come in two groups, the second one with the reads of flash."""
+    lists = [", ".join(costs[name] for name in fields)]
+    if f"reads-{fields[0]}" in costs:
+        lists = [f"{{{values}}}" for values in (*lists, ", ".join(costs[f"reads-{name}"] for name in fields))]
+    return (f"  core({core.replace('-', '').replace('+', 'Plus')}, {core.replace('-', '_').replace('+', 'plus').lower()}, "
+            f"\"{core}\", {', '.join(lists)})")
 
 
-def rows(proven, groups):
-    """The rows of the header by core."""
-    return {core: f"  core({core.replace('-', '').replace('+', 'Plus')}, "
-                  f"{core.replace('-', '_').replace('+', 'plus').lower()}, \"{core}\", "
-                  f"{values(costs, groups)})" for core, costs in proven.items()}
-
-
-def main(bound, header, *options):
-    wanted = rows(proven_in(Path(bound).read_text()), TABLES[Path(header).name])
-    if not wanted:
+def main(bound, folder, *options):
+    proven = proven_in(Path(bound).read_text())
+    is_cycles = any(name.startswith("reads-") for costs in proven.values() for name in costs)
+    header = Path(folder, f"core_{'cycles' if is_cycles else 'costs'}.h")
+    text, differing, known = header.read_text(), [], 0
+    for macro, fields in TABLES.items():
+        wanted = {core: row(core, costs, fields) for core, costs in proven.items() if fields[0] in costs}
+        known += len(wanted)
+        head = rf"#define {macro}{'_IN_CYCLES' if is_cycles else ''}\(core\) \\\n"
+        rows = re.search(rf"(?<={head})(?:  core\(.*\n)+", text)[0]
+        shipped = {found[1]: found[0] for found in re.finditer(CORE, rows)}
+        text = text.replace(rows, " \\\n".join({**shipped, **wanted}.values()) + "\n")
+        differing += [(shipped.get(core, ""), row) for core, row in wanted.items() if shipped.get(core) != row]
+    if not known:
         sys.exit("shipped.py: nothing proven")
-    text = Path(header).read_text()
-    shipped = {found[1]: found[0] for found in re.finditer(CORE, text)}
     if options == ("--write",):
-        rest = re.sub(rf"{CORE}.*\n", "", text)
-        end = rest.index("\n", rest.index("#define FLASHBVH_FOR_EACH_")) + 1
-        new = rest[:end] + " \\\n".join({**shipped, **wanted}.values()) + "\n" + rest[end:]
-        if new != text:
-            Path(header).write_text(new)
+        header.write_text(text)
         return
-    differing = [core for core, row in wanted.items() if shipped.get(core) != row]
-    for core in differing:
-        print(f"shipped: {shipped.get(core, '').strip()}\nproven:  {wanted[core].strip()}\nrun tools/figures.sh")
+    for shipped, row_proven in differing:
+        print(f"shipped: {shipped.strip()}\nproven:  {row_proven.strip()}\nrun tools/figures.sh")
     sys.exit(bool(differing))
 
 

@@ -27,8 +27,8 @@ def cards_agree(core, constants, hz, mhz, bound, arguments):
         return (start + bound["depths"] * depth + siblings * sibling + (size - 1) * leaf,
                 unit + ceil(siblings * sibling / 32))
 
-    first, each = costs(search(f'"{constants}", (.*)\\)', text(f"{INCLUDE}/flashbvh/plain/run_costs.h")))
-    in_cycles = re.search(f'"{constants}", {{([^}}]*)}}', text(f"{INCLUDE}/flashbvh/plain/run_cycles.h"))
+    first, each = costs(search(f'"{constants}", (.*)\\)', text(f"{INCLUDE}/flashbvh/plain/core_costs.h")))
+    in_cycles = re.search(f'"{constants}", {{([^}}]*)}}', text(f"{INCLUDE}/flashbvh/plain/core_cycles.h"))
     start, unit = costs(in_cycles[1]) if in_cycles else (first, each)
     within = int((period - start - (max(size + 8, 32) - 1) * unit) / unit)
     found = cards(*arguments, "--core", core, "--hz", hz, "--clock", f"{mhz}MHz")

@@ -153,7 +153,7 @@ def contacts():
     hold(number("work", "most") == bound["poses_most_work"] and number("work", "mean") == bound["poses_mean_work"],
          f"{said}{bound}")
     # With one triangle a leaf and two children a node little is added to the constants.
-    costs = Path(INCLUDE, "flashbvh/plain/run_costs.h").read_text()
+    costs = Path(INCLUDE, "flashbvh/plain/core_costs.h").read_text()
     least = int(re.search(r'"Cortex-M4F".* (\d+)\)', costs)[1])
     work = number("work", "most")
     hold(work * least < number("Cortex-M4F", "most") < work * (least + 12) + 20000, said)

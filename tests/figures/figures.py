@@ -24,7 +24,7 @@ from results import ALL, BUDGETS, CYCLES, Refused, budgets, cycles, measured_in
 
 DOCS = ROOT / "lib/docs"
 SHIPPED = ROOT / "proofs/time/shipped.py"
-COSTS = [ROOT / "lib/include/flashbvh" / name for name in ("plain/run_costs.h", "detail/robot/guard_costs.hpp")]
+COSTS = ROOT / "lib/include/flashbvh/plain"
 # The presets of cores whose manuals have cycles.
 MODELLED = "cortex-m0", "cortex-m3", "cortex-m4f"
 # The columns of cycles.csv that run a core's code, and what the plugin is given in addition: the core without
@@ -32,8 +32,6 @@ MODELLED = "cortex-m0", "cortex-m3", "cortex-m4f"
 MODELS = {"Cortex-M0": {"Cortex-M0": "", "Cortex-M0+": ",core=cortex-m0plus",
                         "RP2040": ",core=cortex-m0plus,flash=rp2040-xip"},
           "Cortex-M4F": {"Cortex-M4F": "", "STM32F4": ",flash=stm32f4-5ws"}}
-# What proofs/time leaves in the build folders, and the library's constants in cycles.
-CYCLES_PROVEN = {"bound": COSTS[0].with_name("run_cycles.h"), "bound_guard": COSTS[1].with_name("guard_cycles.hpp")}
 # What measures: the figures, the memory (proofs/stack) and the bounds (proofs/time).
 TESTS = "figures: .* measured|memory, and both stacks|bound: (no (run|period) takes more|the most cycles)"
 
@@ -125,11 +123,8 @@ def write(measured):
         f"core {core}\n" + "".join(f"bound {name.removeprefix('bound.')} {cells[core]}\n"
                                    for name, cells in book.rows.items() if name.startswith("bound."))
         for core in book.columns if core != ALL))
-    for costs in COSTS:
-        quietly(sys.executable, "-B", SHIPPED, bounds, costs, "--write")
-    for program, cycles in CYCLES_PROVEN.items():
-        for proven in sorted((ROOT / "build").glob(f"cortex-*/{program}_cycles.txt")):
-            quietly(sys.executable, "-B", SHIPPED, proven, cycles, "--write")
+    for proven in (bounds, *sorted((ROOT / "build").glob("cortex-*/bound*_cycles.txt"))):
+        quietly(sys.executable, "-B", SHIPPED, proven, COSTS, "--write")
 
 
 def show_cycles(book):

@@ -27,8 +27,8 @@
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"
-#include "flashbvh/plain/run_costs.h"
-#include "flashbvh/plain/run_cycles.h"
+#include "flashbvh/plain/core_costs.h"
+#include "flashbvh/plain/core_cycles.h"
 #include "flashbvh/status.h"
 #include "flashbvh/version.hpp" /* macros only, for C and C++ */
 

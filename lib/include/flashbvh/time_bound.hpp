@@ -15,8 +15,8 @@
 #include "flashbvh/detail/walk/work.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/plain/results.h"
-#include "flashbvh/plain/run_costs.h"
-#include "flashbvh/plain/run_cycles.h"
+#include "flashbvh/plain/core_costs.h"
+#include "flashbvh/plain/core_cycles.h"
 
 namespace flashbvh {
 
