@@ -1,4 +1,4 @@
-// The distance of every pair of triangles of two meshes, by brute force.
+// The distances of all pairs of triangles of two meshes, by brute force.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -17,13 +17,13 @@ namespace flashbvh::test {
 
 struct Pairwise {
   detail::Fraction squared;
-  std::uint32_t of_a;  ///< positions
+  std::uint32_t of_a;  ///< slots
   std::uint32_t of_b;
   std::uint32_t id_a;
   std::uint32_t id_b;
 };
 
-/// Of every pair of triangles.
+/// The distances of all pairs of triangles, by slot in A, then in B.
 inline std::vector<Pairwise> all_distances(const Mesh& a, const Mesh& b, const Pose& pose) {
   const detail::Transform transform = transform_of_any(pose, a, b);
   std::vector<Pairwise> all;
@@ -43,13 +43,13 @@ inline const Pairwise& least_of(const std::vector<Pairwise>& all) {
   });
 }
 
-/// 256 times the root, rounded down.
+/// 256 times the square root, rounded down.
 inline std::uint32_t lower_of(const detail::Fraction& squared) {
   return static_cast<std::uint32_t>(
       detail::square_root(detail::quotient(detail::shifted_up(squared.above, 16), squared.below)));
 }
 
-/// In cells, to the last bits of a double.
+/// The square root, in cells, to the last bits of a double.
 inline double length_of(const detail::Fraction& squared) {
   const auto number = [](const detail::Int128& u) {
     return std::ldexp(static_cast<double>(u.high), 64) + static_cast<double>(u.low);

@@ -1,4 +1,4 @@
-// Meshes in both layouts, poses, and queries by any order.
+// Meshes in both layouts, poses, and queries in any traversal.
 #pragma once
 
 #include <cstdint>

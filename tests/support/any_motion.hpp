@@ -1,5 +1,5 @@
-// Motions of every kind: chains of moves with axes near and far, whole turns and several, screws,
-// and ways between two poses.
+// Motions of every kind: chains of moves about near and far axes, whole and multiple turns, screws,
+// and motions between two poses.
 #pragma once
 
 #include <cmath>
@@ -10,17 +10,17 @@
 
 namespace flashbvh::test {
 
-/// What a motion is made of.
+/// A motion between two poses, or a chain of moves.
 struct AnyMotion {
   Pose from = Pose::translated(0, 0, 0);
-  Pose to = from;           ///< where there are no moves
-  std::vector<Move> moves;  ///< none: between the poses
+  Pose to = from;  ///< used if there are no moves
+  std::vector<Move> moves;  ///< if empty, the motion is between the poses
 
   BodyMotion motion() const {
     return moves.empty() ? BodyMotion::between(from, to)
                          : BodyMotion(from, moves.data(), static_cast<std::uint32_t>(moves.size()));
   }
-  /// All of it, axes included.
+  /// Translates the whole motion, axes included.
   void shift(const Point& by) {
     const Pose shift = Pose::translated(by.x, by.y, by.z);
     from = Pose::composed(shift, from);
@@ -33,7 +33,7 @@ struct AnyMotion {
   }
 };
 
-/// Nearly a rotation: with five decimals.
+/// A pose with rotation entries of five decimals, so nearly a rotation.
 inline Pose with_five_decimals(const Pose& pose) {
   int32_t rotation[3][3];
   int32_t cells[3];
@@ -49,7 +49,7 @@ inline Pose with_five_decimals(const Pose& pose) {
   return Pose::rigid(rotation, cells, fraction);
 }
 
-/// `far`: of its axis, in cells.
+/// A random move. `far`: the largest offset of its axis; `size`: the largest travel; in cells.
 inline Move any_move(Random& random, int32_t far, int32_t size) {
   Move move = {};
   const Quaternion q = any_quaternion(random);
@@ -76,7 +76,7 @@ inline Pose any_end(Random& random, const MotionScene& scene) {
   return random.below(3) == 0 ? with_five_decimals(pose) : pose;
 }
 
-/// Corners meet, or nearly so, at some moment.
+/// A motion at some moment of which two corners meet, or nearly so.
 inline AnyMotion any_motion(Random& random, const MotionScene& scene) {
   AnyMotion any;
   any.from = any_end(random, scene);

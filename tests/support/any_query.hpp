@@ -1,4 +1,4 @@
-// A query of any order, with the array that its stack needs and no entry more; and one of each.
+// A query in any traversal, with a stack array of exactly the required size; one of each traversal.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,12 @@ struct AnyQuery {
         entries(stack_entries(a.stack_need, b.stack_need)),
         query(a, b, pose,
               at_roots<Traversal>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
-  /// Scene: has trees a, b and a pose.
+  /// Scene: has trees a and b and a pose.
   template <class Scene>
   explicit AnyQuery(const Scene& scene) : AnyQuery(scene.a.view(), scene.b.view(), scene.pose) {}
 };
 
-/// Calls use(name, any.query) for each traversal that walks trees in this layout.
+/// Calls use(name, any.query) for each traversal that supports this layout.
 template <class Tree, class Use>
 void for_each_query(const Tree& a, const Tree& b, const Pose& pose, Use use) {
   for_each_order<typename Tree::Index>([&](auto named) {

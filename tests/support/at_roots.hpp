@@ -1,5 +1,5 @@
-// The orders of reference/traversals.hpp for what runs each of them: on each layout, and at its
-// start, whether it has a stack or not. Nothing of C++'s library.
+// The traversals of reference/traversals.hpp on each layout, and a start cursor for each, with or
+// without a stack. Uses no C++ library.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +14,7 @@ constexpr bool kIsStack = false;
 template <class Index>
 constexpr bool kIsStack<PairStack<Index>> = true;
 
-/// Where a walk starts; if it needs a stack, on these entries.
+/// The start cursor of a walk; if it needs a stack, on these entries.
 template <class Traversal>
 typename Traversal::Cursor at_roots(
     [[maybe_unused]] detail::PairCursor<typename Traversal::Tree::Index>* entries,
@@ -37,7 +37,7 @@ struct NamedOrder {
   const char* name;
 };
 
-/// Calls use(NamedOrder<...>) for each traversal on each layout that it walks, pre-indexed first.
+/// Calls use(NamedOrder<...>) for each traversal on each layout it supports, pre-indexed first.
 template <class Index, class Use>
 void for_each_order(Use&& use) {
   for_each_traversal([&use](auto traversal) {
@@ -51,7 +51,7 @@ void for_each_order(Use&& use) {
   });
 }
 
-/// For those without a stack: their positions can be kept.
+/// For traversals without a stack: their cursors can be kept.
 template <class Index, class Use>
 void for_each_stackless_order(Use&& use) {
   for_each_order<Index>([&use](auto named) {

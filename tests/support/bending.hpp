@@ -1,4 +1,4 @@
-// Meshes that bend, for tests: soups, sheets and tubes, and ways to move their vertices.
+// Deformable meshes for tests: soups, sheets and tubes, and ways to move their vertices.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +31,8 @@ inline std::int16_t near(Random& random, std::int32_t at, std::int32_t by) {
       std::clamp(at + random.between(-by, by), -kMaxCoordinate, kMaxCoordinate));
 }
 
-/// Each vertex of a grid to its place in rows of `width`, `pitch` apart, folded `folds` cells high,
-/// and moved by up to `noise`.
+/// Lays out the vertices of a grid in rows of `width`, `pitch` cells apart, in folds 2 * `fold`
+/// cells high, and moves each by up to `noise`.
 inline void lay(Random& random, std::uint32_t width, std::int32_t pitch, std::int32_t fold,
                 std::int32_t noise, Vertex* vertices, std::size_t count) {
   for (std::size_t v = 0; v < count; ++v) {
@@ -44,7 +44,7 @@ inline void lay(Random& random, std::uint32_t width, std::int32_t pitch, std::in
   }
 }
 
-/// Any subset of them, by up to `by`, or all into one place or plane.
+/// Moves a random subset of the vertices by up to `by`, or all of it into one point or plane.
 inline void move_some(Random& random, std::int32_t by, Vertex* vertices, std::size_t count) {
   const std::uint32_t one_in = 1 + random.below(4);
   const std::uint32_t kind = random.below(16);
@@ -70,7 +70,7 @@ inline bake::LatticeMesh any_bendable(Random& random) {
   return mesh;
 }
 
-/// A mesh that bends, of any baked tree, and its memory.
+/// A deformable mesh, of any baked tree, and its memory.
 template <class MeshType>
 struct Bending {
   using Index = typename MeshType::Index;
@@ -95,7 +95,7 @@ struct Bending {
   Bending(const Bending&) = delete;
   Bending& operator=(const Bending&) = delete;
 
-  /// The source mesh as it is now.
+  /// The source mesh with the current vertices.
   bake::LatticeMesh now() const {
     bake::LatticeMesh mesh_now = lattice;
     mesh_now.vertices = vertices;

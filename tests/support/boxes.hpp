@@ -1,5 +1,5 @@
-// Closed boxes, also inside out, also into each other; and the winding number of a closed mesh by
-// another way than the library's: solid angles.
+// Closed boxes, which may be inside out or overlap, and the winding number of a closed mesh by
+// solid angles, which the library does not use.
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ inline void add_box(bake::LatticeMesh& mesh, const Point& lower, const Point& si
   }
 }
 
-/// Boxes on a few cells, so that corners, edges and faces lie above each other.
+/// Boxes on a few cells, so that corners, edges and faces lie above one another.
 inline bake::LatticeMesh boxes(Random& random) {
   bake::LatticeMesh mesh;
   const std::uint32_t count = 1 + random.below(3);
@@ -45,9 +45,8 @@ inline double length_of(const double (&v)[3]) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Of a triangle, seen from a point that is not on it; positive where it turns its back to the
-/// point. Source: Van Oosterom and Strackee, IEEE Transactions on Biomedical Engineering 30(2),
-/// 1983.
+/// The solid angle of a triangle, seen from a point off it; positive if its back faces the point.
+/// Source: Van Oosterom and Strackee, IEEE Transactions on Biomedical Engineering 30(2), 1983.
 inline double solid_angle(const Triangle& t, const Point& p) {
   double v[3][3];
   for (int i = 0; i < 3; ++i) {
@@ -67,7 +66,7 @@ inline double solid_angle(const Triangle& t, const Point& p) {
   return 2 * std::atan2(volume, a * b * c + dot(0, 1) * c + dot(1, 2) * a + dot(2, 0) * b);
 }
 
-/// Of the sum of all triangles' angles.
+/// The winding number, from the sum of all triangles' solid angles.
 inline long winding_of(double angles) {
   return std::lround(angles / (4 * 3.14159265358979323846));
 }

@@ -1,4 +1,4 @@
-// What a distance says in addition to its number, and what lies within one, of known pairs.
+// Checks the points and direction of a distance, and the pairs within a distance, by known pairs.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -13,8 +13,8 @@
 
 namespace flashbvh::test {
 
-/// The points are as far apart as is said, but for their rounding, and the direction leads from one
-/// to the other.
+/// Checks that the points are as far apart as reported, but for their rounding, and that the
+/// direction leads from one to the other.
 inline void check_points(const Clearance<std::uint16_t>& found) {
   const double x = static_cast<double>(found.point_b.x - found.point_a.x);
   const double y = static_cast<double>(found.point_b.y - found.point_a.y);
@@ -36,8 +36,8 @@ inline void check_points(const Clearance<std::uint16_t>& found) {
   }
 }
 
-/// Within `reach` are the pairs of `all` for which `is_within(pair)`, by their ids; in runs of each
-/// work of `works`.
+/// Checks that the pairs within `reach` are those of `all` with `is_within(pair)`, by their ids, in
+/// runs of each budget of `works`.
 template <class KnownPair, class IsWithin>
 void check_pairs_within(const std::vector<KnownPair>& all, const IsWithin& is_within, const Mesh& a,
                         const Mesh& b, const Pose& pose, std::uint32_t reach,

@@ -1,5 +1,5 @@
-// The queries of all orders, compiled once for all tests (compiled_queries.cpp): the walk and the
-// test of triangles, which take no sink. Those of Ranked are in the library.
+// The queries of all traversals, compiled once for all tests (compiled_queries.cpp): the walk and
+// the triangle test, which take no sink. The library has those of Ranked.
 #pragma once
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-// What no query on two meshes exceeds, however bad their trees are.
+// Upper bounds of the work of any query on two meshes, however bad their trees are.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace flashbvh::test {
 
-/// As far as work depends on it.
+/// The tree's sizes on which the work depends.
 template <class Mesh>
 TreeSize size_of(const Mesh& mesh) {
   TreeSize size = {0, 0, 1, mesh.leaf_count, mesh.triangle_count};
@@ -18,14 +18,14 @@ TreeSize size_of(const Mesh& mesh) {
   return size;
 }
 
-/// A query visits each pair of nodes once at most.
+/// An upper bound of visits: a query visits each pair of nodes at most once.
 template <class Mesh>
 std::uint32_t most_visits_of_nodes(const Mesh& a, const Mesh& b) {
   const std::uint64_t pairs = std::uint64_t{a.node_count} * b.node_count;
   return pairs < UINT32_MAX ? static_cast<std::uint32_t>(pairs) : UINT32_MAX;
 }
 
-/// A leaf taken as a shape with each visit, and all triangles tested.
+/// An upper bound of work: each visit loads a leaf's planes, and all triangles are tested.
 template <class Mesh>
 std::uint32_t most_work_of_nodes(const Mesh& a, const Mesh& b) {
   const std::uint64_t visits = most_visits_of_nodes(a, b);

@@ -1,4 +1,4 @@
-// Two small bodies and motions that bring them together: apart, grazing, sliding, resting, meeting.
+// Two small bodies and their motions: apart, grazing, sliding, resting, meeting.
 #pragma once
 
 #include <utility>
@@ -22,7 +22,7 @@ struct Body {
         tree(any_tree(random, mesh)),
         baked(bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh)) {}
 
-  /// In cells of its frame.
+  /// A random corner, in cells of the body's frame.
   Point any_corner(Random& random) const {
     const Vertex& v = source.vertices[random.below(static_cast<uint32_t>(source.vertices.size()))];
     return {v.x + source.origin[0], v.y + source.origin[1], v.z + source.origin[2]};
@@ -39,7 +39,7 @@ inline bake::LatticeMesh mesh_of(const Triangle& t) {
   return mesh;
 }
 
-/// `size`: in cells, about.
+/// Two random meshes of about `size` cells.
 inline std::pair<bake::LatticeMesh, bake::LatticeMesh> any_meshes(Random& random, int32_t size) {
   const auto any = [&] {
     const uint32_t count = 1 + random.below(random.below(3) == 0 ? 8 : 3);
@@ -96,7 +96,7 @@ struct MotionScene {
   }
 };
 
-/// Of B, not rotated, in cells.
+/// A translation of B, which is not rotated, in cells.
 struct Translation {
   Point from;
   Point way;
@@ -128,7 +128,7 @@ inline Point any_step(Random& random, const MotionScene& scene) {
   }
 }
 
-/// Corners meet, or nearly so, after `after` of `count` steps, which may be none or after the end.
+/// Two corners meet, or nearly so, after `after` of `count` steps: 0 to `count` + 1.
 inline Translation any_translation(Random& random, const MotionScene& scene) {
   const Point step = any_step(random, scene);
   const int32_t count = random.between(1, 8);

@@ -1,4 +1,4 @@
-// The boards' text output (ports/common/text.hpp and text.h) on this machine.
+// The boards' text output (ports/common/text.hpp and text.h), implemented for this machine.
 #include <iostream>
 
 #include "text.h"

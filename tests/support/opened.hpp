@@ -1,4 +1,4 @@
-// An image as a mesh with levels, whether it has them or not.
+// Opens an image as a mesh with levels, even if it has none.
 #pragma once
 
 #include <cstddef>

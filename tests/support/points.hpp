@@ -1,4 +1,4 @@
-// Points, triangles and boxes: random ones, moved ones, equal ones.
+// Points, triangles and boxes: random ones, translated ones, comparisons.
 #pragma once
 
 #include <stdint.h>
@@ -13,7 +13,7 @@ namespace flashbvh::test {
 constexpr int32_t Point::*kPointAxes[3] = {&Point::x, &Point::y, &Point::z};
 constexpr int16_t Vertex::*kVertexAxes[3] = {&Vertex::x, &Vertex::y, &Vertex::z};
 
-/// Within +-reach on each axis.
+/// A random point within +-reach on each axis.
 inline Point any_point(Random& random, int32_t reach) {
   const int32_t x = random.between(-reach, reach);
   const int32_t y = random.between(-reach, reach);
@@ -67,13 +67,13 @@ inline bool same(const Box& p, const Box& q) {
 inline bool same(const PackedBox& a, const PackedBox& b) {
   return a.upper_xy == b.upper_xy && a.lower_xy == b.lower_xy && a.z == b.z;
 }
-/// Kind and ends.
+/// Whether two contacts have equal kinds and ends.
 inline bool same_place(const Contact& c, const Contact& d) {
   return c.kind == d.kind && same(c.ends[0], d.ends[0]) && same(c.ends[1], d.ends[1]);
 }
 
-/// A packed box with something after it, as in a node: some forms of the overlap tests read that,
-/// and none may mind it.
+/// A packed box followed by other data, as in a node: some overlap tests read that data too, and
+/// their results must not depend on it.
 struct BoxInNode {
   PackedBox box;
   uint32_t rest;

@@ -20,7 +20,7 @@ void print(const Values&... values) {
 }
 #endif
 
-/// All digits of a number.
+/// All hexadecimal digits of a number.
 template <class Number>
 struct Hexadecimal {
   explicit Hexadecimal(Number value) {

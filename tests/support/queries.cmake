@@ -1,4 +1,4 @@
-# The queries of all orders, compiled once for all tests that run them.
+# The queries of all traversals, compiled once for all tests that run them.
 include_guard(GLOBAL)
 
 add_library(flashbvh_test_queries STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/compiled_queries.cpp)

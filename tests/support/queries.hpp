@@ -1,4 +1,4 @@
-// Queries run to their end, in runs of any length, for every traversal alike.
+// Runs queries of any traversal to the end, in runs of any length.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -13,12 +13,12 @@
 
 namespace flashbvh::test {
 
-/// Triangles of A and B, by their numbers in the source.
+/// Pairs of triangles of A and B, by their numbers in the source.
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
 
-/// All pairs in the order reported, in runs of `work` into an array of `capacity`.
+/// All pairs in the order of reporting, from runs of `work` into an array of `capacity`.
 template <class Query>
 Pairs run_to_end(Query& query, std::uint32_t work, std::uint32_t capacity) {
   std::vector<typename Query::Pair> found(capacity);

@@ -34,7 +34,7 @@ class Random {
   uint64_t state_;
 };
 
-/// Of the environment, which a board has none of.
+/// An environment variable; nullptr if unset, and always on a board.
 inline const char* setting(const char* name) {
 #if defined(FLASHBVH_ON_BOARD)
   (void)name;
@@ -44,18 +44,18 @@ inline const char* setting(const char* name) {
 #endif
 }
 
-/// Whether FLASHBVH_THOROUGH is set: all tries run, however long they take.
+/// Whether FLASHBVH_THOROUGH is set: random tests run all their rounds.
 inline bool is_thorough() {
   return setting("FLASHBVH_THOROUGH") != nullptr;
 }
 
-/// How often a test with random numbers tries.
+/// The rounds of a random test: `few`, or `many` if thorough.
 template <class Count>
 Count rounds(Count few, Count many) {
   return is_thorough() ? many : few;
 }
 
-/// On a board one in `share` of the tries.
+/// A divisor of the number of rounds: `share` on a board, else 1.
 constexpr int share_on_board([[maybe_unused]] int share) {
 #if defined(FLASHBVH_ON_BOARD)
   return share;
@@ -64,14 +64,14 @@ constexpr int share_on_board([[maybe_unused]] int share) {
 #endif
 }
 
-/// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one where unset.
+/// The seed of this run: FLASHBVH_SEED, decimal or 0x hexadecimal, or a fixed one if unset.
 inline uint64_t test_seed() {
   const char* const text = setting("FLASHBVH_SEED");
   return text != nullptr ? strtoull(text, nullptr, 0) : 20240607u;
 }
 
-/// The random numbers of a test case; those of a file differ in `stream`. A failure can be
-/// replayed: the seed is the fixed one, or was set.
+/// The random numbers of a test case; each test case of a file has its own `stream`. The seed alone
+/// replays a failure.
 inline Random test_random(uint64_t stream = 0) {
   return Random(test_seed() + stream);
 }

@@ -1,4 +1,4 @@
-// Runs a traversal and writes down which pairs it visits.
+// Runs a traversal and records the pairs that it visits.
 #pragma once
 
 #include <algorithm>
@@ -51,7 +51,7 @@ BakedPair<Baked<layout>> bake_pair(const bake::BuildTree& a, const bake::Lattice
           bake::lay_out<std::uint16_t, layout>(b, mesh_b)};
 }
 
-/// An overlap test that knows from the boxes' addresses which nodes it tests.
+/// An overlap test that identifies the tested nodes by their boxes' addresses.
 template <class Baked>
 class RecordingOverlap {
  public:
@@ -76,7 +76,7 @@ class RecordingOverlap {
   Record& record_;
 };
 
-/// From `cursor` to the end, or to `most_visits` if the walk does not end.
+/// Records a walk from `cursor` to the end, or to `most_visits` if the walk does not end.
 template <class Traversal, class Baked>
 Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBoxTest& test,
                    typename Traversal::Cursor& cursor, std::uint32_t most_visits = 1000000) {
@@ -94,7 +94,7 @@ Record record_from(const BakedPair<Baked>& pair, const detail::TranslatedBoxTest
   return record;
 }
 
-/// The whole walk, its stack, if it has one, as long as stack_entries() promises to be enough.
+/// Records a whole walk; a stack gets exactly stack_entries() entries.
 template <class Traversal, class Baked>
 Record record(const BakedPair<Baked>& pair, const detail::TranslatedBoxTest& test) {
   std::vector<detail::PairCursor<typename Baked::Index>> entries(

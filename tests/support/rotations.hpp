@@ -1,4 +1,4 @@
-// Rotations and poses for tests, made of integers alone: the same on every core.
+// Rotations and poses for tests, computed in integers alone: equal on every core.
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 namespace flashbvh::test {
 
-/// A quaternion of any length but 0, each part within +-32,767.
+/// A quaternion of any non-zero length, with parts within +-32,767.
 struct Quaternion {
   int32_t w, x, y, z;
 };
@@ -25,7 +25,7 @@ inline Rotation rotation_of(const Quaternion& q) {
   const int64_t xy = product(q.x, q.y), zw = product(q.z, q.w), xz = product(q.x, q.z);
   const int64_t yw = product(q.y, q.w), yz = product(q.y, q.z), xw = product(q.x, q.w);
   const int64_t square = ww + xx + yy + zz;
-  // 33 bits over 32: shifted by 30 they fit in 64 after the whole part is taken out.
+  // A 33-bit value over a 32-bit one: shifted by 30 it fits in 64 bits without its integer part.
   const auto entry = [square](int64_t over) {
     const bool negative = over < 0;
     const int64_t size = negative ? -over : over;
@@ -39,13 +39,12 @@ inline Rotation rotation_of(const Quaternion& q) {
            {entry(2 * (xz - yw)), entry(2 * (yz + xw)), entry(ww - xx - yy + zz)}}};
 }
 
-/// Any rotation: even over all, about an axis, by half a turn or a quarter, or next to one of
-/// these.
+/// A random rotation: uniform, about an axis, by half a turn or a quarter, or next to one of these.
 inline Quaternion any_quaternion(Random& random) {
   const auto part = [&random](int32_t most) { return random.between(-most, most); };
   Quaternion q{};
   switch (random.below(4)) {
-    case 0:  // one of the 24 rotations of a cube, or of a triangle's three and half turns
+    case 0:  // a rotation of a cube, or another one with parts of -1 to 1
       q = {part(1), part(1), part(1), part(1)};
       break;
     case 1:  // next to one of them

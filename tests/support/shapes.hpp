@@ -1,4 +1,4 @@
-// Random meshes and trees of every shape, small enough to check by brute force.
+// Random meshes and trees of every form, small enough to check by brute force.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,23 @@ namespace flashbvh::test {
 bake::LatticeMesh random_mesh(Random& random, std::uint32_t count, std::int32_t spread,
                               std::int32_t size);
 
-/// How a random tree may look.
+/// Options of a random tree.
 struct Shape {
-  std::uint32_t arity = 2;       ///< most children of a node
-  std::uint32_t leaf_size = 1;   ///< most triangles in a leaf
+  std::uint32_t arity = 2;  ///< the largest number of children of a node
+  std::uint32_t leaf_size = 1;  ///< the largest number of triangles in a leaf
   bool single_children = false;  ///< some nodes have one child
 };
 
 /// A tree over all triangles in random order, split at random places.
 bake::BuildTree random_tree(Random& random, const bake::LatticeMesh& mesh, const Shape& shape);
 
-/// A binary tree in which each internal node has a leaf as its first child (`leaf_first`) or last.
+/// A binary tree in which each internal node has a leaf as its first (`leaf_first`) or last child.
 bake::BuildTree chain(const bake::LatticeMesh& mesh, bool leaf_first);
 
 /// A full binary tree of `depth` over 2^depth triangles of `mesh`, in their order.
 bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth);
 
-/// Any of the above, each kind often, over `count` triangles.
+/// One of the trees above, at random, over all triangles of `mesh`.
 bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh);
 
 }  // namespace flashbvh::test

@@ -1,5 +1,5 @@
-// Two meshes, their trees and a pose in 4 KB of stack, and which of their triangles intersect: for
-// tests that run on every board.
+// Two meshes, their trees and a pose in 4 KB of stack, and their intersecting pairs of triangles,
+// for tests that run on every board.
 #pragma once
 
 #include <stdint.h>
@@ -43,7 +43,7 @@ struct SmallScene {
 /// A set of pairs of triangles.
 class PairSet {
  public:
-  /// False if it was there already.
+  /// Adds a pair; false if the set has it.
   bool add(uint32_t a, uint32_t b) {
     const uint32_t before = rows_[a];
     rows_[a] |= 1u << b;
@@ -71,7 +71,7 @@ PairSet brute_force(const SmallScene<layout>& scene) {
   return pairs;
 }
 
-/// A query of any traversal; those with a stack get exactly what they are promised to need.
+/// A query of any traversal; those with a stack get exactly the promised entries.
 template <class Traversal>
 struct SmallQuery {
   detail::PairCursor<uint16_t> entries[Traversal::kStackless ? 1 : 2 * digest::kMostTriangles];
@@ -84,7 +84,7 @@ struct SmallQuery {
                   entries, stack_entries(scene.a.view().stack_need, scene.b.view().stack_need))) {}
 };
 
-/// What a query reports, in its order, as one number.
+/// The reported pairs in their order, hashed into one number.
 class Report {
  public:
   void add(const Pair& pair) {

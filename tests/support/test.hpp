@@ -1,4 +1,4 @@
-// What nearly every test with a heap includes.
+// The common includes of tests with a heap.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -18,8 +18,8 @@
 
 namespace flashbvh::test {
 
-/// Calls body(random, round) `count` times, with the random numbers of a stream; says which round
-/// it was where one fails.
+/// Calls body(random, round) `count` times, with the random numbers of a stream. A failure reports
+/// its round.
 template <class Count, class Body>
 void for_rounds(Count count, std::uint64_t stream, const Body& body) {
   Random random = test_random(stream);

@@ -7,8 +7,8 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-/// The sine of step / steps of a turn. Rounded to 2^-24, so that it does not depend on the
-/// library's last bit.
+/// The sine of step / steps of a turn, rounded to 2^-24, so that it does not depend on the last bit
+/// of the C library's result.
 double sine(std::uint32_t step, std::uint32_t steps) {
   return std::round(std::sin(kTurn * step / steps) * 16777216.0) / 16777216.0;
 }

@@ -1,4 +1,4 @@
-// transformed_vertex.hpp for meshes before they are baked.
+// The functions of transformed_vertex.hpp for meshes before baking.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Which triangles intersect under a pose, by trying all pairs of them.
+// The pairs of triangles that intersect under a pose, by brute force.
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +11,7 @@
 
 namespace flashbvh::test {
 
-/// Corner `i` of a triangle's three vertex numbers, however they are kept.
+/// The vertex number of a triangle's corner `i`, from either representation.
 template <class Index>
 constexpr uint32_t corner_of(const Corners<Index>& triangle, uint32_t i) {
   return triangle.corner[i];
@@ -34,7 +34,7 @@ Triangle transformed(const Mesh& mesh, uint32_t triangle, const Pose& pose) {
   return transformed;
 }
 
-/// Calls found(i, j) for each two triangles that intersect, of the first `count_a` and `count_b`.
+/// Calls found(i, j) for each intersecting pair of the first `count_a` and `count_b` triangles.
 template <class Mesh, class Found>
 void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_b, const Pose& pose,
                  const Found& found) {
@@ -49,7 +49,7 @@ void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_
   }
 }
 
-/// As queries of distance place B.
+/// The transform by which distance queries place B.
 template <class Mesh>
 detail::Transform transform_of_any(const Pose& pose, const Mesh& a, const Mesh& b) {
   detail::Transform transform(pose, a, b, /*may_stop=*/false);
@@ -59,8 +59,8 @@ detail::Transform transform_of_any(const Pose& pose, const Mesh& a, const Mesh& 
   return transform;
 }
 
-/// Every pair of triangles of two meshes, as a query has them: by the library's transform.
-/// `visit(i, j, of_a, of_b)`: by their positions, in A's lattice.
+/// Calls visit(slot_a, slot_b, of_a, of_b) for each pair of triangles; the library's transform
+/// gives the coordinates, in A's lattice.
 template <class Mesh, class Visit>
 void for_all_pairs(const Mesh& a, const Mesh& b, const detail::Transform& transform,
                    const Visit& visit) {

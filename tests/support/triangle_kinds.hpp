@@ -1,4 +1,4 @@
-// Random pairs of triangles of the kinds that the exact test tells apart, by what they cost.
+// Random pairs of triangles, by the cases of the exact test, which differ in cost.
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 namespace flashbvh::test {
 
-/// Makes a pair of random triangles what the kind is about.
+/// Changes a pair of random triangles into one of its kind.
 using AdaptPair = void (*)(Triangle& a, Triangle& b);
 
 inline void set_boxes_disjoint(Triangle&, Triangle& b) {

@@ -1,4 +1,4 @@
-// Random pairs of triangles as a query reports them: of every kind, many of which intersect.
+// Random pairs of triangles as queries report them: of every kind, many of them intersecting.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +14,7 @@ struct TransformedPair {
   Triangle b;
 };
 
-/// Within [0, size]; a third of the coordinates lies on the rim.
+/// A point within [0, size] on each axis; a third of its coordinates lies at the limits.
 inline Point point_within(Random& random, int32_t size) {
   const auto coordinate = [&] {
     return random.below(3) != 0 ? random.between(0, size) : random.below(2) != 0 ? size : 0;
@@ -39,8 +39,8 @@ inline Triangle triangle_within(Random& random, int32_t size) {
   return t;
 }
 
-/// In one plane or on one line: steps u and v from one origin. Nested, overlapping, touching along
-/// edges or at corners, or disjoint.
+/// Two triangles in one plane or on one line, made of steps u and v from one origin: nested,
+/// overlapping, touching along edges or at corners, or disjoint.
 inline TransformedPair coplanar_pair(Random& random, int32_t size) {
   const int32_t step = size / 24 > 0 ? size / 24 : 1;
   const Point o = point_within(random, step);
@@ -58,8 +58,8 @@ inline TransformedPair coplanar_pair(Random& random, int32_t size) {
   return pair;
 }
 
-/// `a` has a point in its face, on an edge or as corner, in which `b` has a corner or an edge, or
-/// which is the middle of a segment b.
+/// `a` has a point in its face, on an edge or at a corner. This point is a corner of `b`, lies on
+/// an edge of `b`, or is the middle of a segment b.
 inline TransformedPair touching_pair(Random& random, int32_t size) {
   const int32_t step = size / 12 > 0 ? size / 12 : 1;
   const Point o = sum(point_within(random, step), {4 * step, 4 * step, 4 * step});
@@ -74,8 +74,8 @@ inline TransformedPair touching_pair(Random& random, int32_t size) {
   return {{{o, sum(o, scaled(4, u)), sum(o, scaled(4, v))}}, {{start, end, third}}};
 }
 
-/// Two edges that cross in p + w * k / n: n divides both, one is w long and one w + n * v. At an
-/// odd number of 512ths, what rounding gives depends on the edge that it starts from.
+/// Two edges that cross in p + w * k / n: n divides both; one is w long and one w + n * v. At odd
+/// multiples of 1/512, the rounded result depends on the edge from which it starts.
 inline TransformedPair crossing_edges_pair(Random& random) {
   constexpr int32_t parts[] = {2, 3, 512, 512, 1536};
   const int32_t n = parts[random.below(5)];
@@ -93,7 +93,7 @@ inline TransformedPair crossing_edges_pair(Random& random) {
           {{r, s, flat ? r : point_within(random, 30000)}}};
 }
 
-/// `b` round a corner of `a`, or with a corner there: the pair spans up to twice a triangle.
+/// `b` around a corner of `a`, or with a corner there: the pair spans up to twice a triangle.
 inline TransformedPair neighbours(Random& random, int32_t size) {
   TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
   const Point* const b = pair.b.corner;
@@ -104,7 +104,7 @@ inline TransformedPair neighbours(Random& random, int32_t size) {
   return pair;
 }
 
-/// Any kind of pair, size and place within what contact_of() takes.
+/// A pair of any kind, with a size and coordinates in the range of contact_of().
 inline TransformedPair any_pair(Random& random) {
   constexpr int32_t sizes[] = {1, 2, 3, 5, 24, 255, 1000, 20000, kMaxContactSpan};
   const int32_t size = sizes[random.below(sizeof sizes / sizeof sizes[0])];
@@ -129,8 +129,7 @@ inline TransformedPair any_pair(Random& random) {
   }
 }
 
-/// The pair translated to a random place within what contact_of() takes, at its limits now and
-/// then.
+/// The pair translated to a random point in the range of contact_of(), sometimes to its limits.
 inline TransformedPair translated_anywhere(Random& random, const TransformedPair& pair) {
   Point by = {0, 0, 0};
   for (int32_t Point::*axis : kPointAxes) {

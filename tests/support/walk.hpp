@@ -1,4 +1,4 @@
-// Walks over boxes alone, without a query: from a cursor on, however many pairs of leaves come.
+// Walks over boxes without a query, from a cursor on.
 #pragma once
 
 #include <stdint.h>
@@ -12,8 +12,8 @@ struct Walked {
   QueryStats counts;  ///< visits and overlaps
 };
 
-/// At most `visits` visits from `cursor` on, or after its pair. `leaf_pair(i, j, progress)` is
-/// called at each pair of leaves whether to go on.
+/// Continues for at most `visits` visits from `cursor`, or after its pair. At each pair of leaves,
+/// `leaf_pair(i, j, progress)` returns whether to continue.
 template <class Traversal, class BoxTest, class LeafPair>
 Walked walk_from(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                  const BoxTest& bound, typename Traversal::Cursor& cursor,

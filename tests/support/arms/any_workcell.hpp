@@ -1,4 +1,4 @@
-// Random arms with a tool, a post and something that moves, and where doubles say that these are.
+// Random arms with a tool, a post and a moving obstacle, and their frames in doubles.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -38,7 +38,7 @@ inline Transform any_transform(Random& random, double far) {
   return made;
 }
 
-/// Where an obstacle goes in a period: from one frame on, turned about an axis of its own.
+/// An obstacle's motion in one period: a translation, and a turn about an axis of its own.
 struct Way {
   Transform from;
   Vector3 along{};
@@ -49,7 +49,7 @@ struct Way {
     return composed(shifted({along[0] * part, along[1] * part, along[2] * part}),
                     composed(from, turned(axis, angle * part)));
   }
-  /// That no point within `radius` of its origin goes farther, in 1/256 cell.
+  /// An upper bound of the travel of any point within `radius` of its origin, in 1/256 cell.
   std::uint32_t length(double radius) const {
     const double most = std::hypot(along[0], along[1], along[2]) + std::abs(angle) * radius;
     return static_cast<std::uint32_t>(most / kWorkcellCell * 256) + 2;
@@ -76,7 +76,7 @@ struct Body {
   std::unique_ptr<BakedArm> baked;
 };
 
-/// An arm with a tool, a post and something that moves.
+/// An arm with a tool, a post and a moving obstacle.
 struct CrowdedCell {
   explicit CrowdedCell(Random& random)
       : arm(any_guarded_arm(random, 3 + random.below(2), kWorkcellCell)),
@@ -105,7 +105,7 @@ struct CrowdedCell {
   }
   const Robot& robot() const { return workcell.robot(); }
 
-  /// Moves on; the frame that counts from the next period.
+  /// Moves the obstacle; the new frame counts from the next period.
   Status move(Random& random, double speed) {
     way.from = way.at(1);
     way.axis = random.below(3);

@@ -3,7 +3,7 @@
 namespace flashbvh::test {
 namespace {
 
-/// A pyramid on three sides, of about `size`.
+/// A pyramid with three sides, of about `size`.
 bake::SourceMesh pyramid(double size) {
   bake::SourceMesh mesh;
   mesh.vertices = {

@@ -1,4 +1,4 @@
-// Images of arms: small ones of all kinds of joints, which are kept in tests/fuzz/corpus/robot.
+// Images of small arms with all kinds of joints; tests/fuzz/corpus/robot keeps them.
 #pragma once
 
 #include <string>
@@ -24,9 +24,9 @@ struct NamedImage {
 };
 
 /// Joints of every type, mimics of a limited joint and of one without limits, a branch, and links
-/// of few triangles: 2 joints of it, and so on.
+/// of a few triangles.
 FixedArm every_joint_arm();
-/// All of them, the first is of every_joint_arm().
+/// All images; the first is of every_joint_arm().
 const std::vector<NamedImage>& arm_images();
 
 }  // namespace flashbvh::test

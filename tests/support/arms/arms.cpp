@@ -35,7 +35,7 @@ Transform any_turn(Random& random) {
   return composed(turn, turned(2, angle()));
 }
 
-/// A box or a prism of about `length` along its z.
+/// A box or a prism of about `length` along its z axis.
 bake::SourceMesh any_body(Random& random, double length) {
   const double thick = real_between(random, 0.02, 0.08);
   if (random.below(2) == 0) {

@@ -1,4 +1,4 @@
-// Arms made of boxes and prisms, by hand and at random.
+// Arms made of boxes and prisms: fixed and random ones.
 #pragma once
 
 #include <deque>
@@ -17,46 +17,46 @@ using tool::Vector3;
 
 using tool::kPi;
 
-/// In [low, high).
+/// A random number in [low, high).
 double real_between(Random& random, double low, double high);
 
 Transform shifted(const Vector3& translation);
-/// About axis 0, 1 or 2.
+/// A rotation about axis 0, 1 or 2.
 Transform turned(std::size_t axis, double angle);
 
-/// Closed, with these corners.
+/// A closed box with these corners.
 bake::SourceMesh box(const Vector3& low, const Vector3& high);
-/// Between z = low and z = high, round a polygon of `sides` corners at `radius` from (x, y), the
-/// first of them in the direction of x.
+/// A closed prism from z = low to z = high over a polygon of `sides` corners at `radius` from
+/// (x, y); the first corner lies in the direction of x.
 bake::SourceMesh prism(int sides, double radius, double x, double y, double low, double high);
 
-/// A new joint with a variable of its own; its number. Continuous ones are limited to +-pi.
+/// Adds a joint with its own variable; returns its number. Continuous ones are limited to +-pi.
 std::size_t add_joint(Model& model, std::size_t parent, const Transform& fixed, JointType type,
                       double lower, double upper);
-/// One that moves as another's variable says.
+/// Adds a joint that mimics `variable`; returns its number.
 std::size_t add_mimic(Model& model, std::size_t parent, const Transform& fixed, JointType type,
                       std::size_t variable, double multiplier, double offset);
 std::size_t add_link(Model& model, std::size_t joint, const bake::SourceMesh& mesh);
 
-/// A chain of `joints` joints of all types, now and then with a mimic or a branch; links of about a
-/// length of 0.3.
+/// A chain of `joints` joints of all types, sometimes with a mimic or a branch; its links are about
+/// 0.3 long.
 Model any_arm(Random& random, std::size_t joints);
 
-/// All its links with one cell.
+/// An arm whose links are all baked with one cell.
 class BakedArm {
  public:
   BakedArm(const Model& model, double cell);
 
-  /// What firmware gets.
+  /// The meshes that firmware gets.
   const std::vector<Mesh>& meshes() const { return meshes_; }
-  /// On which pairs are decided.
+  /// The meshes on which the matrix decides pairs.
   const std::vector<tool::WholeMesh>& wholes() const { return wholes_; }
   double cell() const { return cell_; }
-  /// Of a link, in metres.
+  /// The image of a link, whose cell is in metres.
   std::vector<std::uint32_t> image(std::size_t link) const;
-  /// By the exact query.
+  /// Whether two links intersect, by the exact query.
   bool intersect(std::size_t a, std::size_t b, const std::vector<double>& variables) const;
-  /// Whether they are at most so many cells apart.
+  /// Whether two links are at most `distance` cells apart.
   bool are_within(std::size_t a, std::size_t b, const std::vector<double>& variables,
                   double distance) const;
   std::vector<tool::PairVerdict> decide(const tool::MatrixOptions& options = {},
@@ -71,11 +71,11 @@ class BakedArm {
   std::vector<tool::WholeMesh> wholes_;
 };
 
-/// A value each, within the limits.
+/// A value for each variable, within the limits.
 std::vector<double> any_variables(Random& random, const Model& model);
 
-/// A base with `mesh`, and a blade, 0.1 long either way, on a carriage that slides along x, turning
-/// about z.
+/// A base with `mesh`, and a blade that reaches 0.1 either way, turning about z, on a carriage that
+/// slides along x.
 tool::Model blade_and(const bake::SourceMesh& mesh, double lower, double upper);
 
 }  // namespace flashbvh::test

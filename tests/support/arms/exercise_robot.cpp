@@ -17,14 +17,14 @@ namespace {
 using Number = std::function<std::uint32_t()>;
 using Values = std::vector<JointCoordinate>;
 
-/// What values may be refused with, and the status of links too far apart for queries.
+/// The errors that values may get, and the status of links too far apart for queries.
 bool may_be(Status status) {
   return status == Status::done || status == Status::suspended ||
          status == Status::not_a_coordinate || status == Status::joint_out_of_limits ||
          status == Status::joint_jumped || status == Status::distance_out_of_range;
 }
 
-/// Within the limits of joints that are no mimics.
+/// Random values within the limits of the joints that are no mimics.
 Values any_values(const Robot& robot, const Number& number) {
   Values values(robot.variable_count);
   for (std::uint32_t i = 0; i < robot.joint_count; ++i) {
@@ -64,7 +64,7 @@ const char* guard_it(const Robot& robot, const Number& number) {
       return "a period of the guard ends in an error";
     }
   }
-  if (number() % 2 == 0) {  // as it was copied out and back, damaged on the way
+  if (number() % 2 == 0) {  // as if copied out and back, and damaged
     auto* const bytes = reinterpret_cast<unsigned char*>(&state);
     for (std::uint32_t i = number() % 4; i != 0; --i) {
       const std::uint32_t reach = std::uint32_t{8} << number() % 12;

@@ -1,8 +1,8 @@
-// What must hold of any bytes as a robot's image: they are refused, or a guard and a motion query
-// of the robot read nothing else and end.
+// Any bytes as a robot's image must be refused, or a guard and a motion query of the robot read
+// nothing else and end.
 //
-// The bytes are opened in a heap block of exactly their size, so that the address sanitizer sees
-// each access beyond them.
+// The bytes are opened in a heap block of exactly their size, so that the address sanitizer
+// detects each access beyond them.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace flashbvh::test {
 
-/// `wrong`: nullptr; else what.
+/// `wrong`: nullptr, or a description of the failure.
 struct RobotVerdict {
   Status status;
   const char* wrong = nullptr;
 };
 
-/// Opens `size` bytes; of a robot that opens, a guard gets some values and a motion certified,
-/// made of `number`: any numbers.
+/// Opens `size` bytes. If they open, a guard and a motion query of the robot get values made of any
+/// numbers that `number` returns.
 RobotVerdict exercise_robot(const void* bytes, std::size_t size,
                             const std::function<std::uint32_t()>& number);
 
-/// Sets the checksum and, where the rest is good, the hash to what they must be.
+/// Corrects the checksum and, if the other fields are valid, the hash.
 void repair_robot(void* bytes, std::size_t size);
 
 }  // namespace flashbvh::test

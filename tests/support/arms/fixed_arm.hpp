@@ -1,4 +1,4 @@
-// Arms as firmware holds them, with what doubles say of them at the same values.
+// Arms as firmware holds them, with their kinematics in doubles at equal values.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace flashbvh::test {
 
 using Values = std::vector<JointCoordinate>;
 
-/// As the reader has it: what mimics a joint without limits has none, either.
+/// The model as the reader returns it: a mimic of a joint without limits has none, either.
 inline Model as_read(Model model) {
   for (tool::ModelJoint& joint : model.joints) {
     const tool::ModelJoint& master = model.joints[model.variables[joint.variable]];
@@ -52,18 +52,18 @@ struct FixedArm {
   bool is_free(std::size_t variable) const {
     return joint_of(variable).type == JointType::continuous;
   }
-  /// Where link b of the pair lies in a's frame, by exact kinematics but for the pose's rounding.
+  /// The frame of the pair's link b in a's frame, by exact kinematics, rounded to a pose.
   Pose exact_pose(const RobotPair& pair, const Values& values) const {
     const tool::JointsBetween between = joints_between(model, pair.a, pair.b);
     return tool::pose_of(frame_between(model, between, variables(values)), arm.cell());
   }
-  /// In 1/256 cell; at least `distance` less what placing rounds if this is false.
+  /// In 1/256 cell. False: the distance is at least `distance` less the error of placing.
   bool is_closer(const RobotPair& pair, const Values& values, std::uint32_t distance) const {
     return closer_than(robot().meshes[pair.a], robot().meshes[pair.b], exact_pose(pair, values),
                        distance < kMaxGuardDistance ? distance : kMaxGuardDistance)
         .yes;
   }
-  /// Within the limits, now and then at them.
+  /// Random values within the limits, sometimes at them.
   Values any_values(Random& random) const {
     Values values;
     for (std::size_t i = 0; i < model.variables.size(); ++i) {

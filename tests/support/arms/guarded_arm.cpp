@@ -24,7 +24,7 @@ std::vector<tool::GuardedPair> any_pairs(Random& random, const Model& model, dou
     // Neighbours are not guarded about their joint.
     const bool may = !pair.is_stopped && (pair.verdict == tool::MatrixVerdict::can ||
                                           pair.verdict == tool::MatrixVerdict::undecided);
-    const bool is_next = pair.b == pair.a + 1;  // seldom farther apart than they warn of
+    const bool is_next = pair.b == pair.a + 1;  // seldom farther apart than their warn distance
     if (may && (!is_next || random.below(6) == 0)) {
       const double stop = random.below(3) == 0 ? 0 : real_between(random, 0, 0.01);
       const double warn = random.below(3) == 0 ? stop : stop + real_between(random, 0, 0.02);
@@ -117,7 +117,7 @@ FixedArm any_guarded_arm(Random& random, std::size_t joints, double cell) {
 
 bool DrawnArm::is_closer(const RobotPair& pair, const Values& values,
                          std::uint32_t distance) const {
-  // Of the finer cell: what placing rounds, and both meshes by half a diagonal.
+  // In units of the finer cell: the rounding of placing, and half a diagonal of each mesh.
   constexpr std::uint32_t rounded = kPlacingFine + 2 * 222;
   const std::uint32_t fine = std::min(distance, kMaxGuardDistance / kFiner) * kFiner;
   const tool::JointsBetween between = joints_between(arm_.model, pair.a, pair.b);
@@ -154,7 +154,7 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
     return "a verdict better than the reported distance";
   }
   if (is_unlimited && answer.verdict == Verdict::stop) {
-    // The limit is half of the excess, at the least 1/16 cell less.
+    // The limit is half of the excess, less at least 1/16 cell.
     const double most = told.stop + 2.0 * robot.slack + 2 * period.travel(arm, told) + 40;
     if (most < kMaxGuardDistance &&
         !arm.is_closer(told, period.at_end(), static_cast<std::uint32_t>(most) + kPlacingFine)) {

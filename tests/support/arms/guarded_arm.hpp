@@ -1,4 +1,4 @@
-// Arms with a guard, and brute force against it.
+// Guarded arms, and brute force that checks the guard.
 #pragma once
 
 #include "flashbvh/robot/guard.hpp"
@@ -6,14 +6,14 @@
 
 namespace flashbvh::test {
 
-/// Room for any arm here.
+/// Storage for any arm of these tests.
 using AnyGuardState = GuardStateOf<8, 32, 256>;
 
-/// What placing rounds, in 1/256 cell.
+/// The rounding error of placing a link, in 1/256 cell.
 constexpr std::uint32_t kPlacingFine = 228;
 
-/// A period's values and what lies between: some joints lag, others lead. Joints without limits go
-/// the shorter way.
+/// A period's first and last values, and any between: some joints lag, others lead. Joints without
+/// limits go the shorter way.
 class Period {
  public:
   Period(const FixedArm& arm, const Values& before, const Values& now);
@@ -21,11 +21,11 @@ class Period {
   Values at_start() const { return before_; }
   /// Each variable at its old value, at its new one, or between.
   Values between(Random& random) const;
-  /// Of the moments that are tried: the start, the end, and any others.
+  /// Values at a moment: 0 is the start, 1 the end, any other one a random moment between.
   Values at(int moment, Random& random) const {
     return moment == 0 ? before_ : moment == 1 ? now_ : between(random);
   }
-  /// How far the joints move the pair, in 1/256 cell.
+  /// The distance by which the joints move the pair, in 1/256 cell.
   double travel(const FixedArm& arm, const RobotPair& pair) const;
 
  private:
@@ -33,10 +33,10 @@ class Period {
   Values now_;
 };
 
-/// Values that wander, each variable in a manner of its own.
+/// Values that wander, each variable in its own manner.
 class Wandering {
  public:
-  /// `speed`: the largest step, of the joint's range.
+  /// `speed`: the largest step, as a part of the joint's range.
   Wandering(const FixedArm& arm, const Values& from, double speed);
   const Values& step(Random& random);
 
@@ -48,16 +48,15 @@ class Wandering {
   double speed_;
 };
 
-/// A random arm whose pairs that can collide are guarded, at all kinds of distances.
+/// A random arm whose pairs that can collide are guarded, at random distances.
 FixedArm any_guarded_arm(Random& random, std::size_t joints, double cell);
 
-/// The arm's links as they are drawn: baked with a cell that is a small part of the arm's, and put
-/// where doubles say.
+/// The arm's links as drawn: baked with a small part of the arm's cell, and placed in doubles.
 class DrawnArm {
  public:
   explicit DrawnArm(const FixedArm& arm) : arm_(arm), drawn_(arm.model, arm.arm.cell() / kFiner) {}
 
-  /// In 1/256 of the arm's cell. False where it is unknown.
+  /// Whether a pair is closer than `distance`, in 1/256 of the arm's cell. False if unknown.
   bool is_closer(const RobotPair& pair, const Values& values, std::uint32_t distance) const;
 
  private:
@@ -72,11 +71,11 @@ inline bool are_same(const GuardAnswer& u, const GuardAnswer& v) {
          u.distance == v.distance && u.work == v.work;
 }
 
-/// Primes the guard at values where it does not stop, if so many tries find some.
+/// Primes the guard at values where it does not stop, if `tries` more tries find some.
 GuardAnswer prime_apart(Random& random, const FixedArm& arm, Guard& guard, int tries,
                         Values& values);
 
-/// Empty, or what the answer promises and brute force contradicts.
+/// The promise of the answer that brute force contradicts; nullptr if there is none.
 const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const GuardAnswer& answer,
                           const Period& period, bool is_unlimited, Random& random);
 

@@ -1,4 +1,4 @@
-// A robot's image in its parts, to be changed.
+// The parts of a robot's image, for tests that change them.
 #pragma once
 
 #include "flashbvh/detail/robot/image_parts.hpp"
@@ -16,7 +16,7 @@ inline std::size_t size_of(const Words& words) {
   return words.size() * sizeof words[0];
 }
 
-/// Of the words.
+/// The parts of an image, given as words.
 struct Parts {
   explicit Parts(Words& words)
       : header(*reinterpret_cast<RobotImageHeader*>(words.data())),
@@ -31,7 +31,7 @@ struct Parts {
         meshes(reinterpret_cast<unsigned char*>(words.data()) +
                detail::robot_meshes_offset(header)) {}
 
-  /// Of the first mesh, its checksum repaired by mend_mesh().
+  /// The header of the first mesh; mend_mesh() repairs its checksum.
   ImageHeader& mesh() const { return *reinterpret_cast<ImageHeader*>(meshes); }
   void mend_mesh() const { repair_crc(meshes, mesh().byte_count); }
 
@@ -47,7 +47,7 @@ struct Parts {
   unsigned char* meshes;
 };
 
-/// With numbers that are the same each time.
+/// exercise_robot() with the same numbers in each run of a seed.
 inline RobotVerdict exercise_any(const void* bytes, std::size_t size) {
   Random random(test_seed());
   return exercise_robot(bytes, size,

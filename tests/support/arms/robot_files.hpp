@@ -1,4 +1,4 @@
-// A folder of a test's own, with the files of a robot.
+// A test's own folder with the files of a robot.
 #pragma once
 
 #include <unistd.h>
@@ -11,7 +11,7 @@
 
 namespace flashbvh::test {
 
-/// What is said where `act()` is refused; empty if it is not.
+/// The message with which `act()` is refused; empty if it is not refused.
 template <class Act>
 std::string refusal_of(const Act& act) {
   try {
@@ -38,13 +38,13 @@ class RobotFiles {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
 
-  /// Of a robot whose <robot> holds `inside`.
+  /// Reads a robot whose <robot> element holds `inside`.
   tool::Model read(const std::string& inside, const std::string& srdf = "") {
     write("arm.urdf", "<robot name=\"arm\">\n" + inside + "</robot>\n");
     return tool::read_urdf(path("arm.urdf"), packages, srdf, warnings);
   }
 
-  /// What is said of a robot that is refused, with the folder left out; empty if it is read.
+  /// The message that refuses a robot, without the folder's path; empty if the robot is read.
   std::string refusal(const std::string& inside) {
     std::string text = refusal_of([&] { return read(inside); });
     for (std::size_t at; (at = text.find(folder_.string() + "/")) != std::string::npos;) {

@@ -1,9 +1,9 @@
-// The oracle for contacts: all corners of the common part of two triangles, as exact rationals.
+// The oracle for contacts: all corners of two triangles' intersection, as exact rationals.
 //
-// A corner of the common part of two closed triangles, of whatever shape, is a corner of one of
-// them, or where an edge of one crosses the plane of the other, or where two edges cross. So all of
-// these are tried, 6 + 6 + 9, and those kept that lie in both triangles, which is tested for each
-// on its own. No case for coplanar or degenerate input, no intervals, no order, no rounding.
+// A corner of the intersection of any two closed triangles is a corner of one, a point where an
+// edge of one crosses the plane of the other, or a crossing of two edges. The oracle tries all of
+// these, 6 + 6 + 9, and keeps those in both triangles, tested one by one. It needs no case for
+// coplanar or degenerate input, no intervals, no order, no rounding.
 //
 // Range: corners within 114,000 < 2^17 of the first one, as those of triangles that intersect are.
 // A point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
@@ -39,7 +39,7 @@ inline Wide dotted(const WideVector& u, const WideVector& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/// The corners relative to the first one of the first triangle.
+/// A triangle's corners relative to the first corner of the first triangle.
 struct WideTriangle {
   WideVector corner[3];
 
@@ -54,7 +54,7 @@ struct WideTriangle {
   WideVector normal() const { return crossed(edge(0), minus(corner[2], corner[0])); }
 };
 
-/// p + (q - p) * part / whole, whatever the sign of `whole`, which isn't 0.
+/// p + (q - p) * part / whole, for `whole` of either sign, but not 0.
 inline Rational point_between(const WideVector& p, const WideVector& q, Wide part, Wide whole) {
   const Wide sign = whole < 0 ? -1 : 1;
   const WideVector step = times(sign * part, minus(q, p));
@@ -86,7 +86,7 @@ inline bool in_triangle(const Rational& p, const WideTriangle& t) {
   return inside;
 }
 
-/// Adds where edge i of `a` crosses the plane of `b`.
+/// Adds the point where edge i of `a` crosses the plane of `b`.
 inline void add_plane_crossing(const WideTriangle& a, int i, const WideTriangle& b,
                                std::vector<Rational>& points) {
   const WideVector normal = b.normal();
@@ -97,7 +97,7 @@ inline void add_plane_crossing(const WideTriangle& a, int i, const WideTriangle&
   }
 }
 
-/// Adds where the lines of edge i of `a` and edge j of `b` cross in some projection.
+/// Adds the point where the lines of edge i of `a` and edge j of `b` cross in some projection.
 inline void add_edge_crossing(const WideTriangle& a, int i, const WideTriangle& b, int j,
                               std::vector<Rational>& points) {
   const WideVector whole = crossed(a.edge(i), b.edge(j));
@@ -121,7 +121,7 @@ inline bool is_between_ends(const Rational& p, const WideTriangle& a, int i) {
   return true;
 }
 
-/// Adds all points that may be corners of the common part and lie on edge i of `a`.
+/// Adds all points on edge i of `a` that may be corners of the intersection.
 inline void add_on_edge(const WideTriangle& a, int i, const WideTriangle& b,
                         std::vector<Rational>& points) {
   std::vector<Rational> tried = {{a.corner[i], 1}};
@@ -130,14 +130,14 @@ inline void add_on_edge(const WideTriangle& a, int i, const WideTriangle& b,
     add_edge_crossing(a, i, b, j, tried);
   }
   for (const Rational& p : tried) {
-    // Far outside, the tests below could overflow.
+    // The tests below could overflow for points far outside.
     if (is_between_ends(p, a, i) && in_triangle(p, a) && in_triangle(p, b)) {
       points.push_back(p);
     }
   }
 }
 
-/// The common part is the convex hull of these; some of them may be equal, or not be corners.
+/// Points whose convex hull is the intersection; some may be equal, or no corners.
 inline std::vector<Rational> common_corners(const Triangle& a, const Triangle& b) {
   const WideTriangle wide_a(a, a.corner[0]);
   const WideTriangle wide_b(b, a.corner[0]);

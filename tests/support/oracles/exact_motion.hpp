@@ -1,5 +1,5 @@
-// The oracle for motions: where points of B are at any moment, by Rodrigues' formula in doubles,
-// and how far bodies are apart there. No code of the library's.
+// The oracle for motions: the points of B at any moment, by Rodrigues' formula in doubles, and the
+// distance of two bodies there. Uses no code of the library.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace flashbvh::test {
 
 using FloatMesh = std::vector<FloatTriangle>;
 
-/// In cells of its own frame, in the order of its triangles.
+/// A mesh in cells of its own frame, in the order of its triangles.
 inline FloatMesh float_mesh(const Mesh& mesh) {
   FloatMesh all(mesh.triangle_count);
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
@@ -29,7 +29,7 @@ inline FloatVector in_cells(const int32_t (&v)[3]) {
   return {v[0] / 2048.0, v[1] / 2048.0, v[2] / 2048.0};
 }
 
-/// Where a pose places a point, without rounding.
+/// A point that a pose transforms, without rounding.
 inline FloatVector placed(const Pose& pose, const FloatVector& p) {
   FloatVector at;
   for (int i = 0; i < 3; ++i) {
@@ -41,10 +41,10 @@ inline FloatVector placed(const Pose& pose, const FloatVector& p) {
   return at;
 }
 
-/// A move at a moment.
+/// A move at one moment.
 class FloatMove {
  public:
-  /// `time`: 0 to 1.
+  /// `time`: 0 (start) to 1 (end).
   FloatMove(const Move& move, double time) : point_(in_cells(move.point)), turns_(move.turn != 0) {
     const FloatVector given = {double(move.axis[0]), double(move.axis[1]), double(move.axis[2])};
     const double angle = time * move.turn / kFullTurn * 2 * 3.14159265358979323846;
@@ -94,7 +94,7 @@ class ExactMotion {
     return moved;
   }
 
-  /// How fast its points are at most, in cells a motion.
+  /// An upper bound of the speed of the mesh's points, in cells per motion.
   double speed(const FloatMesh& mesh) const {
     double reach = 0;
     for (const FloatTriangle& t : mesh) {
@@ -117,7 +117,7 @@ class ExactMotion {
   const BodyMotion& motion_;
 };
 
-/// Of all pairs of triangles; not below `enough`.
+/// The least distance of all pairs of triangles, not below `enough`.
 inline double distance_of(const FloatMesh& a, const FloatMesh& b, double enough = 0) {
   double least = std::numeric_limits<double>::infinity();
   for (const FloatTriangle& t : a) {

@@ -1,15 +1,15 @@
-// The oracle for a triangle that travels: the first time at which two triangles touch, as a linear
-// program whose answer proves itself.
+// The oracle for a moving triangle: the first time at which two triangles touch, as a linear
+// program whose answer comes with a proof.
 //
-// Triangle b travels by `way` from time 0 to 1. It touches a first at the least s for which
+// Triangle b moves by `way` from time 0 to 1. It first touches a at the least s for which
 //   sum l_i a_i = sum m_j b_j + s way,  sum l_i = sum m_j = 1,  l, m >= 0,  0 <= s <= 1
 // has a solution. As in triangle.hpp; phase two minimises s. Certificates:
-// - never: a direction n along which b is strictly ahead of a at both ends of the way
-// - at s: weights l and m, that is, a common point then; and if s is not 0, a direction along which
-//   b is ahead of a by s times what it falls back on the whole way, so that it is until then
+// - never: a direction n along which b is strictly ahead of a at both ends of the motion
+// - at s: weights l and m, that is, a common point at s; and, if s > 0, a direction along which b
+//   is ahead of a by s times its retreat during the whole motion, so that they are apart before s
 //
-// Range: coordinate differences and the way below 2^19. Minors have a row more than there, which
-// expands to three of those: entries below 2^62.
+// Range: coordinate differences and `way` below 2^19. Minors have one more row than in
+// triangle.hpp and expand to three of its minors: entries below 2^62.
 #pragma once
 
 #include "support/oracles/triangle.hpp"
@@ -24,17 +24,17 @@ namespace flashbvh::test {
 /// The answer and its certificate. Check it with is_proven().
 struct FirstTouch {
   bool touches;
-  Wide time;  ///< the first, over `scale`
+  Wide time;  ///< the first time of contact, times `scale`
   Wide scale;
-  Wide weight_a[3];  ///< of a common point then, over `scale`
+  Wide weight_a[3];  ///< of a common point at that time, times `scale`
   Wide weight_b[3];
   Wide direction[3];
 };
 
-/// With the columns of s and of its difference from 1, and the row of their sum.
+/// Adds the columns of s and of its difference from 1, and the row of their sum.
 using TouchTableau = Tableau<6, 8>;
 
-/// Artificial variables leave the basis; where one can't, its row is of zeros.
+/// Makes the artificial variables leave the basis; where one cannot, its row is zero.
 inline void drive_out(TouchTableau& t) {
   for (int row = 0; row < TouchTableau::kRows; ++row) {
     for (int column = 0;
@@ -82,7 +82,7 @@ inline FirstTouch first_touch(const Triangle& a, const Triangle& b, const Point&
   return found;
 }
 
-/// Whether the weights describe one point of a and of b at the time.
+/// Whether the weights describe one common point of a and b at the time of contact.
 inline bool is_common_point(const FirstTouch& f, const Triangle& a, const Triangle& b,
                             const Point& way) {
   Wide sum_a = 0;
@@ -113,7 +113,7 @@ inline bool is_proven(const FirstTouch& f, const Triangle& a, const Triangle& b,
          (f.time == 0 || (falls_back > 0 && at_begin * f.scale >= f.time * falls_back));
 }
 
-/// Whether two boxes may overlap before a time of a way; exact but for 2^-40 of it.
+/// Whether two boxes may overlap before time `until` of a motion; exact up to 1e-12.
 inline bool boxes_meet(const Triangle& a, const Triangle& b, const Point& way, double until) {
   double first = 0;
   double last = until;

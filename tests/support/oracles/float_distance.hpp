@@ -1,5 +1,5 @@
-// How far two triangles, of whatever shape, are apart in doubles: the least over their features, or
-// 0 where an edge pierces a face. By other ways than the library's.
+// The distance of any two triangles in doubles: the least over their features, or 0 where an edge
+// pierces a face. Uses other methods than the library.
 #pragma once
 
 #include <algorithm>
@@ -29,13 +29,13 @@ inline double squared(const FloatVector& u) {
   return dot(u, u);
 }
 
-/// A face that has an area, or none.
+/// A face, which may have no area.
 class FloatFace {
  public:
   explicit FloatFace(const FloatTriangle& t)
       : corner_(t), normal_(cross(minus(t[1], t[0]), minus(t[2], t[0]))), area_(squared(normal_)) {}
 
-  /// Squared; infinite where p is not over it.
+  /// The squared distance of p; infinite if p does not project into the face.
   double distance(const FloatVector& p) const {
     const double above = height(p);
     return is_over(p) ? above * above / area_ : std::numeric_limits<double>::infinity();
@@ -69,7 +69,7 @@ inline double distance_to_edge(const FloatVector& p, const FloatVector& s, const
   return squared(minus(p, plus(s, std::clamp(share, 0.0, 1.0), edge)));
 }
 
-/// Of the lines through two edges where they are nearest; infinite if that is off an edge.
+/// The squared distance of two edges' lines; infinite if the nearest points lie off an edge.
 inline double distance_across(const FloatVector& p, const FloatVector& p_end, const FloatVector& q,
                               const FloatVector& q_end) {
   const FloatVector u = minus(p_end, p);

@@ -1,4 +1,4 @@
-// Distances and meeting points in exact rationals, by other ways than the library's.
+// Distances and first common points in exact rationals, by other methods than the library's.
 #pragma once
 
 #include <gmpxx.h>
@@ -9,8 +9,8 @@
 
 namespace flashbvh::test {
 
-/// Where a segment first has a point of a triangle: each condition on the place along the segment
-/// is linear, and cuts what is left of it.
+/// The first point of a segment on a triangle: each condition on the parameter along the segment is
+/// linear, and cuts its interval.
 class SegmentOracle {
  public:
   SegmentOracle(const Segment& segment, const Triangle& t)
@@ -30,7 +30,7 @@ class SegmentOracle {
     }
   }
 
-  /// False: no common point.
+  /// Whether there is a common point.
   bool meets() const { return first_ <= last_; }
   const mpq_class& first() const { return first_; }
 
@@ -48,7 +48,7 @@ class SegmentOracle {
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
   }
 
-  /// n . (x - p) >= 0
+  /// Adds the condition n . (x - p) >= 0.
   void not_below(const Vector& n, const Vector& p) {
     const mpz_class start = dot(n, minus(from_, p));
     const mpz_class slope = dot(n, way_);
@@ -72,7 +72,7 @@ class SegmentOracle {
     not_below({-n[0], -n[1], -n[2]}, p);
   }
 
-  /// Of a triangle without area.
+  /// Adds the conditions of a triangle without area: the point is on its longest edge.
   void on_longest_edge(const Triangle& t) {
     Vector p = vector(t.corner[0]);
     Vector edge = {0, 0, 0};
@@ -109,12 +109,12 @@ inline mpq_class dot(const RationalVector& u, const RationalVector& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/// How far two triangles are apart: the point nearest to 0 of the hull of the nine differences of
+/// The distance of two triangles: the point nearest to 0 in the hull of the nine differences of
 /// their corners.
 ///
-/// A point w of the hull is that one exactly if w . p >= w . w for each of the nine. At most three
-/// of them are needed to make it, unless the hull holds 0; so all sets of up to three are tried,
-/// and what is returned is certified. No such point: the triangles intersect.
+/// A point w of the hull is nearest if and only if w . p >= w . w for each difference p. Unless the
+/// hull contains 0, it is a combination of at most three differences. All sets of up to three are
+/// tried, and the result is certified. If no point is nearest, the triangles intersect.
 class Differences {
  public:
   Differences(const Triangle& a, const Triangle& b) {
@@ -125,7 +125,7 @@ class Differences {
     }
   }
 
-  /// Of the hull's point nearest to 0; 0 if the triangles intersect.
+  /// The squared distance; 0 if the triangles intersect.
   mpq_class squared_distance() const {
     for (std::size_t i = 0; i < 9; ++i) {
       if (is_nearest(points_[i])) {

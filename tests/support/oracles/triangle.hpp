@@ -1,15 +1,15 @@
-// The oracle for triangle against triangle: a linear program whose answer proves itself.
+// The oracle for triangle against triangle: a linear program whose answer comes with a proof.
 //
-// Closed triangles a and b, of whatever shape, intersect if and only if
+// Any two closed triangles a and b intersect if and only if
 //   sum l_i a_i = sum m_j b_j,  sum l_i = sum m_j = 1,  l, m >= 0
-// has a solution. Phase one of the simplex method decides that in exact integers (Edmonds' integer
-// pivoting: the tableau times the determinant of its basis) and, with Bland's rule, ends always.
+// has a solution. Phase one of the simplex method decides this in exact integers (Edmonds' integer
+// pivoting: the tableau times the determinant of its basis). Bland's rule makes it terminate.
 //
-// There is no need to trust the simplex: each answer comes with a certificate, checked on its own.
+// The simplex need not be trusted: each answer has a certificate, checked separately.
 // - intersects: weights l and m, that is, a common point
 // - disjoint: a direction n with n.a_i < n.b_j for all i, j, that is, a plane strictly in between
-// One of both exists (Farkas' lemma), never both. No determinant of the library's, no case for
-// coplanar or degenerate input, no candidate axes.
+// Exactly one of the two exists (Farkas' lemma). The oracle uses no determinant of the library, no
+// case for coplanar or degenerate input, and no candidate axes.
 //
 // Range: coordinate differences below 2^20. A tableau entry is a minor of the system, which row
 // operations reduce to a 3x3 determinant of differences, at most 4 * 2^60; the cost row sums three.
@@ -27,9 +27,9 @@ __extension__ typedef __int128 Wide;
 /// The answer and its certificate.
 struct Verdict {
   bool intersects;
-  Wide weight_a[3];   ///< where it intersects: a common point of both, times a positive number
-  Wide weight_b[3];   ///< the weights of the same point in b, with the same sum
-  Wide direction[3];  ///< where it doesn't: all of a lies strictly before all of b along it
+  Wide weight_a[3];  ///< if they intersect: weights of a common point, times a positive number
+  Wide weight_b[3];  ///< the weights in b of the common point, with an equal sum
+  Wide direction[3];  ///< if they are disjoint: all of a lies strictly before all of b along it
 };
 
 /// A tableau of the simplex method: columns l0 l1 l2, m0 m1 m2, other variables, three artificial
@@ -43,7 +43,7 @@ struct Tableau {
   Wide entry[rows + 1][kRight + 1];  ///< the last row holds the reduced costs
   Wide scale;                        ///< all entries are integers over this, scale > 0
   int basis[rows];                   ///< the variable that each row solves for
-  int sign[3];                       ///< by which the coordinate rows were multiplied
+  int sign[3];  ///< the factors by which the coordinate rows were multiplied
 
   const Wide* cost() const { return entry[rows]; }
 };
@@ -79,8 +79,8 @@ AnyTableau start(const Triangle& a, const Triangle& b) {
   return t;
 }
 
-/// The row that limits the entering variable: least ratio, then, by Bland, least variable.
-/// There is always one, since what is minimised can't fall below zero.
+/// The row that limits the entering variable: least ratio, then, by Bland, least variable. There is
+/// always one, since the objective cannot fall below zero.
 template <class AnyTableau>
 int leaving_row(const AnyTableau& t, int entering) {
   constexpr int right = AnyTableau::kRight;
@@ -116,7 +116,7 @@ void pivot(AnyTableau& t, int pivot_row, int entering) {
   t.scale = by;
 }
 
-/// Until no reduced cost is negative.
+/// Pivots until no reduced cost is negative.
 template <class AnyTableau>
 void minimise(AnyTableau& t) {
   for (int column = 0; column < AnyTableau::kVariables;) {
@@ -129,7 +129,7 @@ void minimise(AnyTableau& t) {
   }
 }
 
-/// Phase one: minimises the sum of the artificial variables; whether that is 0.
+/// Phase one: minimises the sum of the artificial variables; returns whether it is 0.
 template <class AnyTableau>
 bool is_feasible(AnyTableau& t) {
   for (int column = 0; column <= AnyTableau::kRight; ++column) {
@@ -142,7 +142,7 @@ bool is_feasible(AnyTableau& t) {
   return t.cost()[AnyTableau::kRight] == 0;
 }
 
-/// The weights of a point of a and of one of b, times the scale.
+/// Gets the weights of a point of a and of one of b, times the scale.
 template <class AnyTableau>
 void get_weights(const AnyTableau& t, Wide (&weight_a)[3], Wide (&weight_b)[3]) {
   for (int row = 0; row < AnyTableau::kRows; ++row) {
@@ -154,7 +154,7 @@ void get_weights(const AnyTableau& t, Wide (&weight_a)[3], Wide (&weight_b)[3]) 
   }
 }
 
-/// The dual variables of the coordinate rows; `cost`: of each artificial variable.
+/// Gets the dual variables of the coordinate rows. `cost`: the cost of each artificial variable.
 template <class AnyTableau>
 void get_direction(const AnyTableau& t, Wide cost, Wide (&direction)[3]) {
   for (int k = 0; k < 3; ++k) {
@@ -195,7 +195,7 @@ inline Wide along(const Wide (&direction)[3], const Point& p) {
   return direction[0] * p.x + direction[1] * p.y + direction[2] * p.z;
 }
 
-/// How far each corner of b is ahead of each corner of a at least, along a direction.
+/// The least lead of a corner of b over a corner of a along a direction.
 inline Wide ahead(const Wide (&direction)[3], const Triangle& a, const Triangle& b) {
   Wide least = along(direction, b.corner[0]) - along(direction, a.corner[0]);
   for (const Point& p : a.corner) {
