@@ -1,15 +1,15 @@
 # flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG]
 #   [OPTIMISED])
 #
-# An executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs it as
-# "<preset>/<name>". An own main() is not needed.
-# HEAP says that the tests need a heap: boards without room for one leave them out, and all but the
-# Cortex-M4F do so unless FLASHBVH_ALL_TESTS, or ICOUNT. All others run on every board, down to 8 KB of
-# RAM, over tests/harness/small_catch, and do not link with a heap.
-# ICOUNT makes instruction counts on the board exact, and each test case a test of CTest's,
-# "<preset>/<test case>", whose figures -R and -V show. LONG is a label of tests that run apart; a test that needs no
-# room of the host program but `bake` is labelled `library`; library_tests builds them:
-# tools/test.sh --quick. OPTIMISED: in a fast build, too.
+# Adds an executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs it as
+# "<preset>/<name>". The executable needs no main() of its own.
+# HEAP: the tests need a heap. Boards without storage for one leave them out; so do all but the Cortex-M4F, unless
+# FLASHBVH_ALL_TESTS or ICOUNT is set. All other tests run on every board, down to 8 KB of RAM, with
+# tests/harness/small_catch, and link no heap.
+# ICOUNT: instruction counts on the board are exact, and each test case is a test of CTest, "<preset>/<test case>";
+# -R and -V show its figures. LONG: a label of tests that run separately. Tests that need no component of the host
+# program but `bake` get the label `library`; the target library_tests builds them: tools/test.sh --quick.
+# OPTIMISED: optimised in a fast build, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
 function(flashbvh_add_test name)
@@ -17,7 +17,7 @@ function(flashbvh_add_test name)
   if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
     return()
   endif()
-  # The tests without a heap and the digest cover what a core has of its own.
+  # On other cores, the tests without a heap and the digest cover the core's own code.
   if(arg_HEAP AND NOT arg_ICOUNT AND NOT FLASHBVH_ALL_TESTS AND FLASHBVH_BOARD
       AND NOT FLASHBVH_BOARD STREQUAL "mps2-an386")
     return()
@@ -50,21 +50,21 @@ function(flashbvh_add_test name)
       set(level -O1)
     endif()
     target_compile_options(${name} PRIVATE -g1 ${level})
-    # As for the host program (tools/cli): optimised templates come first.
+    # As in the host program (tools/cli): optimised templates come first.
     set(first flashbvh_test_queries flashbvh)
     list(TRANSFORM first REPLACE "(.+)" "$<TARGET_FILE:\\1>")
     target_link_options(${name} PRIVATE -Wl,--whole-archive ${first} -Wl,--no-whole-archive)
     target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
   if(CMAKE_CROSSCOMPILING)
-    # A third less to compile, but for what counts instructions and what has hardly a stack.
+    # Compiles a third faster. Not for tests that count instructions, nor for boards with little stack.
     if(FLASHBVH_TESTS_HAVE_HEAP AND NOT arg_ICOUNT)
       target_compile_options(${name} PRIVATE -O1)
     endif()
     set_target_properties(${name} PROPERTIES SUFFIX ${FLASHBVH_SUFFIX})
-    # Not by the test property ENVIRONMENT: catch_discover_tests() takes one variable at most.
+    # The test property ENVIRONMENT does not serve: catch_discover_tests() passes at most one variable.
     if(arg_ICOUNT)
-      # Figures are printed with fractions, which newlib's small printf() does on request.
+      # Figures are printed with fractions; newlib's small printf() needs this option for them.
       if(CMAKE_CXX_FLAGS MATCHES "nano.specs")
         target_link_options(${name} PRIVATE -Wl,-u,_printf_float)
       endif()
@@ -73,18 +73,18 @@ function(flashbvh_add_test name)
     endif()
   endif()
 
-  # The emulator's own limit comes first: it says what happened.
+  # The emulator's own limit comes first: it reports the cause.
   math(EXPR limit "${arg_TIMEOUT} + 30")
   set(properties TIMEOUT ${limit} ${labels} ENVIRONMENT FLASHBVH_TIMEOUT=${arg_TIMEOUT})
   if(CMAKE_CROSSCOMPILING AND arg_ICOUNT)
-    # Catch2 takes an executable that crashes for one without tests.
+    # Catch2 treats an executable that crashes as one without tests.
     add_custom_command(TARGET ${name} POST_BUILD VERBATIM
       COMMAND ${CMAKE_COMMAND} "-DCOMMAND=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:${name}>"
         -P ${FLASHBVH_CHECK_TEST_LIST})
     catch_discover_tests(${name} TEST_PREFIX "${FLASHBVH_TEST_PREFIX}/" PROPERTIES ${properties})
     return()
   endif()
-  # Each test case is named, so that a crash has a place.
+  # The output names each test case, so that a crash can be located.
   set(each_named "")
   if(NOT CMAKE_CROSSCOMPILING)
     set(each_named --durations yes)
@@ -94,12 +94,12 @@ function(flashbvh_add_test name)
   set_tests_properties(${test} PROPERTIES FAIL_REGULAR_EXPRESSION "No tests ran" ${properties})
 endfunction()
 
-# flashbvh_add_tests(room [OPTIMISED]): the tests of the folder `room`. The end of a file's name says where it runs:
-#   *_board_test.cpp  everywhere, without a heap; a program a file, which fits 128 KB of flash; the
-#                     target board_tests builds them all
+# flashbvh_add_tests(room [OPTIMISED]): the tests of the folder `room`. The suffix of a file's name selects where it
+# runs:
+#                     the target board_tests builds them all
 #   *_cost_test.cpp   on boards of measured cores, counting instructions
-#   *_host_test.cpp   on this machine alone, optimised, with GMP for exact rationals
-#   *_long_test.cpp   on this machine alone, apart (LONG)
+#   *_host_test.cpp   only on this machine, optimised, with GMP for exact rationals
+#   *_long_test.cpp   only on this machine, separately (LONG)
 #   *_test.cpp        on this machine and on boards with a heap; OPTIMISED is for these
 function(flashbvh_add_tests room)
   file(GLOB all CONFIGURE_DEPENDS ${room}/*_test.cpp)
@@ -131,7 +131,7 @@ function(flashbvh_add_tests room)
   if(long AND NOT CMAKE_CROSSCOMPILING)
     flashbvh_add_test(${room}_long_test ${long} LONG ${support})
   endif()
-  # Forms of one definition that the library keeps to itself.
+  # Internal headers of the library with several forms of one definition.
   foreach(program IN LISTS programs)
     if(TARGET ${program})
       target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/lib/src)

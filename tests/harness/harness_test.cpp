@@ -1,4 +1,4 @@
-// The heap guard works the same natively and on a board.
+// The heap guard works on this machine and on a board.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <vector>

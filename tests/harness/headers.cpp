@@ -1,1 +1,1 @@
-// Only to have its precompiled headers made.
+// Exists only to build its precompiled headers.

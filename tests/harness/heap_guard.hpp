@@ -1,8 +1,8 @@
-// A scope in which nothing may allocate.
+// A scope in which no code may allocate.
 #pragma once
 
-/// While one is alive, malloc, calloc, realloc and operator new end the process with a message and
-/// status 122, which fails the test. Freeing is allowed.
+/// While an object exists, malloc, calloc, realloc and operator new end the process with a message
+/// and status 122, which fails the test. Freeing is allowed.
 ///
 /// Catch2's own macros allocate: collect results inside the scope, check them after it.
 class HeapForbidden {

@@ -1,6 +1,5 @@
-// What headers of the C++ library declare where there is no library behind them (Debian's RISC-V
-// compiler): as much of it as the tests use. There are no exceptions: what would be thrown ends the
-// program.
+// Definitions behind headers of the C++ library for a compiler without that library (Debian's
+// RISC-V): only those that the tests use. There are no exceptions: a throw ends the program.
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -60,7 +59,7 @@ FLASHBVH_THROWS_WHAT(logic_error)
 FLASHBVH_THROWS_WHAT(out_of_range)
 FLASHBVH_THROWS_WHAT(out_of_range_fmt, ...)
 
-// The header declares it to be elsewhere.
+// The header declares it extern.
 template class basic_string<char>;
 
 }  // namespace std

@@ -1,5 +1,5 @@
-// What std::map and std::set call where there is no C++ library: steps through a binary tree, and
-// insertion. The tests' maps are small, so nothing is balanced.
+// The functions of std::map and std::set without a C++ library: steps through a binary tree, and
+// insertion. The tests' maps are small, so trees are not balanced.
 //
 // The header node is libstdc++'s: its parent is the root, its left the first node, its right the
 // last; the root's parent is the header, which alone is red.
@@ -19,7 +19,7 @@ Node* next_of(Node* node) {
     node = above;
     above = above->_M_parent;
   }
-  // After the last node the climb may have gone through the header.
+  // After the last node, the climb may have passed the header.
   return node->_M_right != above ? above : node;
 }
 
@@ -58,7 +58,7 @@ void _Rb_tree_insert_and_rebalance(const bool left, Node* node, Node* parent,
   node->_M_parent = parent;
   node->_M_left = node->_M_right = nullptr;
   node->_M_color = _S_black;
-  (left ? parent->_M_left : parent->_M_right) = node;  // of the header, too: the first node
+  (left ? parent->_M_left : parent->_M_right) = node;  // also sets the header's first node
   if (parent == &header) {
     header._M_parent = header._M_right = node;
   } else if (left && parent == header._M_left) {

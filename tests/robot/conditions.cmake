@@ -1,5 +1,5 @@
-# Which conditions of the guard guard_test sees both ways. It holds the guard's sources itself, in place of the
-# library's objects, with Clang's count of each condition.
+# Reports the conditions of the guard that guard_test sees both ways. It compiles the guard's sources into the test,
+# in place of the library's objects, with Clang's count of each condition.
 file(GLOB guarded CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lib/src/robot/*.cpp)
 list(FILTER guarded EXCLUDE REGEX "/(image|motion|robot_check|workcell)[.]cpp$")
 set_source_files_properties(${guarded} PROPERTIES

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """conditions.py PROGRAM PROFILE UNSEEN
 
-Which conditions of the guard's source the profile of a run of PROGRAM has seen both ways. Prints a row a file. Fails
-where a condition was not seen both ways that the list UNSEEN does not name with a reason, or where it names one that
-was. A line of the list: FILE | CONDITION | the way not seen, true or false | reason.
+Checks that a run of PROGRAM, by its profile, has seen each condition of the guard's source both true and false. Prints
+a row per file. Fails if an unseen condition has no reason in the list UNSEEN, or if UNSEEN names a condition that was
+seen. A line of the list: FILE | CONDITION | the way not seen, true or false | reason.
 """
 import json
 import os
@@ -22,7 +22,7 @@ def exported(program, profile):
 
 
 def conditions_of(file):
-    """By their places: how often true, how often false, in all instances of templates."""
+    """How often each condition is true and false, by its place, over all instances of templates."""
     counts = {}
     for line, column, last_line, last_column, true, false, *_ in file["branches"]:
         sums = counts.setdefault((line, column, last_line, last_column), [0, 0])

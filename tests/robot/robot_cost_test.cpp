@@ -1,5 +1,5 @@
-// Opening a robot's image on the target: what robot/image.hpp says of instructions a joint, a pair,
-// a vertex and a byte.
+// The instructions to open a robot's image on the target, per joint, pair, vertex and byte, against
+// the figures of robot/image.hpp.
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -16,14 +16,14 @@ using namespace flashbvh::test;
 
 namespace {
 
-/// As the header says of a Cortex-M4, and a fifth more for what other cores take more of.
+/// The header's figures for a Cortex-M4, plus a fifth for other cores.
 constexpr double kMostPerJoint = 1000;
 constexpr double kMostPerLink = 500;
 constexpr double kMostPerJointBetween = 36;
 constexpr double kMostPerVertex = 132;
 constexpr double kMostPerByte = 6;
 
-/// A chain whose last joints' links are `links`.
+/// A chain whose last joints carry `links`.
 struct Chain {
   Chain(std::uint32_t joint_count, std::uint32_t link_count, std::uint32_t pair_count) {
     for (std::uint32_t i = 0; i < joint_count; ++i) {

@@ -13,7 +13,7 @@ namespace flashbvh::test {
 /// A motion between two poses, or a chain of moves.
 struct AnyMotion {
   Pose from = Pose::translated(0, 0, 0);
-  Pose to = from;  ///< used if there are no moves
+  Pose to = from;           ///< used if there are no moves
   std::vector<Move> moves;  ///< if empty, the motion is between the poses
 
   BodyMotion motion() const {

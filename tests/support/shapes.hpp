@@ -16,8 +16,8 @@ bake::LatticeMesh random_mesh(Random& random, std::uint32_t count, std::int32_t 
 
 /// Options of a random tree.
 struct Shape {
-  std::uint32_t arity = 2;  ///< the largest number of children of a node
-  std::uint32_t leaf_size = 1;  ///< the largest number of triangles in a leaf
+  std::uint32_t arity = 2;       ///< the largest number of children of a node
+  std::uint32_t leaf_size = 1;   ///< the largest number of triangles in a leaf
   bool single_children = false;  ///< some nodes have one child
 };
 

@@ -13,8 +13,8 @@ void stop() {
 
 int main(int argc, char** argv) {
   const int failures = small_catch::run(argc, argv);
-  // Few of these boards fault when the stack outgrows its limit. The last words may have been
-  // never written: a frame need not fill itself.
+  // Few of these boards fault when the stack overflows. The last words may never have been written:
+  // a frame need not fill itself.
   if (port::stack_used() == port::stack_size()) {
     port::put("the stack overflowed\n");
     return 1;

@@ -15,14 +15,14 @@ PRINTED = {
 
 
 def run(program, *arguments):
-    """Its status and what it prints."""
+    """Returns its status and its output lines."""
     done = subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           errors="replace")
     return done.returncode, done.stdout.splitlines()
 
 
 def outcome(program, test):
-    """The steps that a program traces, and whether it passes."""
+    """Returns the steps that a program traces, and whether it passes."""
     status, lines = run(program, test)
     return [line for line in lines if line.startswith("trace: ")] + ["fails" if status else "passes"]
 

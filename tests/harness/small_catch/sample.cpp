@@ -1,5 +1,5 @@
 // Test cases of every kind, some of which fail on purpose, compiled with Catch2 and with the small
-// header: compare.py holds the two to the same verdicts.
+// header; compare.py requires equal verdicts.
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>

@@ -20,7 +20,7 @@ bool equal(const char* a, const char* b) {
   return *a == *b;
 }
 
-/// Whether an argument is this name, once its backslashes are taken out.
+/// Whether an argument without its backslashes is this name.
 bool names(const char* argument, const char* name) {
   for (;; ++argument, ++name) {
     if (*argument == '\\' && argument[1] != '\0') {
@@ -141,7 +141,7 @@ int run(int argc, char** argv) {
     }
     ++count;
     running = test->description.name;
-    port::print(running, "\n");  // the last one before a fault
+    port::print(running, "\n");  // identifies the test case if it faults
     if (!list) {
       test->description.function();
     }

@@ -1,7 +1,7 @@
-// What the macros of catch2/catch.hpp call: assertions, messages, test cases.
+// The functions behind the macros of catch2/catch.hpp: assertions, messages, test cases.
 #pragma once
 
-/// That these are no macros of Catch2.
+/// Defined if the macros are this header's, not Catch2's.
 #define FLASHBVH_SMALL_CATCH
 
 #include <stddef.h>
@@ -25,7 +25,7 @@ void put_value(Integer value) {
   port::put(value);
 }
 
-/// A value of any type, by its address; of a class, or of 128 bits, nothing but a mark.
+/// Prints a value of any type, by its address; for a class or 128 bits, only a mark.
 template <class Type>
 void put_any(const void* address) {
   const Type& value = *static_cast<const Type*>(address);
@@ -59,7 +59,7 @@ AnyValue any_value(const char (&value)[size]) {
   return {value, [](const void* text) { put_value(static_cast<const char*>(text)); }};
 }
 
-/// Where an assertion stands, and its text.
+/// An assertion's text and place.
 struct Site {
   const char* macro;
   const char* expression;
@@ -67,13 +67,13 @@ struct Site {
   int line;
 };
 
-/// Reports a failure: of a comparison, or, without `comparison`, of a value.
+/// Reports a failure of a comparison or, without `comparison`, of a value.
 void report(const Site& site, const AnyValue& left, const char* comparison, const AnyValue& right);
 
-/// Ends the process with status 120. The runner's program has it.
+/// Ends the process with status 120. The test program defines it.
 [[noreturn]] void stop();
 
-/// A comparison taken apart, so that a failure shows both sides.
+/// A comparison's two sides, so that a failure shows both.
 template <class Left, class Right>
 struct Comparison {
   const Left& left;
@@ -85,7 +85,7 @@ struct Comparison {
   void report_at(const Site& site) const { report(site, any_value(left), name, any_value(right)); }
 };
 
-/// The left side of a comparison, or an expression that has none.
+/// The left side of a comparison, or a whole expression without one.
 template <class Left>
 struct Operand {
   const Left& value;
@@ -134,8 +134,8 @@ void require(const Site& site, const Claim& claim) {
   }
 }
 
-/// CAPTURE and INFO: a line that a failed assertion prints, for as long as its scope lasts. The
-/// lines lie on the stack, each with the address of the one before.
+/// A CAPTURE or INFO: a line that a failed assertion prints during its scope. Lines lie on the
+/// stack, each with the address of the previous one.
 class Message {
  public:
   Message(const char* name, const AnyValue& value);
@@ -156,7 +156,7 @@ constexpr bool kIsCopied = !__is_class(Type) && !__is_union(Type);
 template <class Element, size_t size>
 constexpr bool kIsCopied<Element[size]> = false;
 
-/// A copy of a value; of a class or an array, the address.
+/// A copy of a value; for a class or an array, its address.
 template <class Type, bool is_copied = kIsCopied<Type>>
 struct Kept {
   explicit Kept(const Type& value) : kept(value) {}
@@ -180,7 +180,7 @@ class Captured {
   const Message message_;
 };
 
-/// A test case: static objects make a list of themselves before main(), in the order of the
+/// A test case: static objects link themselves into a list before main(), in the order of the
 /// sources. 8 bytes of RAM each on a 32-bit core; the description lies in flash.
 struct Description {
   const char* name;
@@ -195,13 +195,13 @@ struct TestCase {
   TestCase* next = nullptr;
 };
 
-/// What Catch2's main() does, as far as CTest needs it:
-///   program                           runs all test cases but those that a tag `[.]` hides
-///   program NAME...                   runs those, hidden or not; `\` takes the next character as
-///   it stands program --list-test-names-only    lists them; returns their number program
-///   --list-reporters          for Catch.cmake
-/// Returns the number of failures, at most 100, below the statuses of ports/run. That nothing
-/// matches is a failure.
+/// Runs like Catch2's main(), as far as CTest needs it:
+///   program                          runs all test cases except those hidden by a tag `[.]`
+///   program NAME...                  runs these, hidden or not; `\` quotes the next character
+///   program --list-test-names-only   lists them; returns their number
+///   program --list-reporters         for Catch.cmake
+/// Returns the number of failures, at most 100, below the statuses of ports/run. It is a failure if
+/// no test case matches.
 int run(int argc, char** argv);
 
 }  // namespace small_catch

@@ -1,4 +1,4 @@
-// An SRDF's lines by what is decided, where not all is.
+// An SRDF's lines by the decisions on their pairs, some of which are missing.
 #include "robot/audit/audit.hpp"
 
 #include "support/arms/arms.hpp"
@@ -8,7 +8,7 @@ using namespace flashbvh::tool;
 
 namespace {
 
-/// A post, and a blade that a joint turns into it at one end of its range.
+/// A post, and a blade that a joint turns into the post at one end of its range.
 Model post_and_blade() {
   Model model;
   add_link(model, kNoJoint, box({0.05, -0.01, 0}, {0.07, 0.01, 0.1}));

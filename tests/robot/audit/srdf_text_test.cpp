@@ -1,4 +1,4 @@
-// An SRDF's text after changes: the pairs that they name, and nothing else.
+// An SRDF's text after changes: only the named pairs change.
 #include "robot/audit/srdf_text.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
-/// Links a to d, one with a name that XML escapes.
+/// Links a to d; XML escapes d's name.
 tool::Model four_links(RobotFiles& files) {
   return files.read(link_text("a") + link_text("b") + link_text("c") +
                     link_text("d &lt;&amp;&quot;") + joint_text("j", "fixed", "a", "b") +
@@ -150,7 +150,7 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
-/// Without the elements that a change adds.
+/// The text without the elements that a change adds.
 std::string without_added(std::string text) {
   const std::string end = "reason=\"Never\"/>";
   for (std::size_t at = 0; (at = text.find(end)) != std::string::npos;) {

@@ -1,6 +1,5 @@
-// The guard where the truth is a formula: corners of a link before a wide wall, as they are drawn,
-// between the lattice's points. What rounding takes is far more than what doubles do, so no margin
-// hides it.
+// The guard against a formula: corners of a link before a wide wall, drawn between the lattice's
+// points. Rounding to the lattice exceeds the doubles' error by far, so no margin hides a mistake.
 #include "support/arms/guarded_arm.hpp"
 #include "support/test.hpp"
 
@@ -10,10 +9,10 @@ namespace {
 
 constexpr double kCell = 0.01;
 
-/// Where the wall begins: rounding moves it off by half a cell, nearly.
+/// The wall's place; rounding moves it by almost half a cell.
 constexpr double kWall = 1.0054;
 
-/// Joints before a wall.
+/// An arm before a wall.
 struct Scene {
   Model model;
   std::vector<GuardedPair> pairs;
@@ -25,7 +24,7 @@ Scene with_wall(Model model, const bake::SourceMesh& tip, double stop, double wa
   return {std::move(model), {{0, 1, stop, warn}}};
 }
 
-/// Of the link's corners to the wall, as both are drawn, in 1/256 cell.
+/// The distance of the link's corners, as drawn, to the wall, in 1/256 cell.
 double true_distance(const FixedArm& arm, const Values& values) {
   const Transform frame = frames_of(arm.model, arm.variables(values)).back();
   double nearest = 1e9;
@@ -39,7 +38,7 @@ struct Walk {
   explicit Walk(const FixedArm& of)
       : arm(of), state(std::make_unique<AnyGuardState>()), guard(of.robot(), *state) {}
 
-  /// True if each verdict holds all the way.
+  /// True if each verdict holds during the whole period.
   bool holds(const Values& now, std::uint32_t work, Random& random) {
     answer = guard.update(now.data(), work);
     const Period period(arm, before, now);
@@ -62,7 +61,7 @@ struct Walk {
   GuardAnswer answer{};
 };
 
-/// Sliders that all go towards the wall.
+/// Sliders that all move towards the wall.
 Scene sliders(std::size_t count, double stop, double warn) {
   Model model;
   for (std::size_t i = 0; i < count; ++i) {
@@ -72,7 +71,7 @@ Scene sliders(std::size_t count, double stop, double warn) {
   return with_wall(model, box({-0.2, -0.2, -0.3}, {0.2043, 0.2046, 0.0048}), stop, warn);
 }
 
-/// A long rod that turns towards the wall, all of whose length counts.
+/// A long rod that turns towards the wall: the joint's reach is its whole length.
 Scene hammer(double stop, double warn) {
   Model model;
   add_joint(model, kNoJoint, composed(shifted({0.7, -2, 0}), turned(2, kPi / 2)),
@@ -80,7 +79,7 @@ Scene hammer(double stop, double warn) {
   return with_wall(model, box({0.5, -0.0347, -0.1}, {2.5049, 0.0344, 0.1048}), stop, warn);
 }
 
-/// A chunk that turns about all axes and slides.
+/// A block that turns about all axes and slides.
 Scene tumbler(double stop, double warn) {
   Model model;
   add_joint(model, kNoJoint, composed(shifted({0.3, 0, 0}), turned(1, kPi / 2)),
@@ -95,7 +94,7 @@ const FixedArm& made(std::vector<std::unique_ptr<FixedArm>>& arms, const Scene& 
   return *arms.back();
 }
 
-/// Distances that are no whole cells.
+/// A distance that is no whole number of cells.
 double any_distance(Random& random) {
   return real_between(random, 0, 4) * kCell;
 }
@@ -114,7 +113,7 @@ std::vector<std::unique_ptr<FixedArm>> all_arms(Random& random) {
   return arms;
 }
 
-/// Those of the robot's arrays that a mutant changes are the caller's.
+/// The caller owns the robot's arrays, which a mutant may change.
 void check_walks(Random& random, const FixedArm& arm, double speed, std::uint32_t work) {
   Walk walk(arm);
   walk.before = arm.any_values(random);
@@ -152,7 +151,7 @@ TEST_CASE("from anywhere straight towards the wall, until all that was known is 
       walk.answer = walk.guard.prime(walk.before.data());
       const double share = real_between(random, 0.7, 1.0);
       CAPTURE(round, i, walk.answer.distance, share);
-      // The hammer's tip turns down to the wall, 2.5 from its axis.
+      // The hammer's tip turns towards the wall, 2.5 from its axis.
       Values now = walk.before;
       const double way = share * walk.answer.distance / 256 * kCell;
       const RobotJoint& joint = arm.joint_of(0);
@@ -192,15 +191,15 @@ TEST_CASE("at the stop and the warn distance itself, not beyond them") {
     Values values = {30 * kFrameCell};
     walk.answer = walk.guard.prime(values.data());
     REQUIRE(walk.answer.verdict == Verdict::free);
-    // By 1/256 cell a period, which nothing is measured in: the reported distance goes down one by
-    // one.
+    // At 1/256 cell per period, without measurements, the reported distance decreases by one each
+    // time.
     while (walk.answer.distance >= pair.warn) {
       values[0] += kFrameCell / 256;
       walk.answer = walk.guard.update(values.data(), 0);
       CAPTURE(walk.answer.distance, pair.stop, pair.warn);
       CHECK((walk.answer.verdict == Verdict::free) == (walk.answer.distance > pair.warn));
       CHECK((walk.answer.verdict <= Verdict::warn) == (walk.answer.distance > pair.stop));
-      REQUIRE(walk.answer.distance + 1 >= pair.warn);  // none is passed over
+      REQUIRE(walk.answer.distance + 1 >= pair.warn);  // no value is skipped
     }
   }
 }
@@ -217,7 +216,7 @@ TEST_CASE("a joint without limits turns on and on: no certificate runs out at ha
     const Values now = {kFullTurn / 2 - 1000 + i * 100};
     CHECK(walk.guard.update(now.data(), 0).verdict == Verdict::free);
   }
-  // A third of a turn each period, through half a turn.
+  // A third of a turn each period, starting half a turn away.
   for (int i = 1; i < 20; ++i) {
     const Values now = {
         static_cast<JointCoordinate>(kFullTurn / 2 + 900 + i * (kFullTurn / 3) % kFullTurn)};

@@ -1,4 +1,4 @@
-// What the guard says of a pair: where it is near, how each joint changes that, and when it warns.
+// The guard's explanation of a pair: the nearest points, each joint's influence, and the warning.
 #include "flashbvh/robot/workcell.hpp"
 #include "support/arms/any_workcell.hpp"
 #include "support/arms/guarded_arm.hpp"
@@ -8,7 +8,7 @@ using namespace flashbvh::tool;
 
 namespace {
 
-/// How far a unit of the variable moves the pair at most, in 1/256 cell.
+/// An upper bound of the pair's motion per unit of the variable, in 1/256 cell.
 double reach_of(const Robot& robot, const RobotPair& pair, std::size_t variable) {
   double sum = 0;
   const auto add = [&](std::uint8_t link, std::uint8_t count) {
@@ -28,7 +28,7 @@ double reach_of(const Robot& robot, const RobotPair& pair, std::size_t variable)
 }
 
 constexpr double kCell = 1e-5;
-/// The cart goes less far than its driver says, by so much.
+/// The factor by which the driver overstates the cart's travel.
 constexpr double kBeyond = 1.3;
 
 std::uint32_t fine(double length) {
@@ -55,7 +55,7 @@ TEST_CASE("what is explained of a pair is where it is near, and how its joints m
       const RobotPair& pair = robot.pairs[i];
       REQUIRE(detail.status == Status::done);
       if (detail.nearest.lower < 1000) {
-        continue;  // its direction is rounded by a part of it
+        continue;  // rounding changes its direction too much
       }
       ++told;
       const auto point = [](const FinePoint& p) {

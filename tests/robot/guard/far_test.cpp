@@ -1,5 +1,5 @@
-// Guards and motions of gantries, whose slides are far longer than any distance of a query
-// about. All is parallel to the axes, so the truth is a formula.
+// Guards and motions of gantries, whose slides are far longer than the largest distance of a query.
+// All axes and faces are parallel to the world's axes, so a formula gives the truth.
 #include <array>
 
 #include "flashbvh/robot/motion.hpp"
@@ -14,7 +14,7 @@ namespace {
 constexpr double kCell = 1e-5;
 constexpr double kFine = 256 / kCell;
 
-/// Where each slide's axis is that of the world.
+/// The frame that turns a slide along an axis of the world.
 const Transform& along(std::size_t axis) {
   static const std::array<Transform, 3> turns = {
       composed(turned(0, kPi / 2), turned(1, kPi / 2)),  // z to x, x to y, y to z
@@ -24,13 +24,13 @@ const Transform& along(std::size_t axis) {
   return turns[axis];
 }
 
-/// Slides, each on the one before, with a cube on some of them and one that stands.
+/// A chain of slides, some of which carry a cube, and one fixed cube.
 struct Gantry {
   Model model;
   std::vector<std::size_t> axes;
-  std::vector<std::size_t> slide_of;  ///< of each link but the first
+  std::vector<std::size_t> slide_of;  ///< for each link but the first
   std::vector<GuardedPair> pairs;
-  double half = 0;  ///< of the cubes' edges
+  double half = 0;  ///< half an edge of the cubes
 };
 
 bake::SourceMesh cube(double half) {
@@ -71,7 +71,7 @@ Gantry any_gantry(Random& random) {
 
 using Point = std::array<double, 3>;
 
-/// In metres.
+/// The centre of a link's cube, in metres.
 Point centre_of(const FixedArm& arm, const Gantry& gantry, std::size_t link, const Values& values) {
   Point at{};
   for (std::size_t i = 0; link != 0 && i <= gantry.slide_of[link - 1]; ++i) {
@@ -87,7 +87,7 @@ double centres_apart(const FixedArm& arm, const Gantry& gantry, const RobotPair&
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
-/// Of two cubes, solid, in 1/256 cell.
+/// The distance of two solid cubes, in 1/256 cell.
 double distance_of(const FixedArm& arm, const Gantry& gantry, const RobotPair& pair,
                    const Values& values) {
   const Point a = centre_of(arm, gantry, pair.a, values);
@@ -99,7 +99,7 @@ double distance_of(const FixedArm& arm, const Gantry& gantry, const RobotPair& p
   return std::hypot(gap[0], gap[1], gap[2]) * kFine;
 }
 
-/// The verdicts of the period that the truth contradicts.
+/// Whether the truth contradicts a verdict of the period.
 bool is_contradicted(const FixedArm& arm, const Gantry& gantry, const GuardAnswer& answer,
                      const Period& period, Random& random) {
   for (int moment = 0; moment < 6; ++moment) {
@@ -117,10 +117,10 @@ bool is_contradicted(const FixedArm& arm, const Gantry& gantry, const GuardAnswe
   return false;
 }
 
-/// Whether the spheres alone prove the pair free, farther apart than any query's distance.
+/// Whether the spheres alone prove the pair free, beyond the distance of any query.
 bool is_far(const FixedArm& arm, const Gantry& gantry, const RobotPair& pair,
             const Period& period) {
-  const double radius = std::sqrt(3.0) * gantry.half * kFine + 512;  // rounded up, and both placed
+  const double radius = std::sqrt(3.0) * gantry.half * kFine + 512;  // rounded up, both placed
   const double gap = centres_apart(arm, gantry, pair, period.at_end()) * kFine - 2 * radius;
   return gap > kMaxGuardDistance && gap - period.travel(arm, pair) > pair.warn + arm.robot().slack;
 }
@@ -173,11 +173,11 @@ TEST_CASE("what was measured where a period ends is known in the next, however f
   const JointCoordinate left = at(-0.3);
   const JointCoordinate right = at(0.3);
   REQUIRE(guard.prime(&left).verdict == Verdict::free);
-  CHECK(guard.update(&right, UINT32_MAX).verdict == Verdict::stop);  // right through
+  CHECK(guard.update(&right, UINT32_MAX).verdict == Verdict::stop);  // passes through
   const GuardAnswer standing = guard.update(&right, 0);
   CHECK(standing.verdict == Verdict::free);
   CHECK(standing.distance > 0.09 * kFine);
-  // The rest is reported where it is too little, and there is no work to know more.
+  // If the remaining distance is too small and there is no work to measure, it is reported.
   const JointCoordinate nearer = right - at((standing.distance / kFine) - 0.004);
   const GuardAnswer unknown = guard.update(&nearer, 0);
   CHECK(unknown.verdict == Verdict::not_yet_known);

@@ -9,7 +9,7 @@ using namespace flashbvh;
 namespace {
 
 constexpr GuardCosts kCosts = {50000, 800, 10, 900, 90, 80, 7000, 20, 19000, 1000};
-// Six joints, four pairs of which two have tables, ten joints between.
+// Six joints; four pairs, two with tables; ten joints in between.
 constexpr GuardSize kSize = {6, 4, 10, 2, 20, 2};
 constexpr GuardSize kNothing = {0, 0, 0, 0, 0, 0};
 
@@ -45,7 +45,7 @@ TEST_CASE("bound: the work within a period is the most that the instructions are
     REQUIRE(most_instructions(kCosts, kSize, work + 1) > instructions);
   }
   STATIC_REQUIRE(work_within(most_instructions(kCosts, kSize, 1) - 1, kCosts, kSize) == 0);
-  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kSize) == UINT32_MAX - 1);  // still a limit
+  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kSize) == UINT32_MAX - 1);  // a limit all the same
 }
 
 TEST_CASE(

@@ -1,5 +1,5 @@
-// The guard on random arms against brute force, and the distance tables of such arms.
-// FLASHBVH_PERIODS tries as many periods.
+// The guard on random arms against brute force, and the distance tables of these arms.
+// FLASHBVH_PERIODS sets the number of periods.
 #include "flashbvh/detail/robot/distance_table.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "support/arms/guarded_arm.hpp"
@@ -21,7 +21,7 @@ struct Verdicts {
   long of[4] = {};
 };
 
-/// Some 1,000 periods of one arm with one budget.
+/// About 1,000 periods of one arm with one budget.
 void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count,
           Verdicts& counts) {
   const auto state = std::make_unique<AnyGuardState>();
@@ -30,7 +30,7 @@ void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count
   Values before;
   GuardAnswer answer = prime_apart(random, arm, guard, 200, before);
   REQUIRE(answer.verdict != Verdict::not_yet_known);
-  const long most = answer.verdict == Verdict::stop ? 20 : count;  // hardly ever free
+  const long most = answer.verdict == Verdict::stop ? 20 : count;  // seldom free
   Wandering wandering(arm, before, kSpeeds[random.below(4)]);
   for (long i = 0; i < most; ++i) {
     const Values now = wandering.step(random);
@@ -48,11 +48,11 @@ void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count
 }
 
 struct Told {
-  std::uint32_t places;  ///< of which something is reported
+  std::uint32_t places;  ///< that have a table value
   std::uint32_t all;
 };
 
-/// Of random values: exact queries find the links no nearer than their distance table says.
+/// Checks at random values that no exact distance is less than the distance table's value.
 Told told_of(const FixedArm& arm, Random& random) {
   Told told{};
   std::vector<JointCoordinate> coordinates(arm.robot().joint_count);
@@ -94,7 +94,7 @@ TEST_CASE("no verdict is contradicted on random arms, whatever the budget") {
   }
   CAPTURE(counts.of[0], counts.of[1], counts.of[2], counts.of[3]);
   for (const long of : counts.of) {
-    CHECK(of > 0);  // the test sees all of them
+    CHECK(of > 0);  // the test meets each verdict
   }
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("nowhere are two links nearer than their distance table says") {
 TEST_CASE("a distance table for which there was no time leaves the guard sound") {
   int cut = 0;
   for_rounds(4, [&](Random& random, int) {
-    for (const std::int64_t looks : {0, 300}) {  // none at all, and for a part of a table
+    for (const std::int64_t looks : {0, 300}) {  // an empty table, and a part of one
       CAPTURE(looks);
       FixedArm arm = any_guarded_arm(random, 3, 1e-3);
       const Deadline deadline = after_looks(looks);

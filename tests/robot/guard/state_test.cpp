@@ -1,4 +1,4 @@
-// The guard's state: values refused, states stored, taken up and damaged.
+// The guard's state: refused values; stored, restored and damaged states.
 #include <type_traits>
 
 #include "support/arms/guarded_arm.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 static_assert(std::is_trivially_copyable<AnyGuardState>::value, "a state may be copied");
 
-/// Every byte of it known, so that two can be compared.
+/// A state with every byte defined, for comparisons.
 std::unique_ptr<AnyGuardState> no_state() {
   auto state = std::make_unique<AnyGuardState>();
   std::memset(static_cast<void*>(state.get()), 0, sizeof *state);
@@ -19,7 +19,7 @@ void copy(const AnyGuardState& from, AnyGuardState& to) {
   std::memcpy(static_cast<void*>(&to), &from, sizeof to);
 }
 
-/// But for scratch: frames, and the values that were to be next.
+/// Whether two states are equal but for scratch: frames, and the refused next values.
 bool are_same(const FixedArm& arm, const AnyGuardState& u, const AnyGuardState& v) {
   const Robot& robot = arm.robot();
   const std::size_t joints = robot.joint_count * sizeof(JointCoordinate);
@@ -37,7 +37,7 @@ bool are_same(const FixedArm& arm, const AnyGuardState& u, const AnyGuardState& 
          std::memcmp(u.certified, v.certified, sizeof u.certified) == 0;
 }
 
-/// Values that are refused, and why.
+/// Random values that are refused; returns the reason.
 Status any_refused(Random& random, const FixedArm& arm, const Values& last, Values& values) {
   const std::uint32_t i = random.below(static_cast<std::uint32_t>(values.size()));
   if (random.below(2) == 0) {
@@ -81,14 +81,14 @@ TEST_CASE("refused values change nothing, and a state taken up goes on as if it 
       const GuardAnswer wanted = guard.update(now.data(), work);
       REQUIRE(are_same(other.update(now.data(), work), wanted));
       REQUIRE(are_same(arm, *plain, *used));
-      if (random.below(3) == 0) {  // elsewhere, in the middle of a walk or not
+      if (random.below(3) == 0) {  // continues with a copy, in the middle of a walk or not
         copy(*used, *stored);
         std::memset(static_cast<void*>(used.get()), 0xA5, sizeof *used);
         new (&other) Guard(arm.robot(), *used);
         copy(*stored, *used);
         REQUIRE(other.resume() == Status::done);
       }
-      if (random.below(3) == 0) {  // more work for the same period
+      if (random.below(3) == 0) {  // more work for the current period
         REQUIRE(are_same(other.go_on(work), guard.go_on(work)));
         REQUIRE(are_same(arm, *plain, *used));
       }
@@ -148,7 +148,7 @@ TEST_CASE("what is no state of this guard") {
 
 TEST_CASE("half a turn of a joint, or of its mimic, is ambiguous") {
   Model model;
-  // Two others come first: a joint, and what mimics it.
+  // Two other joints come first: a joint and its mimic.
   const std::size_t other = add_joint(model, tool::kNoJoint, {}, JointType::revolute, -1, 1);
   const std::size_t its_mimic = add_mimic(model, other, {}, JointType::revolute, 0, 1, 0);
   const std::size_t master = add_joint(model, its_mimic, {}, JointType::continuous, -kPi, kPi);
@@ -169,7 +169,7 @@ TEST_CASE("half a turn of a joint, or of its mimic, is ambiguous") {
   CHECK(status_of_step(-kFullTurn / 2) == Status::joint_jumped);
   CHECK(status_of_step(kFullTurn / 6 - 4) == Status::done);
   CHECK(status_of_step(-kFullTurn / 6 + 4) == Status::done);
-  // The mimic turned by more than a half: the shorter arc is not its way.
+  // The mimic turns by more than half a turn, so it does not go the shorter way.
   CHECK(status_of_step(kFullTurn / 5) == Status::joint_jumped);
   CHECK(status_of_step(-kFullTurn / 5) == Status::joint_jumped);
   CHECK(status_of_step(kFullTurn / 3) == Status::joint_jumped);

@@ -1,4 +1,4 @@
-// Robots' images: what is written opens as it was; what is damaged, cut off or made up is refused,
+// Robots' images: a written image opens unchanged; a damaged, truncated or invented one is refused
 // or harmless.
 #include <fstream>
 #include <iterator>
@@ -128,7 +128,7 @@ TEST_CASE("every flipped bit before the meshes, with checksum and hash that matc
       opened += verdict.status == Status::done ? 1 : 0;
     }
   }
-  CHECK(opened > 100);  // a limit, a distance, a translation may change
+  CHECK(opened > 100);  // a changed limit, distance or translation may be valid
 }
 
 TEST_CASE("pairs that are not guarded are kept with the reason; one that no joint moves is none") {

@@ -1,12 +1,12 @@
-// Robots' images with one number changed: each rule of the format is broken in turn.
+// Robots' images with one number changed: each breaks one rule of the format.
 #include "flashbvh/clearance.hpp"
 #include "support/arms/image_in_parts.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-/// A change to every_joint_arm()'s image, whose checksum and hash are repaired, and what comes of
-/// it.
+/// A change to every_joint_arm()'s image, whose checksum and hash are repaired, and the expected
+/// status.
 struct Crafted {
   const char* what;
   void (*change)(Parts parts);
@@ -15,7 +15,7 @@ struct Crafted {
 
 constexpr std::uint8_t kNoType = 3;
 
-/// As if their meshes were the URDF's to the bit.
+/// Makes the links' meshes equal to the URDF's.
 void exact_links(Parts parts) {
   for (std::uint32_t i = 0; i < parts.header.link_count; ++i) {
     parts.links[i].deviation = 0;
@@ -140,7 +140,7 @@ const Crafted kCrafted[] = {
     {"another sum", [](Parts p) { ++p.pairs[2].reach; }},
     {"a sum of more than 32 bits",
      [](Parts p) {
-       const std::uint32_t first = p.links[2].first_reach;  // turning, of the pair base - slide
+       const std::uint32_t first = p.links[2].first_reach;  // `turning`, in the pair base - slide
        p.reaches[first + 1] = UINT32_MAX;
        p.pairs[0].reach = p.reaches[first] - 1;
      }},
@@ -197,13 +197,13 @@ TEST_CASE("an image that breaks a rule is refused with its status") {
     CHECK(verdict.status == crafted.status);
     CHECK(verdict.wrong == nullptr);
   }
-  // Distance tables of other cells than the joints have.
+  // Distance tables for other joint ranges.
   Words tabulated = arm_images()[2].words;
   REQUIRE(Parts(tabulated).header.distance_table_bytes != 0);
   Parts(tabulated).joints[0].upper = Parts(tabulated).joints[0].lower;
   repair_robot(tabulated.data(), size_of(tabulated));
   CHECK(exercise_any(tabulated.data(), size_of(tabulated)).status == Status::image_invalid);
-  // Without the repair of the hash.
+  // With a wrong hash.
   Words words = whole;
   ++Parts(words).header.hash;
   CHECK(exercise_any(words.data(), size_of(words)).status == Status::image_corrupt);

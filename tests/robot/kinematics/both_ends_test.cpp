@@ -1,10 +1,10 @@
-// What is known of a whole period by distances at both of its ends, against all ways between.
+// The bounds for a whole period from the distances at both ends, against all motions in between.
 #include "robot/guard_parts.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-/// The least distance at any moment: the joints have gone `u` of the way, and go the rest of it.
+/// The least distance at any moment, when the joints have moved `u` and have `way - u` left.
 std::int64_t least_between(std::int64_t began, std::int64_t ended, std::int64_t way) {
   std::int64_t least = std::max(began, ended - way);
   for (std::int64_t u = 0; u <= way; ++u) {
@@ -20,7 +20,7 @@ TEST_CASE("what is kept of a period is the least between its ends") {
     const std::uint32_t slack = random.below(8);
     const std::uint32_t way = random.below(60);
     const std::uint32_t ended = random.below(200);
-    // As far as the way lets them be apart.
+    // The distances at the two ends differ by at most the travel.
     const std::int64_t other =
         std::int64_t{ended} + random.between(-static_cast<int>(way), static_cast<int>(way));
     const auto began = static_cast<std::uint32_t>(std::max<std::int64_t>(0, other));

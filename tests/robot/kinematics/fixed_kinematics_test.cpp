@@ -1,4 +1,4 @@
-// Kinematics in fixed point against long doubles, and against the doubles of the host's.
+// Kinematics in fixed point against long doubles, and against the host program's doubles.
 #include "flashbvh/robot/kinematics.hpp"
 #include "lattice/sine.hpp"
 #include "support/arms/fixed_arm.hpp"
@@ -42,7 +42,7 @@ Vector3 moved(const Pose& pose, const Vector3& p) {
   return at;
 }
 
-/// In cells, of a point in cells.
+/// A point that the transform moves, in cells.
 Vector3 moved(const Transform& transform, const Vector3& p, double cell) {
   Vector3 at = placed(transform, {p[0] * cell, p[1] * cell, p[2] * cell});
   for (double& coordinate : at) {
@@ -71,7 +71,7 @@ struct Worst {
   double pose = 0;
 };
 
-/// `kinematics`: of one link, in cells.
+/// `kinematics`: the allowed error of one link, in cells.
 void look(const FixedArm& arm, const Values& values, double kinematics, Worst& worst) {
   const Robot& robot = arm.robot();
   std::vector<JointCoordinate> coordinates(robot.joint_count);
@@ -98,7 +98,7 @@ void look(const FixedArm& arm, const Values& values, double kinematics, Worst& w
       const Transform between =
           frame_between(arm.model, joints_between(arm.model, a, b), variables);
       for (const Vector3& p : points) {
-        // A pose's entries are rounded to 2^-22, which placing has.
+        // A pose rounds its entries to 2^-22.
         const double rounding =
             std::sqrt(3) * ((std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2])) * 0x1p-23);
         const double off = apart(moved(pose, p), moved(between, p, arm.arm.cell()));
@@ -108,7 +108,7 @@ void look(const FixedArm& arm, const Values& values, double kinematics, Worst& w
   }
 }
 
-/// Rounding moves none of its vertices: the slack is that of placing and of kinematics.
+/// The model with vertices on lattice points: its slack is that of placing and of kinematics.
 Model on_lattice(Model model, double cell) {
   for (ModelLink& link : model.links) {
     for (Vector3& vertex : link.mesh.vertices) {
@@ -122,7 +122,7 @@ Model on_lattice(Model model, double cell) {
 
 }  // namespace
 
-// FLASHBVH_SINES=1 tries all 2^32.
+// FLASHBVH_SINES=1 tests all 2^32 angles.
 TEST_CASE("sine and cosine are within 2^-29") {
   const char* const text = std::getenv("FLASHBVH_SINES");
   const std::uint64_t stride = text != nullptr ? std::strtoull(text, nullptr, 0) : 49'999;
@@ -162,7 +162,7 @@ TEST_CASE("frames and relative poses are no further off than the slack has it") 
   CAPTURE(worst.frame, worst.pose);
   CHECK(worst.frame <= 1);
   CHECK(worst.pose <= 1);
-  CHECK(worst.pose > 0.02);  // the test sees something
+  CHECK(worst.pose > 0.02);  // the test measures an error at all
 }
 
 TEST_CASE("limits are allowed, what lies beyond is not") {

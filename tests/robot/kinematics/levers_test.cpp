@@ -1,4 +1,4 @@
-// What joints move links by, as levers have it, against exact distances.
+// The travel of links, computed from levers, against exact distances.
 #include "robot/levers.hpp"
 
 #include "flashbvh/clearance.hpp"
@@ -32,7 +32,7 @@ struct Posed {
   std::vector<Frame> frames;
 };
 
-/// From the one to the other, by levers at `from`.
+/// The travel from `from` to `to`, by levers at `from`.
 std::uint32_t travel_between(const RobotPair& pair, const Posed& at,
                              const std::vector<JointCoordinate>& from,
                              const std::vector<JointCoordinate>& to) {
@@ -46,7 +46,7 @@ std::uint32_t travel_between(const RobotPair& pair, const Posed& at,
   return travel.fine();
 }
 
-/// How far the link's farthest vertex is from the joint's axis, in cells.
+/// The distance of the link's farthest vertex from the joint's axis, in cells.
 double farthest_from_axis(const Posed& at, std::uint32_t joint, std::uint8_t number) {
   const RobotLink& link = at.robot.links[number];
   const Mesh& mesh = at.robot.meshes[number];
@@ -72,7 +72,7 @@ double farthest_from_axis(const Posed& at, std::uint32_t joint, std::uint8_t num
   return most;
 }
 
-/// Of the straight way between, in small steps: what the farthest vertices move, in 1/256 cell.
+/// The travel of the farthest vertices on a straight joint motion, in small steps, in 1/256 cell.
 double way_of_vertices(const RobotPair& pair, const Robot& robot,
                        const std::vector<JointCoordinate>& from,
                        const std::vector<JointCoordinate>& to) {
@@ -106,7 +106,7 @@ double way_of_vertices(const RobotPair& pair, const Robot& robot,
   return sum;
 }
 
-/// Each value farther by up to 1/2 to 2^-16 turn or as much of its range, within the limits.
+/// Moves each value by up to 1/2 to 2^-16 turn, or that part of its range, within the limits.
 Values near_values(const FixedArm& arm, const Values& from, Random& random) {
   Values to = from;
   const std::int32_t most = kFullTurn >> (1 + random.below(16));
@@ -149,7 +149,7 @@ TEST_CASE("no links come nearer to each other than levers say, often less than r
       REQUIRE(set_coordinates(robot, values.data(), from.data()) == Status::done);
       if (set_coordinates(robot, near_values(arm, values, random).data(), to.data()) !=
           Status::done) {
-        continue;  // more than a turn off
+        continue;  // over a turn apart
       }
       const Posed before(robot, from);
       const Posed after(robot, to);

@@ -1,4 +1,4 @@
-// Where joints and links lie.
+// The frames of joints and links.
 #include "robot/kinematics.hpp"
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"
@@ -33,7 +33,7 @@ TEST_CASE("a joint turns about the z of its frame, or slides along it") {
       add_joint(model, turning, shifted({5, 0, 0}), JointType::prismatic, 0, 9);
   const std::size_t mimic = add_mimic(model, sliding, {}, JointType::revolute, 0, -2, 0.5);
   const std::vector<Transform> frames = frames_of(model, {kPi / 2, 4});
-  // z points along -y of the base's; a quarter turn takes x to the frame's y, the base's z.
+  // z points along the base's -y; a quarter turn takes x to the frame's y, which is the base's z.
   CHECK(difference(shifted(frames[turning].translation), shifted({1, 2, 3})) < 1e-12);
   CHECK(difference(shifted(frames[sliding].translation), shifted({1, 2 - 4, 3 + 5})) < 1e-12);
   CHECK(difference(frames[mimic], composed(frames[sliding], turned(2, 0.5 - kPi))) < 1e-12);

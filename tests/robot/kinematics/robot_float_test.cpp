@@ -13,14 +13,14 @@ float any_float(Random& random) {
   return value;
 }
 
-/// Of about this size.
+/// A float of about this size.
 float any_near(Random& random, double size) {
   return static_cast<float>(real_between(random, -size, size));
 }
 
 const long double kUnits = kFullTurn / (2 * std::acos(-1.0L));
 
-/// No value on which the two may differ: 8 turns are beyond 32 bits by a rounding.
+/// Tests any float: 8 turns exceed 32 bits only by a rounding, so no value is ambiguous.
 void check_angle(float radians) {
   CAPTURE(radians);
   const JointCoordinate coordinate = angle_coordinate(radians);
@@ -28,7 +28,7 @@ void check_angle(float radians) {
   if (!(std::fabs(units) < 0x1p31L - 0.5L)) {
     CHECK(coordinate == kNoCoordinate);
   } else {
-    // The factor has 64 bits, an eighth turn's rounding below 2^-30 of a unit.
+    // The factor has 64 bits: at an eighth of a turn its rounding is below 2^-30 unit.
     REQUIRE(coordinate != kNoCoordinate);
     CHECK(std::fabs(coordinate - units) <= 0.5L + 0x1p-20L);
   }

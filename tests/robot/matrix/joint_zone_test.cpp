@@ -1,4 +1,4 @@
-// Joint zones: what touches about a joint, what lies outside, and what a guard keeps of it.
+// Joint zones: the contact about a joint, the surfaces outside, and the guard's pairs.
 #include "robot/matrix/joint_zone.hpp"
 
 #include "flashbvh/clearance.hpp"
@@ -23,7 +23,7 @@ void append(bake::SourceMesh& mesh, const bake::SourceMesh& more) {
   }
 }
 
-/// Flat, with two sides, from two corners of the mesh to a tip.
+/// Adds a flat, two-sided fin from two corners of the mesh to a tip.
 void add_fin(bake::SourceMesh& mesh, std::uint32_t p, std::uint32_t q, const Vector3& tip) {
   const auto last = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.push_back(tip);
@@ -56,7 +56,7 @@ struct Neighbours {
   }
 };
 
-/// A hub of radius 0.1 with a post at a distance of 0.4, and an arm of 0.5 about the hub.
+/// A hub of radius 0.1, a post at a distance of 0.4, and an arm of length 0.5 about the hub.
 Neighbours hub_and_arm(double lower, double upper) {
   Neighbours made;
   bake::SourceMesh hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
@@ -70,12 +70,12 @@ Neighbours hub_and_arm(double lower, double upper) {
   return made;
 }
 
-/// Where the arm's side meets the post's corner (0.4, 0.005), from above.
+/// The angle at which the arm's side meets the post's corner (0.4, 0.005), seen from above.
 double angle_of_contact() {
   return std::asin(0.01 / std::hypot(0.4, 0.005)) + std::atan2(0.005, 0.4);
 }
 
-/// A table with a post, and a bridge that slides on the table along x and may meet the post.
+/// A table with a post, and a bridge that slides along x on the table and may meet the post.
 Neighbours gantry(double reach) {
   Neighbours made;
   bake::SourceMesh table = box({-1, -0.5, -0.05}, {1, 0.5, 0});
@@ -130,7 +130,7 @@ Vector3 any_point(Random& random, const bake::SourceMesh& mesh) {
   return point;
 }
 
-/// What lies outside the zone, of the first link, is there.
+/// Checks that the bodies contain all of the first link's surface outside the zone.
 void check_surface(Random& random, const Model& model, const JointZone& zone) {
   const Transform frame =
       model.links[zone.a].joint == zone.joint ? Transform() : model.joints[zone.joint].fixed;
@@ -143,7 +143,7 @@ void check_surface(Random& random, const Model& model, const JointZone& zone) {
   }
 }
 
-/// Where the bodies are near, so are the parts.
+/// Checks that if the bodies are near, so are the parts.
 void check_parts(Random& random, const Neighbours& any, const JointZone& zone) {
   const auto is_near = [&](const WholeMesh& a, const WholeMesh& b, double value, double distance) {
     const PairSpace space(any.model, {zone.a, &a, nullptr}, {zone.b, &b, nullptr}, kCell);
@@ -194,7 +194,7 @@ TEST_CASE("a joint that slides has a cylinder for a zone; a post on the table is
 }
 
 TEST_CASE("where what touches grows towards a limit, the zone does not") {
-  // A heel of the arm's that meets a wall of the base's at the end of the range: all in one piece.
+  // The arm's heel, part of its mesh, meets a wall of the base at the end of the range.
   const auto made = [](double upper) {
     Neighbours heel = hub_and_arm(0.2, upper);
     bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
@@ -214,10 +214,10 @@ TEST_CASE("where what touches grows towards a limit, the zone does not") {
 }
 
 TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range they meet") {
-  // Each link in one piece: a hub with a fin from two of its corners. The base's stands upright at
-  // a right angle and reaches out to 0.3; the arm's lies across, 15 degrees wide at its hub, and
-  // meets it from an angle of 1.44 on. 1.6 is at the end of the range; up to 2.8 it is in the
-  // middle.
+  // Each link is one piece: a hub with a fin from two of its corners. The base's fin stands upright
+  // at a right angle and reaches out to 0.3. The arm's fin lies flat, 15 degrees wide at its hub,
+  // and meets it from an angle of 1.44 on. That is at the end of a range to 1.6, and amid one to
+  // 2.8.
   const auto made = [](double upper) {
     Neighbours fins = hub_and_arm(0.2, upper);
     bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
@@ -233,7 +233,7 @@ TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range 
     const Neighbours meets = made(upper);
     const std::vector<JointZone> zones = meets.zones();
     REQUIRE(zones.size() == 1);
-    CHECK(zones[0].shape.radius < (upper < 2 ? 0.14 : 0.16));  // 1.25 of 0.121, which hubs need
+    CHECK(zones[0].shape.radius < (upper < 2 ? 0.14 : 0.16));  // the hubs need 0.121; times 1.25
     CHECK(meets.decided().verdict == MatrixVerdict::can);
   }
   const Neighbours never = made(1.3);
@@ -243,7 +243,7 @@ TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range 
 }
 
 TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a millimetre") {
-  // The rail is in one piece with the rib across its end, at 0.5; the carriage's front is 0.05
+  // Rail and rib are one piece; the rib stands across the end, at 0.5. The carriage's front is 0.05
   // ahead.
   const auto made = [](double upper) {
     Neighbours rail;
@@ -270,8 +270,8 @@ TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a m
 }
 
 TEST_CASE("what touches between two looks is in the zone") {
-  // A gear of 32 teeth on a hub of 64 corners, and a pawl. Over a full turn, 33 looks are as far
-  // from each other as the teeth: the pawl is in the middle of a gap at each of them.
+  // A gear of 32 teeth on a hub of 64 corners, and a pawl. Over a full turn, 33 samples are as far
+  // apart as the teeth: at each sample the pawl is in the middle of a gap.
   constexpr double kTooth = 2 * kPi / 64;
   Neighbours gear = hub_and_arm(kTooth / 2 - kPi, kTooth / 2 + kPi);
   bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
@@ -285,7 +285,7 @@ TEST_CASE("what touches between two looks is in the zone") {
   gear.model.links[0].mesh = base;
   gear.model.links[1].mesh = wheel;
   REQUIRE(gear.zones().size() == 1);
-  CHECK(gear.zones()[0].shape.radius > 0.13);  // 0.121 hold what touches at the looks
+  CHECK(gear.zones()[0].shape.radius > 0.13);  // 0.121 holds the contact at the samples
   CHECK(gear.zones()[0].shape.radius < 0.16);
   CHECK(gear.decided().verdict == MatrixVerdict::never);
 }
@@ -313,8 +313,8 @@ TEST_CASE("without time a guard's parts are not searched for") {
   late.options.deadline = after_looks(0);
   const auto count =
       static_cast<std::int64_t>(zone_parts(late.model, zones[0], kCell, late.options).size());
-  CHECK(-*late.options.deadline.looks == 2 * count);  // once for each side
-  // In the midst of it, what is left is kept.
+  CHECK(-*late.options.deadline.looks == 2 * count);  // one per side
+  // If time runs out in the middle, the remaining surface is kept.
   late.options.deadline = {};
   const std::vector<ZoneParts> least = zone_parts(late.model, zones[0], kCell, late.options);
   late.options.deadline = after_looks(8);
@@ -338,7 +338,7 @@ TEST_CASE("of all pairs those with a zone are decided first") {
   CHECK(hinge_alone.decide(options, hinge.zones())[0].verdict == MatrixVerdict::never);
   const std::int64_t needed = kPlenty - *options.deadline.looks;
   REQUIRE(needed > 0);
-  // Far from it two rods that cross, whose pairs come before.
+  // Two crossing rods, far from the zone, whose pairs come first.
   Model model;
   for (const double y : {0.0, 0.3}) {
     const std::size_t joint =
@@ -376,7 +376,7 @@ TEST_CASE("a zone that is chosen is as large as that; 0 is none") {
   chosen.radii = {{0, 0.6}};
   REQUIRE(chosen.zones().size() == 1);
   CHECK(chosen.zones()[0].shape.radius == 0.6);
-  CHECK(chosen.decided().verdict == MatrixVerdict::can);  // the post touches seldom: no zone's
+  CHECK(chosen.decided().verdict == MatrixVerdict::can);  // the post seldom touches: no zone
   chosen.radii = {{0, 0.0}};
   CHECK(chosen.zones().empty());
   CHECK(chosen.decided().reason == "intersect at the witness");
@@ -397,7 +397,7 @@ TEST_CASE("random neighbours: nothing is lost outside a zone, nor by a guard") {
     Neighbours any;
     any.model = any_arm(random, 3);
     for (ModelLink& link : any.model.links) {
-      append(link.mesh, box({-0.06, -0.06, -0.06}, {0.06, 0.06, 0.06}));  // touches the next one
+      append(link.mesh, box({-0.06, -0.06, -0.06}, {0.06, 0.06, 0.06}));  // touches the next link
     }
     any.options.stop = random.below(2) == 0 ? 0 : 0.004 / kCell;
     const BakedArm arm(any.model, kCell);

@@ -1,4 +1,4 @@
-// Verdicts where the truth is a formula, and against brute force on random arms.
+// Verdicts against formulas, and against brute force on random arms.
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/rarity.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kCell = 1e-3;
 
-/// Decided, with what any verdict promises.
+/// Decides the pair, and checks the promises of any verdict.
 PairVerdict decided(const Model& model, std::size_t a, std::size_t b,
                     const MatrixOptions& options = {}) {
   const BakedArm arm(model, kCell);
@@ -42,7 +42,7 @@ Model rod_and_wall(double lower, double upper, double wall, JointType type = Joi
   return model;
 }
 
-/// Where the rod's corner (1, 0.001) is at y.
+/// The angle at which the rod's corner (1, 0.001) has this y.
 double angle_at(double y) {
   return std::asin(y / std::hypot(1, 0.001)) - std::atan2(0.001, 1);
 }
@@ -50,14 +50,14 @@ double angle_at(double y) {
 }  // namespace
 
 TEST_CASE("limits that just allow contact, and that just forbid it") {
-  // The slack is 1.78 cells and the resolution half a cell: four cells aside is decided either way.
+  // The slack is 1.78 cells and the resolution half a cell: a pair four cells away is decided.
   for (const double wall : {0.3, 0.7, 0.9}) {
     CAPTURE(wall);
     CHECK(decided(rod_and_wall(-1, angle_at(wall + kCell), wall), 0, 1).verdict ==
           MatrixVerdict::can);
     CHECK(decided(rod_and_wall(-1, angle_at(wall - 4 * kCell), wall), 0, 1).verdict ==
           MatrixVerdict::never);
-    // Within the slack nothing is promised, and nothing is claimed.
+    // Within the slack, verdicts are undecided.
     CHECK(decided(rod_and_wall(-1, angle_at(wall - 1.2 * kCell), wall), 0, 1).verdict ==
           MatrixVerdict::undecided);
     // The other end of the interval.
@@ -67,8 +67,8 @@ TEST_CASE("limits that just allow contact, and that just forbid it") {
 }
 
 TEST_CASE("a link of more triangles than 16 bits count is decided, with a witness") {
-  // The wall as a grid, flat: 350 by 100 squares from x = -2 to 0.9. The rod meets it at 0.8 or so,
-  // among the last.
+  // The wall is a flat grid: 350 by 100 squares from x = -2 to 0.9. The rod meets it at about 0.8,
+  // among the last triangles.
   constexpr double kWall = 0.5;
   constexpr double kWide = 2.9 / 350;
   bake::SourceMesh grid;
@@ -95,7 +95,7 @@ TEST_CASE("a link of more triangles than 16 bits count is decided, with a witnes
       CHECK(pair.witness[0] > angle_at(kWall - kCell));
       CHECK(pair.witness[0] <= range_of_variable(model, 0).upper);
       const auto lit = triangles_at(model, meshes.data(), kCell, pair).triangles;
-      // Where the middle of the rod is at the wall, and how far the rod and rounding reach.
+      // The middle of the rod at the wall, and the extent of the rod and of rounding.
       const double at = kWall / std::tan(pair.witness[0]);
       const double near = 0.001 / std::sin(pair.witness[0]) + 3 * kCell + kWide;
       CHECK(lit.a > UINT16_MAX);
@@ -123,7 +123,7 @@ TEST_CASE("a witness lies well inside of where they intersect") {
 
 TEST_CASE("intervals are closed: contact at a limit alone is found") {
   for (const bool upper : {true, false}) {
-    // Sliding along z until its face lies in the base's: they touch there and nowhere else.
+    // Slides along z until the two faces lie in one plane: they touch there and nowhere else.
     Model model;
     add_link(model, kNoJoint, box({0, 0, 0}, {0.1, 0.1, 0.1}));
     const std::size_t joint =
@@ -131,7 +131,7 @@ TEST_CASE("intervals are closed: contact at a limit alone is found") {
               : add_joint(model, kNoJoint, shifted({0, 0, 0.5}), JointType::prismatic, -0.25, 0);
     const double face = upper ? 0.25 : -0.15;
     add_link(model, joint, box({0, 0, face}, {0.1, 0.1, face}));
-    // Flat boxes: both faces are the same.
+    // Flat boxes, whose two faces coincide.
     const PairVerdict touching = decided(model, 0, 1);
     CHECK(touching.verdict == MatrixVerdict::can);
     model.joints[0].upper -= upper ? 4 * kCell : 0;
@@ -141,7 +141,7 @@ TEST_CASE("intervals are closed: contact at a limit alone is found") {
 }
 
 TEST_CASE("a continuous joint covers the full turn") {
-  // A wall that the rod meets at the seam alone, where the angle is pi.
+  // The rod meets the wall only at the seam, at the angle pi.
   Model model;
   add_link(model, kNoJoint, box({-1.2, -0.0005, -0.1}, {-0.9, 0.0005, 0.1}));
   const std::size_t joint = add_joint(model, kNoJoint, {}, JointType::continuous, -kPi, kPi);
@@ -150,15 +150,15 @@ TEST_CASE("a continuous joint covers the full turn") {
   // A rod that ends before the wall.
   model.links[1].mesh = box({0.2, -0.0005, -0.1}, {0.9 - 4 * kCell, 0.0005, 0.1});
   CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
-  // A turn that lacks a little, on both sides of the seam.
+  // Slightly less than a full turn, on both sides of the seam.
   model = rod_and_wall(-kPi + 0.02, kPi - 0.02, 0);
   model.links[0].mesh = box({-1.2, -0.0005, -0.1}, {-0.9, 0.0005, 0.1});
   CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
 }
 
 TEST_CASE("a planar arm folds until its law of cosines says so") {
-  // A post round the shoulder; the upper arm passes above it, a hand of the forearm's hangs next to
-  // it from 0.9 to 1 of the elbow, whose angle is `opening` at least.
+  // A post around the shoulder; the upper arm passes above it. A hand hangs from the forearm, 0.9
+  // to 1 from the elbow, whose angle is at least `opening`.
   const double opening = 0.5;
   const double nearest = std::sqrt(1 + 0.81 - 2 * 0.9 * std::cos(opening));
   for (const double beyond : {-6 * kCell, 4 * kCell}) {
@@ -198,7 +198,7 @@ TEST_CASE("what never collides is guarded if it comes within the stop distance")
 
 TEST_CASE("prismatic joints: gaps by subtraction") {
   for (const double gap : {4 * kCell, -kCell}) {
-    // Two fingers of a hand, which close from both sides.
+    // Two fingers of a hand that close from both sides.
     Model model;
     const double stroke = (0.2 - gap) / 2;
     const std::size_t left =
@@ -208,7 +208,7 @@ TEST_CASE("prismatic joints: gaps by subtraction") {
     add_link(model, left, box({-0.01, -0.01, -0.12}, {0.01, 0.01, -0.1}));
     add_link(model, right, box({-0.01, -0.01, -0.12}, {0.01, 0.01, -0.1}));
     CHECK(decided(model, 0, 1).verdict == (gap > 0 ? MatrixVerdict::never : MatrixVerdict::can));
-    // The same by one variable: the second mimics the first, geared or not.
+    // One variable moves both: the second finger mimics the first, with gear ratio 1 or 3.
     for (const double gear : {1.0, 3.0}) {
       Model mimic;
       const Transform right_frame = model.joints[right].fixed;
@@ -224,8 +224,8 @@ TEST_CASE("prismatic joints: gaps by subtraction") {
 }
 
 TEST_CASE("mimics move with their master, not by themselves") {
-  // The forearm turns back by as much as the upper arm turns: it keeps its direction, and never
-  // meets what it would meet if both were free.
+  // The forearm turns back by the upper arm's angle: it keeps its direction, and never meets the
+  // body that it could meet with two free joints.
   Model model;
   add_link(model, kNoJoint, box({-0.1, 1.2, -0.5}, {0.1, 1.3, 0.5}));
   const std::size_t shoulder = add_joint(model, kNoJoint, {}, JointType::revolute, -kPi, kPi);
@@ -260,13 +260,13 @@ TEST_CASE("what an SRDF disables is decided as any pair") {
   CHECK(believed.verdict == MatrixVerdict::believed);
   CHECK(believed.reason == "intersect at the witness; disabled in the SRDF and believed");
   CHECK_FALSE(believed.is_guarded);
-  // What is too near to decide is guarded, unless it is believed.
+  // A pair too near to decide is guarded, unless it is believed.
   model.joints[0].upper = angle_at(0.5 - 1.2 * kCell);
   CHECK(decided(model, 0, 1).verdict == MatrixVerdict::believed);
   model.disabled[0].is_believed = false;
   CHECK(decided(model, 0, 1).verdict == MatrixVerdict::undecided);
   CHECK(decided(model, 0, 1).is_guarded);
-  // What never collides is no more than that, and not guarded for the stop distance.
+  // A pair that never collides is not guarded for the stop distance.
   model.joints[0].upper = angle_at(0.45);
   MatrixOptions options;
   options.stop = 0.1 / kCell;
@@ -333,7 +333,7 @@ TEST_CASE("plates that slide side by side end") {
     const std::size_t x =
         add_joint(model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, -0.5, 0.5);
     const std::size_t y = add_joint(model, x, turned(0, kPi / 2), JointType::prismatic, -0.5, 0.5);
-    // Back to the base's axes.
+    // Turns back to the base's axes.
     Transform back = inverse(composed(turned(1, kPi / 2), turned(0, kPi / 2)));
     const std::size_t spin = add_joint(model, y, back, JointType::continuous, -kPi, kPi);
     add_link(model, kNoJoint, box({-1, -1, -0.1}, {1, 1, 0}));

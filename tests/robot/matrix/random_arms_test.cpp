@@ -1,7 +1,7 @@
-// Random arms against brute force: no `never` is contradicted by any configuration that was tried,
-// none that is left unguarded comes within the stop distance, a `can` shows one, and at most 1 % of
-// all pairs are left undecided. FLASHBVH_CONFIGURATIONS tries as many an arm: 100,000 take some
-// minutes; FLASHBVH_ARMS, as many arms.
+// Random arms against brute force: no sampled configuration contradicts a `never`, or brings an
+// unguarded pair within the stop distance. A `can` has a witness, and at most 1 % of all pairs are
+// undecided. FLASHBVH_CONFIGURATIONS sets the configurations per arm: 100,000 take some minutes;
+// FLASHBVH_ARMS sets the number of arms.
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"
 
@@ -9,7 +9,7 @@ using namespace flashbvh::tool;
 
 namespace {
 
-/// In cells.
+/// The stop distance, in cells.
 constexpr double kStop = 100;
 
 long number_in(const char* name, long usual) {
@@ -57,6 +57,6 @@ TEST_CASE("no verdict on a random arm is contradicted") {
   const auto of = [&](MatrixVerdict verdict) { return counts[static_cast<std::size_t>(verdict)]; };
   CHECK(of(MatrixVerdict::never) > 0);
   CHECK(of(MatrixVerdict::can) > 0);
-  // Of fewer than a hundred pairs, one.
+  // At most one of fewer than a hundred pairs.
   CHECK(of(MatrixVerdict::undecided) <= std::max<std::size_t>(all / 100, 1));
 }

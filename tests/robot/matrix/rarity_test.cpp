@@ -1,4 +1,4 @@
-// Shares of configurations that collide, where the truth is a quotient.
+// Shares of configurations that collide, against exact quotients.
 #include "robot/matrix/rarity.hpp"
 #include "flashbvh/collide.hpp"
 #include "support/arms/arms.hpp"
@@ -11,7 +11,7 @@ namespace {
 constexpr double kCell = 1e-4;
 constexpr std::uint32_t kSamples = 4000;
 
-/// A block that slides from -1 to 1 past a pin at 0, both in all 2 * `reach` wide; no way off.
+/// A block that slides from -1 to 1 past a pin at 0; together they are 2 * `reach` wide.
 Model sliding(double reach) {
   Model model;
   add_link(model, kNoJoint, box({-reach / 2, 0, 0}, {reach / 2, 0.1, 0.1}));
@@ -39,12 +39,12 @@ TEST_CASE("the share of configurations that collide is reported, of rare ones fr
     CAPTURE(reach);
     const Collisions found = collisions(sliding(reach), kCan);
     CHECK(found.of == of);
-    // Five standard deviations, and a cell to either side.
+    // Within five standard deviations, and a cell on either side.
     CHECK(std::abs(found.count - reach * of) <= 5 * std::sqrt(reach * of) + kCell * of);
     CHECK_FALSE(share_of(found).is_bound);
     CHECK(share_of(found).part * of == Approx(found.count));
   }
-  // Others are not sampled.
+  // Pairs with other verdicts are not sampled.
   CHECK(collisions(sliding(0.5), {{0, 1, MatrixVerdict::never, "", {}, 0}}).of == 0);
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("the triangles of a witness are two that intersect there") {
   const BakedArm arm(model, kCell);
   const auto lit =
       triangles_at(model, arm.wholes().data(), kCell, {0, 1, MatrixVerdict::can, "", {0.1}, 0});
-  const Pose pose = link_poses(model, kCell, {0.1})[1];  // the base's link stands at its origin
+  const Pose pose = link_poses(model, kCell, {0.1})[1];  // the base's link is at its origin
   bool is_found = false;
   (void)for_each_pair(arm.wholes()[0], arm.wholes()[1], pose, [&](const auto& pair) {
     is_found = is_found || (pair.a == lit.a && pair.b == lit.b);

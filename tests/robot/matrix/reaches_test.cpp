@@ -1,4 +1,4 @@
-// How far links reach from joints, and how far a cell of values moves them, against trials.
+// Reaches of links from joints, and the motion over a joint box, against samples.
 #include "robot/matrix/reaches.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "support/arms/arms.hpp"
@@ -8,7 +8,7 @@ using namespace flashbvh::tool;
 
 namespace {
 
-/// The largest distances from all axes of the link's vertices, of one setting.
+/// Raises `found` to the largest distances of the link's vertices from all axes, for one setting.
 void take_distances(const Model& model, std::size_t link, const std::vector<double>& variables,
                     std::vector<double>& found) {
   const std::vector<Transform> frames = frames_of(model, variables);
@@ -23,7 +23,7 @@ void take_distances(const Model& model, std::size_t link, const std::vector<doub
   }
 }
 
-/// A link of the arm's and settings of all joints, of which some are at their ends.
+/// The largest distances of a link over random settings of all joints, some at their limits.
 std::vector<double> found_by_trial(Random& random, const Model& model, std::size_t link,
                                    int tries) {
   std::vector<double> found(model.joints.size());
@@ -45,7 +45,7 @@ std::vector<double> any_point(Random& random, const PairSpace& space, double par
   return point;
 }
 
-/// A pair of links of an arm, far enough from each other for several joints.
+/// A pair of links of an arm with several joints between them.
 struct Pair {
   Model model;
   BakedArm arm;
@@ -98,11 +98,11 @@ TEST_CASE("reaches are tight: formulas") {
   near(reaches[elbow], 1);
   near(reaches[shoulder],
        std::sqrt(4 + 1 + 2.0));  // by the cosine of 60 degrees; 3 if it were free
-  // From the base: how far it lies from the elbow, whatever the shoulder does.
+  // The base's distance from the elbow does not depend on the shoulder.
   add_link(bent, kNoJoint, box({0.5, 0, 0}, {1, 1e-5, 1e-5}));
   near(reaches_of(bent, 1, cell)[elbow], std::sqrt(4 + 0.25 - 2 * std::cos(1.0)));
 
-  // A disc about its own axis is no wider for turning; one that slides across the next axis is.
+  // A disc turning about its own axis gets no wider; one that slides across the next axis does.
   Model slid;
   const std::size_t turning = add_joint(slid, kNoJoint, {}, JointType::revolute, -9, 9);
   const std::size_t sliding =
@@ -130,7 +130,7 @@ TEST_CASE("a mimic reaches as far as its master's limits let it") {
 }
 
 TEST_CASE("beyond twelve joints a reach is that of a ball") {
-  // Stretched out, with the slide at its end, the link lies as far from each axis as its ball.
+  // Stretched out, with the slide at its end, the link touches its ball's radius about each axis.
   constexpr double kStep = 0.1;
   constexpr double kSlide = 0.05;
   Model model;
@@ -161,7 +161,7 @@ TEST_CASE("beyond twelve joints a reach is that of a ball") {
 
 TEST_CASE(
     "a ball is all that is known of a link beyond twelve joints, and where there is no time") {
-  // Along its own axes the chain stays thin, whatever they do.
+  // The chain stays thin along its own axes at all values.
   constexpr double kStep = 0.1;
   Model model;
   std::size_t last = kNoJoint;
@@ -199,7 +199,7 @@ TEST_CASE("links come no nearer in a cell than its motion says") {
       for (int k = 0; k < 60; ++k) {
         std::vector<double> point = middle;
         for (std::size_t d = 0; d < point.size(); ++d) {
-          // Corners of the cell, where most is moved.
+          // Corners of the joint box, which move most.
           point[d] += random.below(2) == 0 ? halves[d] : -halves[d];
         }
         const double after = pair.space.distance(point, seed);
@@ -209,7 +209,7 @@ TEST_CASE("links come no nearer in a cell than its motion says") {
     }
   });
   CAPTURE(tightest);
-  CHECK(tightest > 0.6);  // else this shows little
+  CHECK(tightest > 0.6);  // a weaker bound would show little
 }
 
 TEST_CASE("the motion of a cell: formulas") {
@@ -232,6 +232,6 @@ TEST_CASE("the motion of a cell: formulas") {
   CHECK(motion.parts[0] * cell == Approx(0.1 * std::sqrt(5.0)).epsilon(0.01));
   CHECK(motion.parts[1] * cell == Approx(0.2).epsilon(0.01));
   CHECK(motion.sum == Approx(motion.parts[0] + motion.parts[1]));
-  // Stretched out it reaches further.
+  // Stretched out, the rod reaches further.
   CHECK(space.motion({0, 0}, {0.1, 0.2}).parts[0] * cell == Approx(0.3).epsilon(0.01));
 }

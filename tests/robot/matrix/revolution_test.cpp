@@ -1,4 +1,4 @@
-// Solids of revolution, and proofs by them.
+// Solids of revolution, and proofs that use them.
 #include "flashbvh/solid.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/swept_pair.hpp"
@@ -30,7 +30,7 @@ TEST_CASE("a solid of revolution holds its mesh at every angle") {
     REQUIRE(solid.is_closed);
     REQUIRE(solid.shell_count == 1);
     for (int i = 0; i < 200; ++i) {
-      // Any point of any triangle.
+      // A random point of a random triangle.
       const auto& triangle =
           mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
       const double u = real_between(random, 0, 1);
@@ -52,20 +52,20 @@ TEST_CASE("a solid of revolution holds its mesh at every angle") {
 }
 
 TEST_CASE("what a turning link sweeps proves, but not by what lies inside it") {
-  for (const double cell : {1e-3, 1e-5}) {  // with the second the solids do not fit the lattice
+  for (const double cell : {1e-3, 1e-5}) {  // in the second, the solids exceed the lattice
     CAPTURE(cell);
-    // A wall that the blade's sweep, 0.1005 and the solid's sides wide, passes by or not.
+    // A wall that the blade's sweep, 0.1005 wide plus the solid's sides, meets or misses.
     const bake::SourceMesh wall = box({0.25, -0.2, -0.1}, {0.3, 0.2, 0.2});
     CHECK(is_proven(blade_and(wall, 0, 0.13), cell));
     CHECK_FALSE(is_proven(blade_and(wall, 0, 0.16), cell));
-    // A pin wholly inside the sweep, which no surface of the solid meets.
+    // A pin wholly inside the sweep; no surface of the solid meets it.
     const bake::SourceMesh pin = box({-0.01, 0.03, 0.1}, {0.01, 0.05, 0.15});
     CHECK_FALSE(is_proven(blade_and(pin, -0.02, 0.02), cell));
   }
 }
 
 TEST_CASE("a link that turns by several turns next to a wall is proven quickly") {
-  // Twelve corners, whose circle passes a plate by a hundred cells.
+  // Twelve corners, whose circle passes a plate at a hundred cells.
   Model model;
   const double cell = 1e-4;
   add_link(model, kNoJoint, box({0.1 + 100 * cell, -1, -1}, {0.11, 1, 1}));

@@ -1,4 +1,4 @@
-// Certified motions on random arms against brute force along the way.
+// Certified motions on random arms against brute force along the motion.
 #include "flashbvh/collide.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "support/arms/guarded_arm.hpp"
@@ -24,7 +24,7 @@ MotionAnswer in_slices(MotionQuery& query, std::uint32_t work) {
   return answer;
 }
 
-/// At the reported moment, as the query places it.
+/// Whether the pair intersects at the reported moment, as the query places it.
 bool is_hit(const FixedArm& arm, const MotionAnswer& answer, const Values& values) {
   const RobotPair& pair = arm.robot().pairs[answer.pair];
   JointCoordinate coordinates[8];
@@ -65,7 +65,7 @@ void check_told(const FixedArm& arm, const MotionQuery& query, const MotionAnswe
   query.set_values(answer.numerator, answer.level, values.data());
   if (answer.outcome == MotionOutcome::hit) {
     CHECK(is_hit(arm, answer, values));
-  } else {  // the moment's own placing on top
+  } else {  // adds the placing error of the moment
     CHECK(arm.is_closer(arm.robot().pairs[answer.pair], values, 3 * arm.robot().slack));
   }
 }
@@ -82,7 +82,7 @@ TEST_CASE("motions: free all the way, hit where it is reported, the same in any 
       CAPTURE(round, i);
       const Values from = arm.any_values(random);
       Values to = arm.any_values(random);
-      for (std::size_t k = 0; k < to.size() && i % 2 != 0; ++k) {  // a short way
+      for (std::size_t k = 0; k < to.size() && i % 2 != 0; ++k) {  // a short motion
         to[k] = from[k] + static_cast<JointCoordinate>((std::int64_t{to[k]} - from[k]) / 20);
       }
       REQUIRE(query.start(from.data(), to.data()) == Status::done);
@@ -131,7 +131,7 @@ TEST_CASE("a geared mimic of a joint without limits hits what its master never c
   Model model;
   const std::size_t master = add_joint(model, tool::kNoJoint, {}, JointType::continuous, -kPi, kPi);
   add_mimic(model, master, shifted({0.5, 0, 0}), JointType::continuous, 0, 40, 0);
-  // A post that only the mimic's rod reaches, and only on its way round.
+  // A post that only the mimic's rod reaches, and only during its turns.
   add_link(model, tool::kNoJoint, box({0.5, 0.25, -0.1}, {0.55, 0.28, 0.1}));
   add_link(model, 1, box({0, -0.01, -0.02}, {0.3, 0.01, 0.02}));
   const FixedArm arm(model, 1e-3, {{0, 1, 0, 0}});
@@ -139,7 +139,7 @@ TEST_CASE("a geared mimic of a joint without limits hits what its master never c
   MotionQuery query(arm.robot(), *state);
   for (const JointCoordinate turns : {-7, 0, 6}) {
     const JointCoordinate from = turns * kFullTurn;
-    const JointCoordinate to = from + kFullTurn / 40;  // once round
+    const JointCoordinate to = from + kFullTurn / 40;  // times 40: one full turn
     REQUIRE(query.start(&from, &to) == Status::done);
     CHECK(query.run(UINT32_MAX).outcome == MotionOutcome::hit);
   }
@@ -163,7 +163,7 @@ TEST_CASE("a motion of links so far apart that a query of half of it is undecida
   const MotionAnswer answer = query.run(UINT32_MAX);
   CHECK(answer.status == Status::done);
   CHECK(answer.outcome == MotionOutcome::free);
-  // There the witness can't be placed: nothing is reported of it.
+  // The witness cannot be placed there, so the guard reports none.
   AnyGuardState memory;
   Guard guard(arm.robot(), memory);
   CHECK(guard.prime(to).verdict == Verdict::free);

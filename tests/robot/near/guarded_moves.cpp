@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kStateWords = 40000;
 constexpr std::uint32_t kTwoCells = 512;
 
-/// How far the joints between the pair's links move it, and the obstacle itself, in 1/256 cell.
+/// The travel of a pair by the joints between its links, and by the obstacle, in 1/256 cell.
 double travel_of(const Robot& robot, const RobotPair& pair, const NearMoment& from,
                  const NearMoment& to) {
   std::vector<JointCoordinate> before(robot.joint_count);

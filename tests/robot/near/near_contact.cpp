@@ -1,13 +1,13 @@
 // flashbvh_near_contact IMAGE [periods] [seed] [radians per period] [obstacle]
 //
 // Guards a robot baked by `flashbvh robot --format image` on moves near contact with several
-// budgets, and prints a row for each of them.
+// budgets, and prints a row per budget.
 //
 // flashbvh_near_contact --sound SECONDS ROBOT...
 //
-// Guards each robot for so long: one seed after the other, with and without an obstacle, at several
-// speeds and budgets, and prints a row for each robot. ROBOT: an image, or `arms`: the generated
-// arms of the tests, another one for each seed.
+// Guards each robot for SECONDS, seed after seed, with and without an obstacle, at several speeds
+// and budgets, and prints a row per robot. ROBOT: an image, or `arms`: the generated arms of the
+// tests, a different one per seed.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -90,7 +90,7 @@ int guard_moves(const Robot& robot, const NearOptions& options, long periods, st
   return unsound != 0 ? 1 : 0;
 }
 
-/// An image's robot, whose words and meshes it keeps.
+/// The robot of an image, with its words and meshes.
 struct ReadRobot {
   std::vector<std::uint32_t> words;
   std::vector<Mesh> meshes = std::vector<Mesh>(kMaxLinks);
@@ -107,7 +107,7 @@ struct ReadRobot {
   }
 };
 
-/// Of all seeds of a robot.
+/// Sums over all seeds of a robot.
 struct SoundCounts {
   long seeds = 0;
   long places = 0;
@@ -163,7 +163,7 @@ void guard_seed(const Robot& robot, std::uint64_t seed, SoundCounts& counts) {
   }
 }
 
-/// False if it is no robot, or a verdict is contradicted.
+/// False if the file is no robot's image, or a verdict is contradicted.
 bool is_sound(const char* name, double seconds) {
   using Clock = std::chrono::steady_clock;
   const bool is_generated = std::strcmp(name, "arms") == 0;

@@ -7,7 +7,7 @@ namespace flashbvh::test {
 namespace {
 
 constexpr double kFine = 256;
-/// What placing a vertex rounds is less than a cell (lib/docs/derivations.md, "Robots").
+/// Placing rounds a vertex by less than a cell (lib/docs/derivations.md, "Robots").
 constexpr double kPlaced = 1;
 
 template <class Visit>
@@ -58,7 +58,7 @@ NearOracle::Placement NearOracle::placement_of(const Pose& pose) {
   return made;
 }
 
-/// The farthest way of a point of the box, in cells.
+/// The largest travel of a point of the box, in cells.
 double NearOracle::moved(const Box3& box, const Placement& from, const Placement& to) {
   Placement change;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -78,7 +78,7 @@ double NearOracle::moved(const Box3& box, const Placement& from, const Placement
   return std::sqrt(most);
 }
 
-/// Between A's box and the one round B's box in A's frame, in cells.
+/// The gap between A's box and the axis-aligned box of B's box in A's frame, in cells.
 double NearOracle::gap(const Box3& a, const Box3& b, const Placement& b_in_a) {
   double squared = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,8 +1,8 @@
-// How far apart links are: by distance queries, which are made only where boxes and the last query
-// of the pair do not decide.
+// Distances of links, by queries only if boxes and the pair's last query do not decide.
 //
-// In doubles and by nothing that a guard uses: seen from A, no point of B's box moves farther than
-// the corner that moves farthest, since what the difference of two placements does is affine.
+// Computed in doubles, with nothing that the guard uses. Seen from A, the corner of B's box that
+// moves farthest bounds the travel of all its points, since the difference of two placements is
+// affine.
 #pragma once
 
 #include <array>
@@ -14,22 +14,22 @@
 
 namespace flashbvh::test {
 
-/// Bounds of the `lower` that a query reports, in 1/256 cell, both included.
+/// Inclusive bounds of the `lower` that a query would report, in 1/256 cell.
 struct NearBounds {
   std::int64_t lower = 0;
   std::int64_t upper = INT64_MAX;
 };
 
-/// Of one robot's pairs; the last query of each is remembered.
+/// The distances of one robot's pairs; remembers the last query of each.
 class NearOracle {
  public:
   explicit NearOracle(const Robot& robot);
 
-  /// Without a query.
+  /// Bounds without a query.
   NearBounds bounds(std::uint32_t pair, const Pose& pose) const;
-  /// By a query: both bounds are its `lower`.
+  /// Bounds by a query: both are its `lower`.
   NearBounds measured(std::uint32_t pair, const Pose& pose);
-  /// How many there were.
+  /// The number of queries so far.
   long queries() const { return queries_; }
 
  private:
@@ -38,7 +38,7 @@ class NearOracle {
     Point3 low;
     Point3 high;
   };
-  /// In cells: three rows of a rotation and a translation.
+  /// Three rows of a rotation and a translation, in cells.
   using Placement = std::array<std::array<double, 4>, 3>;
   struct Measured {
     bool is_known = false;

@@ -10,7 +10,7 @@ namespace flashbvh::test {
 namespace {
 
 constexpr double kFine = 256;
-constexpr double kSide = 0.06;  // of the obstacle
+constexpr double kSide = 0.06;  // the obstacle's edge, in metres
 
 template <class Number>
 Number between(Number from, Number to, double part) {

@@ -1,5 +1,5 @@
-// Small moves about places where an arm's links nearly touch, as a welding or assembly arm works,
-// and how far apart all guarded pairs are on the way.
+// Small moves about poses in which an arm's links nearly touch, like those of welding or assembly
+// arms, and the distances of all guarded pairs during the moves.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace flashbvh::test {
 /// Lengths in metres, speeds per period.
 struct NearOptions {
   double turn = 1.25e-3;      ///< top speed of turning joints, in radians
-  double slide = 5e-4;        ///< of sliding joints and of the obstacle
-  double nearest = 0.001;     ///< a place is so far over a stop distance at least,
-  double farthest = 0.008;    ///< and at most
-  double reach = 0.05;        ///< radians that a move turns a joint at most
-  bool has_obstacle = false;  ///< that moves, at most 70 mm over the stop distance
+  double slide = 5e-4;        ///< top speed of sliding joints and of the obstacle
+  double nearest = 0.001;     ///< the least excess of a place over a stop distance
+  double farthest = 0.008;    ///< the largest excess of a place
+  double reach = 0.05;        ///< the largest turn of a joint in a move, in radians
+  bool has_obstacle = false;  ///< a moving one, at most 70 mm above the stop distance
   double obstacle_stop = 0.005;
   double obstacle_warn = 0.01;
 };
@@ -29,21 +29,21 @@ struct NearOptions {
 using NearValues = std::vector<JointCoordinate>;
 using NearCell = WorkcellOf<kMaxJoints, kMaxLinks, 512, 4096>;
 
-/// What one moment holds.
+/// Joint values and the obstacle's frame at one moment.
 struct NearMoment {
   NearValues values;
   Frame obstacle = kIdentityFrame;
 };
 
-/// A robot, and maybe an obstacle: what a guard takes.
+/// The scene of a guard: a robot, and optionally an obstacle.
 class NearScene {
  public:
   NearScene(const Robot& robot, const NearOptions& options);
   const Robot& robot() const { return workcell_.robot(); }
   bool has_obstacle() const { return link_ != kMaxLinks; }
-  /// Moves the obstacle there, by at most `moved`, in 1/256 cell.
+  /// Moves the obstacle to `frame`, by at most `moved`, in 1/256 cell.
   void move(const Frame& frame, std::uint32_t moved);
-  /// Of all pairs: B in A's frame, as the guard places it.
+  /// The poses of all pairs, B in A's frame, as the guard places them.
   std::vector<Pose> poses(const NearMoment& moment) const;
   NearOracle& oracle() const { return *oracle_; }
 
@@ -58,16 +58,16 @@ class NearScene {
   std::unique_ptr<NearOracle> oracle_;
 };
 
-/// Of all pairs at a moment, in 1/256 cell, rounded down; of the placed meshes.
+/// The distances of all pairs of placed meshes at a moment, in 1/256 cell, rounded down.
 class NearDistances {
  public:
   NearDistances(const NearScene& scene, const NearMoment& moment);
 
   bool is_beyond(std::uint32_t pair, double limit) const;
-  /// Whether all are farther over their stop distances.
+  /// Whether all pairs exceed their stop distances by more than `excess`.
   bool are_over(std::int64_t excess) const;
-  /// How far over the stop distance the nearest pair is; may be negative. `counts(pair)`: whether
-  /// the pair does.
+  /// The least excess of a pair over its stop distance; may be negative. `counts(pair)`: whether
+  /// the pair counts.
   template <class Counts>
   std::int64_t excess(const Counts& counts) const {
     std::int64_t most = INT64_MAX;
@@ -99,7 +99,7 @@ class NearDistances {
   mutable std::vector<NearBounds> bounds_;
 };
 
-/// There and back: period 0 and the last one are at the place itself.
+/// A move there and back: the first and the last period are at the place itself.
 class NearMove {
  public:
   NearMove(const NearScene& scene, std::vector<NearMoment> moments)
@@ -108,7 +108,7 @@ class NearMove {
   std::size_t size() const { return moments_.size(); }
   const NearMoment& operator[](std::size_t i) const { return moments_[i]; }
   const NearDistances& distances(std::size_t i) const;
-  /// How far over the stop distance the nearest pair is, in 1/256 cell; may be negative.
+  /// The least excess of a pair over its stop distance, in 1/256 cell; may be negative.
   std::int64_t excess(std::size_t i) const;
 
  private:
@@ -120,24 +120,24 @@ class NearMove {
 class NearMoves {
  public:
   NearMoves(const NearScene& scene, const NearOptions& options, Random& random);
-  /// False if so many tries found no place.
+  /// False if `tries` tries find no place.
   bool find_place(int tries = 4000);
   const NearMoment& place() const { return place_; }
   NearMove move();
 
  private:
   const RobotJoint& joint_of(std::size_t variable) const { return *joints_[variable]; }
-  /// A unit of the variable in radians or metres.
+  /// The variable's unit in radians or metres.
   double unit_of(std::size_t variable) const;
   JointCoordinate kept(std::size_t variable, double value) const;
   NearMoment any() const;
-  /// Of legs that nearly always touch, on the way from where all joints stand at 0.
+  /// A moment nearer to all joints at 0, for legs that nearly always touch.
   NearMoment nearer_rest() const;
-  /// Pairs that are near at most places do not make a place.
+  /// Finds the pairs that are near at most places; they make no place.
   void find_always_near();
-  /// Of the other pairs, in metres.
+  /// The least excess of the other pairs, in metres.
   double excess_at(const NearMoment& moment) const;
-  /// Halves the way from a place that is too far from contact to one that is too near.
+  /// Bisects between a place too far from contact and one too near.
   bool narrow(NearMoment far, const NearMoment& near);
 
   const NearScene& scene_;

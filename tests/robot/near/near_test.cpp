@@ -1,11 +1,11 @@
-// Guards near contact on random arms: what flashbvh_near_contact measures, small.
+// Guards near contact on random arms: a small version of flashbvh_near_contact.
 #include "guarded_moves.hpp"
 #include "support/arms/guarded_arm.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-/// Arms of boxes have few triangles: these budgets are too small for some periods.
+/// Arms made of boxes have few triangles: these budgets are too small in some periods.
 constexpr std::uint32_t kBudgets[] = {10, 100, UINT32_MAX - 1};
 
 }  // namespace

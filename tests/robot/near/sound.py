@@ -14,7 +14,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def robots(kr5: str, moveit: str, data: str) -> dict[str, list[str]]:
-    """By name, what `flashbvh robot` takes. A quadruped's legs never come 5 mm from their hips."""
+    """Arguments of `flashbvh robot`, by robot. A quadruped's legs never come 5 mm from their hips."""
     arm = ["--stop", "0.005", "--warn", "0.01"]
     solo = f"{data}/robots/solo_description"
     return {
@@ -31,7 +31,7 @@ def robots(kr5: str, moveit: str, data: str) -> dict[str, list[str]]:
 
 
 def baked(flashbvh: str, folder: Path, arguments: list[str]) -> str:
-    """The image, which is baked unless it is there."""
+    """Returns the image; bakes it unless it exists."""
     if not list(folder.glob("*.robot")):
         subprocess.run([flashbvh, "robot", *arguments, "--format", "image", "-o", str(folder)], check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

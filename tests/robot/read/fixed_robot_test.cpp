@@ -1,4 +1,4 @@
-// From a URDF to what firmware holds of it.
+// From a URDF to the firmware's data.
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
@@ -38,7 +38,7 @@ std::string limits(const std::string& lower, const std::string& upper) {
   return "<limit lower=\"" + lower + "\" upper=\"" + upper + "\"/>";
 }
 
-/// A chain of links a, b, c and so on with these joints between.
+/// A chain of links a, b, c and so on with these joints in between.
 std::string chain(const std::vector<std::pair<std::string, std::string>>& joints) {
   std::string text = link_text("a");
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -267,11 +267,11 @@ TEST_CASE("a chain as long as firmware holds fits the guard's sums, and no finer
   const tool::Model model = files.read(text);
   const double cell = tool::robot_cell(model, {}, "arm.urdf");
   std::vector<tool::GuardedPair> pairs = {{0, 30, 0, 0}, {0, 59, 0, 0}, {0, 31, 0, 0}};
-  // Without time: as far as the chain is long, stretched out.
+  // Without time, the reach is the length of the stretched chain.
   const tool::Reaches reaches =
       tool::all_reaches(model, cell, tool::in_seconds(tool::Clock::now(), -1));
   CHECK(bake_robot(model, cell, pairs, reaches).robot->robot().pairs[1].reach > 0.9 * UINT32_MAX);
-  // Refused for the pair that moves farthest, not for the first that moves too far.
+  // The refusal names the pair that moves farthest, not the first that moves too far.
   const std::string refusal = refusal_of([&] { bake_robot(model, 0.8 * cell, pairs, reaches); });
   CHECK_THAT(refusal, Catch::Matchers::Contains("too far for so fine a lattice: give --cell "));
   const double needed = std::stod(refusal.substr(refusal.find("--cell ") + 7));

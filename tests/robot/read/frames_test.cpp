@@ -1,4 +1,4 @@
-// A Model's frames against the URDF's own axes and origins, evaluated as its specification says.
+// A model's frames against the URDF's own axes and origins, evaluated by its specification.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
@@ -33,7 +33,7 @@ std::string text_of(const Vector3& v) {
   return "\"" + text_of(v[0]) + " " + text_of(v[1]) + " " + text_of(v[2]) + "\"";
 }
 
-/// By Rodrigues' formula.
+/// A rotation by Rodrigues' formula.
 Transform turn_about(const Vector3& axis, double angle) {
   const double length = std::hypot(axis[0], axis[1], axis[2]);
   const Vector3 k = {axis[0] / length, axis[1] / length, axis[2] / length};
@@ -52,7 +52,7 @@ Transform turn_about(const Vector3& axis, double angle) {
   return turn;
 }
 
-/// Fixed axes: about x, then y, then z.
+/// The rotations about fixed axes: x, then y, then z.
 Transform origin_of(const Vector3& xyz, const Vector3& rpy) {
   Transform moved;
   moved.translation = xyz;
@@ -65,7 +65,7 @@ struct PlainJoint {
   std::string type;
   std::size_t parent;
   Vector3 xyz, rpy, axis;
-  std::size_t mimics;  ///< itself if it does not
+  std::size_t mimics;  ///< its own number if it is no mimic
   double multiplier, offset;
 
   double coordinate(const std::vector<PlainJoint>& joints, const std::vector<double>& values,
@@ -88,7 +88,7 @@ struct PlainJoint {
   }
 };
 
-/// Joint i leads from a link before it to link i + 1.
+/// Joint i leads from an earlier link to link i + 1.
 std::vector<PlainJoint> random_joints(Random& random, std::size_t count) {
   const std::vector<Vector3> plain_axes = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                            {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};

@@ -1,4 +1,4 @@
-// MoveIt's joint_limits.yaml narrows what a URDF allows.
+// MoveIt's joint_limits.yaml narrows a URDF's limits.
 #include "support/arms/robot_files.hpp"
 #include "support/test.hpp"
 
@@ -35,7 +35,7 @@ TEST_CASE("limits narrow, and mimics follow") {
   CHECK(model.joints[0].upper == 2);
   CHECK(model.joints[2].lower == -4);
   CHECK(model.joints[2].upper == 1);
-  CHECK(files.warnings.all().size() == 1);  // of the mimic's own limits
+  CHECK(files.warnings.all().size() == 1);  // for the mimic's own limits
   RobotFiles others;
   const tool::Model upper = narrowed(others, "joint_limits: {turn: {max_position: 1.5}}");
   CHECK(upper.joints[0].lower == -1);

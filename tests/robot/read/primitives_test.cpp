@@ -1,4 +1,4 @@
-// Primitives as meshes: closed, facing outwards, and nothing of the shape outside.
+// Primitives as meshes: closed, facing outwards, and enclosing the whole primitive.
 #include <random>
 
 #include "mesh/defects.hpp"
@@ -9,7 +9,7 @@ using tool::Vector3;
 
 namespace {
 
-/// How far a point lies inside all the planes of the triangles: a convex mesh's depth.
+/// The least depth of a point under the planes of all triangles: its depth in a convex mesh.
 double depth(const bake::SourceMesh& mesh, const Vector3& point) {
   double least = 1e300;
   for (const auto& [a, b, c] : mesh.triangles) {

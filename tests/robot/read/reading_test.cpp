@@ -1,4 +1,4 @@
-// What URDFs in the wild have, as it is meant.
+// Features of real URDFs, read as intended.
 #include <clocale>
 #include <locale>
 
@@ -159,7 +159,7 @@ TEST_CASE("collision elements of a link are one mesh") {
   CHECK(link.sources[1] == "cylinder of radius 1 m, up to 0.0048 m wider");
   CHECK(link.sources[2] == "box");
   CHECK(link.sources[3] == "t.obj");
-  // A mirror image, turned right side out again.
+  // A mirrored mesh, whose triangles are turned right side out.
   const std::uint32_t first = 162 + 64 + 8;
   CHECK(link.mesh.triangles.back() == bake::TriangleCorners{first, first + 2, first + 1});
   CHECK(link.mesh.vertices[first + 1] == std::array<double, 3>{0, -4, 0});

@@ -8,7 +8,7 @@ namespace {
 
 const std::string kTwoLinks = link_text("a") + link_text("b");
 
-/// Of a robot of two links and this joint between.
+/// The refusal of a robot of two links with this joint in between.
 std::string said_of_joint(const std::string& type, const std::string& inside) {
   RobotFiles files;
   return files.refusal(kTwoLinks + joint_text("j", type, "a", "b", inside));
@@ -31,7 +31,7 @@ std::string said_of_file(const std::string& text) {
   return what.substr(what.find("x.urdf"));
 }
 
-/// `wanted`: all of it if it is empty or begins with the file, else a part.
+/// `wanted`: the whole message if it is empty or begins with the file, else a part.
 void check_said(const std::string& said, const std::string& wanted) {
   const bool is_all = wanted.empty() || wanted.rfind("arm.urdf", 0) == 0;
   CHECK_THAT(said, Contains(wanted) && Catch::Matchers::StartsWith(is_all ? wanted : ""));

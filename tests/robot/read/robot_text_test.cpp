@@ -1,4 +1,4 @@
-// A robot passes from one process to another as it is, or not at all.
+// A robot passes from one process to another unchanged, or not at all.
 #include "robot/read/robot_text.hpp"
 #include "support/test.hpp"
 

@@ -27,7 +27,7 @@ struct Given {
     files.write("way.csv", text);
     return tool::read_trajectory(files.path("way.csv"), model, warnings);
   }
-  /// From the file's name on.
+  /// The refusal, from the file's name on.
   std::string refusal(const std::string& text) const {
     const std::string what = refusal_of([&] { return read(text); });
     return what.substr(what.find("way.csv"));
@@ -66,7 +66,7 @@ namespace {
 struct Timed {
   const char* text;
   std::vector<double> times;
-  std::vector<std::string> warnings;  ///< "place: what", from the file's name on
+  std::vector<std::string> warnings;  ///< "place: message", from the file's name on
 };
 
 std::vector<Timed> timed_files() {
@@ -75,7 +75,7 @@ std::vector<Timed> timed_files() {
       {"a,b\n0,0\n", {}, {}},
       {"time,a,b\n0.5,0,0\n0.6,0,0\n0.7,0,0\n", {0.5, 0.6, 0.7}, {}},
       {"a;secs;b\n0;7;0\n", {7}, {}},
-      // Nanoseconds, of which a double keeps some hundred.
+      // Nanoseconds; a double rounds them to some hundred.
       {"t,a,b\n1700000000000000000,0,0\n1700000000001000000,0,0\n1700000000002000300,0,0\n",
        {1700000000000000000., 1700000000001000000., 1700000000002000300.},
        {}},

@@ -1,9 +1,9 @@
 // flashbvh_certified URDF --simplify METRES [--package NAME=FOLDER] [--visual-too] [--samples N]
 //
-// How far the simplified links of a robot are from its own, as certified and as sampled: points of
-// either mesh, half of them anywhere and all vertices, and how far they are from the other one. A
-// certificate below a sample is wrong; one above 1.1 times the farthest is loose. Triangles are
-// compared with those of the simplifier alone, to which the same error is given.
+// Samples the distance of a robot's simplified links from its own, against the certificate: points
+// of either mesh, half of them random, and all vertices, and their distances from the other mesh. A
+// certificate below a sample is wrong; one above 1.1 times the farthest is loose. Triangle counts
+// are compared with the simplifier's own, for an equal error.
 #include <cstdio>
 
 #include "described.hpp"
@@ -23,12 +23,12 @@ constexpr double kLoose = 1.1;
 struct Row {
   std::size_t triangles = 0;
   std::size_t coarse = 0;
-  std::size_t believed = 0;  ///< of the simplifier alone
+  std::size_t believed = 0;  ///< by the simplifier alone
   double certified = 0;
   double sampled = 0;
 };
 
-/// Evenly in a triangle, of triangles by their areas.
+/// Samples points uniformly by area.
 class Sampler {
  public:
   explicit Sampler(const std::vector<DrawnTriangle>& triangles) : triangles_(triangles) {

@@ -1,4 +1,4 @@
-// A robot that a program's command line describes, as it does for `flashbvh robot`.
+// A robot given on a program's command line, in the syntax of `flashbvh robot`.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,7 +21,7 @@ struct Described {
     app.add_flag("--visual-too", visual_too);
   }
 
-  /// UserError if it is no robot.
+  /// Throws UserError if it is no robot.
   tool::Model read() const {
     tool::Packages folders;
     for (const std::string& package : packages) {

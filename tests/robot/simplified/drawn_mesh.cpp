@@ -28,8 +28,8 @@ double squared_apart(const Vector3& p, const Vector3& q) {
   return dot(minus(p, q), minus(p, q));
 }
 
-/// Of two segments: the nearest points of their lines, one after the other clamped to its segment,
-/// and each end.
+/// The squared distance of two segments: of their lines' nearest points, each clamped to its
+/// segment, and of each end.
 double squared_edges(const Vector3& p, const Vector3& p_end, const Vector3& q,
                      const Vector3& q_end) {
   const Vector3 u = minus(p_end, p);
@@ -55,7 +55,7 @@ double squared_edges(const Vector3& p, const Vector3& p_end, const Vector3& q,
   return least;
 }
 
-/// How far along the segment it passes through the triangle's inside; none: beyond 1.
+/// Whether the segment passes through the triangle's inside.
 bool pierces(const Vector3& from, const Vector3& to, const DrawnTriangle& triangle) {
   const Vector3 normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
   const double above = dot(minus(from, triangle[0]), normal);
@@ -73,7 +73,7 @@ bool pierces(const Vector3& from, const Vector3& to, const DrawnTriangle& triang
   return true;
 }
 
-/// Where it is above the triangle; edges see to the rest.
+/// The squared distance of a point above the triangle; edges cover the other points.
 double squared_above(const Vector3& p, const DrawnTriangle& triangle) {
   const Vector3 normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
   const double squared = dot(normal, normal);
@@ -161,7 +161,7 @@ void DrawnMesh::build(std::uint32_t first, std::uint32_t count) {
   build(first + count / 2, count - count / 2);
 }
 
-/// No more than the distance of their boxes.
+/// A lower bound of the distance of two boxes.
 double DrawnMesh::gap(const Query& query, const Node& a, const Node& b) const {
   const Vector3 centre = placed(query.frame, b.centre);
   double squared = 0;

@@ -1,5 +1,5 @@
-// Meshes as they are drawn, in doubles, and whether two of them come near each other: shares
-// nothing with what bakes, simplifies or guards them.
+// Meshes as drawn, in doubles, and whether two come near each other. Shares no code with the code
+// that bakes, simplifies or guards them.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace flashbvh::test {
 using tool::Vector3;
 using DrawnTriangle = std::array<Vector3, 3>;
 
-/// Between any two points of them; 0 if they intersect. To some 10^-15 of the coordinates.
+/// The distance of two triangles; 0 if they intersect. To about 10^-15 of the coordinates.
 double distance_between(const DrawnTriangle& p, const DrawnTriangle& q);
 
-/// From the triangle to a point.
+/// The distance of a triangle from a point.
 double distance_between(const DrawnTriangle& p, const Vector3& q);
 
 class DrawnMesh {
@@ -24,17 +24,17 @@ class DrawnMesh {
   explicit DrawnMesh(std::vector<DrawnTriangle> triangles);
 
   bool is_empty() const { return triangles_.empty(); }
-  /// `frame`: of `other` in this mesh's.
+  /// `frame`: the frame of `other` in this mesh's frame.
   bool is_nearer(const DrawnMesh& other, const tool::Transform& frame, double distance) const;
-  /// To the nearest point of it; `most`: or that, if all are farther.
+  /// The distance of the mesh's nearest point, but at most `most`.
   double distance_to(const Vector3& p, double most) const;
 
  private:
   struct Node {
     Vector3 centre;
-    Vector3 half;         ///< of its box
+    Vector3 half;         ///< of the node's box
     std::uint32_t first;  ///< triangle of a leaf, or the right child; the left one is next
-    std::uint32_t count;  ///< 0: no leaf
+    std::uint32_t count;  ///< 0: an inner node
     double size() const { return half[0] + half[1] + half[2]; }
   };
   struct Query {

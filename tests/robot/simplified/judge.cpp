@@ -1,10 +1,10 @@
 // flashbvh_judge IMAGE URDF --stop METRES [--package NAME=FOLDER] [--visual-too]
 //                [--configurations N] [--seed N] [--more METRES]
 //
-// Whether the guard of a robot, whose links may be simplified, lets none of the URDF's own meshes
-// come nearer than the stop distance. Half of the configurations are any, the other half as near to
-// those at which the guard stops as 12 halvings of a way come. Distances are in doubles. With
-// --more, stop distances are so much larger than they were baked: that has to be found out.
+// Checks that the guard of a robot with simplified links keeps the URDF's own meshes at the stop
+// distance. Half of the configurations are random; the other half are as near to a stop of the
+// guard as 12 bisections get. Distances are in doubles. With --more, the stop distances are larger
+// than baked by METRES, so the check has to fail.
 #include <atomic>
 #include <cstdio>
 #include <optional>
@@ -31,7 +31,7 @@ constexpr double kTurn = 2 * tool::kPi / kFullTurn;
 
 using Values = std::vector<JointCoordinate>;
 
-/// What no guard may let come nearer than the stop distance.
+/// Two meshes that the guard must keep at the stop distance.
 struct JudgedPair {
   std::size_t a;
   std::size_t b;
@@ -46,7 +46,8 @@ double from_axis(const tool::Transform& axis, const Vector3& p) {
   return std::hypot(at[0], at[1]);
 }
 
-/// What of it is beyond the cylinder about an axis, of triangles cut in four; not all of it.
+/// Adds the triangle's part beyond the cylinder about an axis, of triangles cut in four; not all of
+/// it.
 void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, double radius, int cuts,
                 std::vector<DrawnTriangle>& beyond) {
   const Vector3 centre = simplify::centre_of(triangle);
@@ -97,7 +98,7 @@ class Judge {
     return values;
   }
 
-  /// A pair that is nearer than its stop distance, or null.
+  /// A pair nearer than its stop distance, or null.
   const JudgedPair* near_pair(const Values& values) const {
     std::vector<double> variables;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -140,7 +141,7 @@ class Judge {
     pairs_.insert(pairs_.begin(), pair);
   }
 
-  /// All zones are balls about a point of the axis, so the cylinder about it holds them.
+  /// All zones are balls about a point of the axis, so the cylinder about it contains them.
   const DrawnMesh* beyond_zone(std::size_t link, const tool::UnguardedPair& pair) {
     const bool is_moved = model_.links[link].joint == pair.joint;
     const tool::Transform axis =

@@ -1,9 +1,9 @@
 """judged.py BIN OUT CONFIGURATIONS KR5.urdf SO_ARM MOVEIT [MORE]
 
-Bakes five robots, simplified, with BIN/flashbvh into OUT, whose verdicts must be those of the robots as they are.
-Judges each guard by the URDF's own meshes with BIN/flashbvh_judge and prints its rows: none may come nearer than the
-stop distance. With MORE, a length in metres, each guard is held to so much more than it was baked with, which it does
-not hold.
+Bakes five robots, simplified, with BIN/flashbvh into OUT; their verdicts must be those of the unsimplified robots.
+Judges each guard by the URDF's own meshes with BIN/flashbvh_judge and prints its rows: no pair may come nearer than
+the stop distance. With MORE, a length in metres, each guard is held to a stop distance larger by MORE, which it
+cannot keep.
 KR5.urdf: tools/kr5.sh; SO_ARM: TheRobotStudio/SO-ARM100; MOVEIT: moveit/moveit_resources.
 """
 from __future__ import annotations
@@ -17,7 +17,7 @@ STOP = "0.005"
 
 
 def robots(kr5: str, so_arm: str, moveit: str) -> dict[str, tuple[list[str], list[str]]]:
-    """By name, what describes the robot and how it is simplified."""
+    """Arguments that describe the robot and its simplification, by name."""
     simplified = ["--simplify", "0.0005"]
     fitted = ["--fit", "262144"]
     panda, fanuc = (f"{moveit}/{name}_description" for name in ("panda", "fanuc"))
@@ -31,7 +31,7 @@ def robots(kr5: str, so_arm: str, moveit: str) -> dict[str, tuple[list[str], lis
 
 
 def verdicts(flashbvh: str, *arguments: str) -> tuple[str, list[list[str]]]:
-    """What it says of simplifying, and each pair's verdict."""
+    """Returns the report on simplifying, and each pair's verdict."""
     command = [flashbvh, "robot", *arguments, "--stop", STOP, "--warn", "0.03", "--json"]
     said = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout)
     deviation = f"{said['flash_bytes']} bytes, leaves of {said['leaf_size']}, within {1000 * said['deviation']:.3f} mm"
@@ -45,7 +45,7 @@ def main() -> int:
         folder = Path(out) / name
         flashbvh = f"{binaries}/flashbvh"
         said, made = verdicts(flashbvh, *robot, *simplified, "--format", "image", "-o", str(folder))
-        # Firmware can't hold all of SO-101's triangles; verdicts are of all of them, whatever it holds.
+        # Firmware cannot hold all of SO-101's triangles; the verdicts are of all triangles.
         options = [*simplified[2:], *(["--simplify", "0.0001"] if name == "so101" else [])]
         _, full = verdicts(flashbvh, *robot, *options, "--format", "image", "-o", f"{folder}-full")
         differing = [pair for pair, other in zip(made, full) if pair != other]

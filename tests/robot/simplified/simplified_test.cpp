@@ -1,5 +1,5 @@
-// A guard of simplified links, judged by the links with all their triangles, in doubles: it is
-// never less careful than promised, and stops no earlier than said.
+// A guard of simplified links, judged by the original links in doubles: it never reports a larger
+// distance than promised, and stops no earlier than documented.
 #include "drawn_mesh.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/matrix/joint_zone.hpp"
@@ -22,8 +22,8 @@ bake::SourceMesh scaled(bake::SourceMesh mesh, double by) {
   return mesh;
 }
 
-/// Two rings of some thousand triangles; the second one swings through and about the first. A small
-/// box apart from it is a shell of its own.
+/// Two rings of some thousand triangles; the second swings through and about the first. A small,
+/// separate box is a shell of its own.
 Model two_rings() {
   Model model;
   add_link(model, kNoJoint, scaled(wavy_ring(44, 18, 0.5), 0.005));
@@ -58,7 +58,7 @@ struct SimplifiedArm {
                                          deviations);
   }
 
-  /// Of the links with all their triangles, at most: corners and middles of each to the other one.
+  /// An upper bound of the original links' distance: from corners and middles of each to the other.
   double distance(const std::vector<double>& variables) const {
     const Transform frame = frames_of(model, variables).back();
     return std::min(from_points(1, frame, 0), from_points(0, inverse(frame), 1));
@@ -103,7 +103,7 @@ TEST_CASE("a guard of simplified links holds what it says of all triangles") {
     int passes = 0;
     double earliest = 0;
     for_rounds(count, 1, [&](Random& random, int) {
-      // Half of them where the two are near.
+      // Half of the values bring the two near.
       std::vector<double> variables;
       std::vector<JointCoordinate> values;
       double distance = 1;
@@ -134,7 +134,7 @@ TEST_CASE("a guard of simplified links holds what it says of all triangles") {
     });
     CHECK(stops > count / 8);
     CHECK(passes > count / 8);
-    // Points are farther apart than surfaces, by little.
+    // Points are slightly farther apart than surfaces.
     CHECK(earliest < 4 * length + 0.001);
   }
 }

@@ -1,4 +1,4 @@
-// Tools and obstacles that were added to random arms, guarded and certified, against brute force.
+// Tools and obstacles added to random arms, guarded and certified, against brute force.
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/robot_float.hpp"
 #include "support/arms/any_workcell.hpp"
@@ -8,7 +8,7 @@ using namespace flashbvh::tool;
 
 namespace {
 
-/// What the answer promises and brute force contradicts.
+/// Whether brute force contradicts a promise of the answer.
 bool is_contradicted(const CrowdedCell& cell, const GuardAnswer& answer, const Period& period,
                      Random& random) {
   if (answer.verdict > Verdict::warn) {
@@ -48,7 +48,7 @@ TEST_CASE("tools and obstacles are guarded as links are, whatever the budget") {
       const Values now = wandering.step(random);
       if (i % 10 != 9) {
         REQUIRE(cell->move(random, speed) == Status::done);
-      } else {  // it stands
+      } else {  // the obstacle stands still
         cell->way = {cell->way.at(1), {}, 0, 0};
       }
       answer = guard.update(now.data(), work);
@@ -192,7 +192,7 @@ TEST_CASE("what a workcell refuses changes nothing") {
   WorkcellOf<3, 3, 1, 4> small;
   Workcell tiny(cell->arm.robot(), small);
   CHECK(tiny.add(mesh, {kBase, kIdentityFrame}, link) == Status::workcell_full);
-  CHECK(tiny.robot().joints == cell->arm.robot().joints);  // nothing is guarded less
+  CHECK(tiny.robot().joints == cell->arm.robot().joints);  // the guard keeps all its pairs
   CHECK(tiny.robot().pair_count == cell->arm.robot().pair_count);
 }
 
@@ -211,7 +211,7 @@ TEST_CASE("an obstacle that comes nearer is as near as it says, whatever is look
     std::uint8_t link = 0;
     REQUIRE(workcell.add(body.mesh(), {kBase, kIdentityFrame}, link) == Status::done);
     REQUIRE(workcell.keep_apart(0, link, 500, 2000) == Status::done);
-    // A unit of its joint's coordinate, which counts 1/256 cell, moves it 1/256 cell.
+    // A unit of the joint's coordinate is 1/256 cell and moves the obstacle by 1/256 cell.
     REQUIRE(memory.reaches[memory.links[link].first_reach] == 1u << kReachBits);
     WorkcellState state;
     Guard guard(workcell.robot(), state);
@@ -240,7 +240,7 @@ TEST_CASE("a floating obstacle is known again however far it went") {
   Guard guard(cell->robot(), *state);
   const Values values = cell->arm.any_values(random);
   (void)guard.prime(values.data());
-  // Where it stands, but said to have gone round: 2^32 in all, and one unit more.
+  // It stands still, but reports travel: 2^32 in all, and one unit more.
   const Frame frame = fixed_frame(cell->way.at(1));
   for (int i = 0; i < 33; ++i) {
     const std::uint32_t moved = i < 32 ? (1u << 27) : 1;

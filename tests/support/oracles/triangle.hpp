@@ -27,8 +27,8 @@ __extension__ typedef __int128 Wide;
 /// The answer and its certificate.
 struct Verdict {
   bool intersects;
-  Wide weight_a[3];  ///< if they intersect: weights of a common point, times a positive number
-  Wide weight_b[3];  ///< the weights in b of the common point, with an equal sum
+  Wide weight_a[3];   ///< if they intersect: weights of a common point, times a positive number
+  Wide weight_b[3];   ///< the weights in b of the common point, with an equal sum
   Wide direction[3];  ///< if they are disjoint: all of a lies strictly before all of b along it
 };
 
@@ -43,7 +43,7 @@ struct Tableau {
   Wide entry[rows + 1][kRight + 1];  ///< the last row holds the reduced costs
   Wide scale;                        ///< all entries are integers over this, scale > 0
   int basis[rows];                   ///< the variable that each row solves for
-  int sign[3];  ///< the factors by which the coordinate rows were multiplied
+  int sign[3];                       ///< the factors by which the coordinate rows were multiplied
 
   const Wide* cost() const { return entry[rows]; }
 };

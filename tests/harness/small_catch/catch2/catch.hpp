@@ -1,17 +1,16 @@
 // The part of Catch2 that our tests use, for boards: no heap, no C++ library, no stdio, and
-// compiled in a fraction of the time. The same test sources include it as <catch2/catch.hpp>.
+// compiled in a fraction of the time. Test sources include it as <catch2/catch.hpp>.
 //
 // TEST_CASE, TEMPLATE_TEST_CASE, TEMPLATE_TEST_CASE_SIG, CHECK, CHECK_FALSE, REQUIRE,
-// REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. What differs from Catch2:
+// REQUIRE_FALSE, STATIC_REQUIRE, FAIL, INFO of a string, CAPTURE. Differences from Catch2:
 // - a failed REQUIRE or FAIL ends the process: there are no exceptions
 // - values of classes print as {?}, floating-point numbers as a mantissa and an exponent
-// - there is no SECTION and no GENERATE: a test case that runs on boards has test cases or loops
-// instead
+// - there is no SECTION and no GENERATE: tests that run on boards use separate test cases or loops
 #pragma once
 
 #include "../small_catch.hpp"
 
-// That `Decompose() <= a == b` has no parentheses is the point.
+// `Decompose() <= a == b` relies on having no parentheses.
 #pragma GCC diagnostic ignored "-Wparentheses"
 
 #define SMALL_CATCH_JOIN_NOW(a, b) a##b
@@ -95,7 +94,7 @@
 #define STATIC_REQUIRE(...) static_assert(__VA_ARGS__, #__VA_ARGS__)
 #define FAIL(text) SMALL_CATCH_ASSERT(require, "FAIL", text, ::small_catch::Decompose() <= false)
 
-// What a failed assertion prints in addition.
+// Values that a failed assertion also prints.
 #define INFO(text) SMALL_CATCH_CAPTURED(SMALL_CATCH_UNIQUE(info), 1, text)
 #define SMALL_CATCH_CAPTURED(stem, n, value) \
   const ::small_catch::Captured SMALL_CATCH_JOIN(stem, _##n)(#value, value);
