@@ -1,4 +1,5 @@
-// What live_answers.cpp prints, of the library of a page: exports of arm.cpp, a robot opened.
+// The output of live_answers.cpp, from the library in a page: exports of arm.cpp, with a robot
+// opened.
 const answers_of = (arm, count) => {
   const { next, add, hash } = drawing();
   const ends = [];

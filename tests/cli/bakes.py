@@ -1,4 +1,4 @@
-"""What the host program bakes: images and code, under any name; and `bench`."""
+"""Images and code that the host program bakes, under any name; and `bench`."""
 import os
 import re
 import resource
@@ -25,9 +25,9 @@ QUICK = "--repetitions-scale", "0.0001", "--rounds", "2"
 
 
 def large():
-    """66,000 triangles, with FLASHBVH_THOROUGH 200,000, bake and check; anything quadratic in their number would
-    not end."""
-    mesh, count, seconds = "meshes/many_triangles", 66000, 30  # of computing, a process
+    """Bakes and checks 66,000 triangles, with FLASHBVH_THOROUGH 200,000; an algorithm quadratic in their number
+    would not end."""
+    mesh, count, seconds = "meshes/many_triangles", 66000, 30  # of processor time, per process
     if THOROUGH:
         Path("large").mkdir()
         meshes.write_stl("large/large.stl", meshes.torus(400, 250))
@@ -42,8 +42,8 @@ def large():
 
 
 def scales():
-    """A mesh in a unit a thousand times smaller or larger is the same lattice mesh and gives the same answers
-    under the same poses: nothing in the library knows a length."""
+    """A mesh in a unit a thousand times smaller or larger gives the lattice mesh and the answers of the original, under
+    equal poses: the library knows no unit of length."""
     flashbvh("bake", "meshes/ring.stl", "-o", "plain", "--cell", 0.013)
     flashbvh("export", "--cells", "plain/ring.fbvh", "-o", "ring.obj")
     poses = any_poses(15, 7, 25).splitlines()
@@ -65,8 +65,8 @@ def scales():
 
 
 def cpp_output():
-    """The arrays answer in C++ like the image, link nothing that is not used, refuse another version of the library,
-    and are named after the mesh."""
+    """The arrays answer in C++ like the image, link no unused data, refuse another version of the library, and are
+    named after the mesh."""
     flashbvh("bake", "meshes/ring.stl", "-o", "images", "--format", "image", "--cell", 0.125)
     write("poses", f"{HOME} 6 2 1")
     flashbvh("collide", "images/ring.fbvh", "images/ring.fbvh", "--poses", "poses", "--pairs", "tool_pairs")
@@ -93,8 +93,8 @@ def cpp_output():
 
 
 def determinism():
-    """The same input gives the same bytes, wherever it lies and whatever is baked with it; a failed bake leaves
-    older files as they were."""
+    """Equal input gives equal bytes, in any folder and with any other meshes; a failed bake leaves older files
+    unchanged."""
     shutil.copytree("meshes", "elsewhere/meshes")
     for options in "", "--layout pre", "--builder median", "--leaf-size 3 --arity 5", "--index-bits 32":
         flashbvh("bake", "meshes/ring.stl", "-o", "one", "--cell", 0.01, *options.split())
@@ -106,7 +106,7 @@ def determinism():
     header = Path("two/ring.fbvh.h").read_text()
     hold(not re.search(f"{re.escape(os.getcwd())}|elsewhere|20[0-9][0-9]-", header), "a path or a date")
 
-    # Without --cell, the finest that all fit; given back, it changes nothing.
+    # Without --cell, the finest cell that fits all meshes; passing it changes nothing.
     both = "meshes/tetrahedron.stl", "meshes/ring.stl"
     cell = re.search("^cell ([^;]*);", flashbvh("bake", *both, "-o", "one"), re.M)[1]
     flashbvh("bake", *both, "-o", "two", "--cell", cell)
@@ -119,14 +119,14 @@ def determinism():
     same("before", "one/ring.fbvh")
     hold(not any(Path("one").rglob("*.tmp*")), "temporary files left")
 
-    # Only what is requested.
+    # Only the requested files.
     for form, files in ("image", ["ring.fbvh"]), ("c", ["ring.fbvh.c", "ring.fbvh.h"]):
         flashbvh("bake", "meshes/ring.stl", "-o", form, "--format", form)
         hold(sorted(os.listdir(form)) == files, f"{form}: {os.listdir(form)}")
 
 
 def units():
-    """Files of different units end up in one; every length given and printed is in it."""
+    """Files of different units are converted to one unit, which all given and printed lengths use."""
     Path("parts").mkdir()
     for name, side in ("mm", 254), ("m", 0.254), ("in", 10):
         write(f"parts/{name}.obj", box(size=side))
@@ -144,7 +144,7 @@ def units():
         flashbvh("export", "--cells", f"out/{name}.fbvh", "-o", f"{name}.obj")
         same("mm.obj", f"{name}.obj")
 
-    # A common unit alone changes no number, whichever it is; the image knows it.
+    # A common unit changes no number; the image stores it.
     flashbvh("bake", "parts/in.obj", "-o", "plain", "--cell", 0.5, "--format", "image").holds("^cell 0.5;")
     plain = flashbvh("info", "plain/in.fbvh", "--json")
     for unit in "nm", "um", "mm", "cm", "m", "mil", "in", "ft":
@@ -162,7 +162,7 @@ def units():
     flashbvh("export", "--cells", "feet/in.fbvh", "-o", "feet.obj")
     hold("v 2 2 2" in Path("feet.obj").read_text().splitlines(), "10 in are not 2 cells of half a foot")
 
-    # check reads the mesh as bake did.
+    # check reads the mesh as bake does.
     flashbvh("check", "out/in.fbvh", "--mesh", "parts/in.obj", code=1)
     flashbvh("check", "out/in.fbvh", "--mesh", "parts/in.obj", "--unit", "mm", "--unit", "in.obj=in")
 
@@ -180,8 +180,8 @@ def units():
 
 
 def names_of(compiler):
-    """Names that are taken: keywords; macros; tags, and what stands before a bracket or a semicolon in the headers
-    of C, which is more than they declare."""
+    """Names that may collide: keywords, macros, tags, and all words before a bracket or a semicolon in the headers of
+    C, a superset of the declared names."""
     write("c_headers.c", "\n".join(f"#include <{header}.h>" for header in C_HEADERS))
     macros, text = (run(compiler, "-std=gnu11", "-D_GNU_SOURCE", "-E", option, "c_headers.c")
                     for option in ("-dM", "-P"))
@@ -196,9 +196,9 @@ def compiles(*command):
 
 
 def names():
-    """The output compiles as C++ whatever the mesh is called, before and after all headers of C and C++: by names that
-    those headers declare or define, taken from what the compilers say, and by keywords. By one standard, with
-    FLASHBVH_THOROUGH by others, too."""
+    """The output compiles as C++ under any mesh name, before and after all headers of C and C++. Tests keywords and all
+    names that those headers declare or define, as the compilers print them; by one standard, with FLASHBVH_THOROUGH
+    by others, too."""
     headers = [f"{header}.h" for header in HEADERS] + CPP_HEADERS
     write("headers.hpp", "\n".join(f"#if __has_include(<{header}>)\n#include <{header}>\n#endif"
                                    for header in headers))
@@ -211,7 +211,7 @@ def names():
         spellings, folders, taken = Counter(), {}, names_of(f"{prefix}gcc")
         hold(len(taken) > 500, "few names")
         for name in taken:
-            spellings[name.lower()] += 1  # one call takes one of those that differ in case alone
+            spellings[name.lower()] += 1  # one call takes only one of several names that differ in case alone
             folder = Path("named", str(spellings[name.lower()]))
             folder.mkdir(parents=True, exist_ok=True)
             folders.setdefault(folder, []).append(
@@ -227,7 +227,7 @@ def names():
         write("both.cpp", '#include "meshes.hpp"\n#include "headers.hpp"')
         compiles(f"{prefix}g++", "-std=gnu++17", "-I.")
 
-    # Names stay as they are.
+    # These names stay unchanged.
     Path("free").mkdir()
     for name in FREE:
         shutil.copy("meshes/tetrahedron.stl", f"free/{name}.stl")
@@ -238,14 +238,14 @@ def names():
 
 
 def bench_refused(what, *arguments):
-    """As bench_refused(), but that tables may have been printed."""
+    """Like refused(), but the command may have printed tables before."""
     warnings = flashbvh("bench", *arguments, code=2).warnings
     hold(warnings.count("\n") == 1, f"not one line: {warnings}")
     hold(what in warnings, f"no '{what}' in: {warnings}")
 
 
 def bench():
-    """Its tables, and the iterations that it adds up."""
+    """Its tables, and the iterations that it sums up."""
     said = flashbvh("bench", "--table", 3, "--table", 7, *QUICK)
     said.holds("^### Table 3: Separation$", "^### Table 7", "^### The default tree$", "^### Time of one query",
                r"^\| total of the intersecting  *\| *0 \|",
@@ -272,22 +272,22 @@ def bench():
 
 
 def setups_in(file, table, first):
-    """How many rows of a table of C++ begin so."""
+    """The number of rows in a C++ table that begin with `first`."""
     found = re.findall(rf"{table}.*?^    \{{\}}\}}", Path(file).read_text(), re.M | re.S)
     return sum(len(re.findall(rf"^    {first}", text, re.M)) for text in found)
 
 
 def bench_firmware():
-    """`bench --firmware`: the same files each time."""
+    """`bench --firmware` writes equal files each time."""
     def writes(folder, setups, left_out, *options):
-        """So many setups in all images, and so many left out, listed in the first."""
+        """Checks the number of setups in all images, and of the omitted ones, which the first image lists."""
         flashbvh("bench", "--firmware", folder, *options)
         images = sorted(Path(folder).glob("setups_*.cpp"))
         found = sum(setups_in(image, "kSetups", r"\{\{") for image in images)
         hold(found == setups, f"{found} setups, not {setups}, in {folder}")
         found = [setups_in(image, "kLeftOut", r"\{[0-9]") for image in images]
         hold(found == [left_out] + [0] * (len(images) - 1), f"{found} setups left out, not {left_out}, of {folder}")
-        # Every tree is there that a table includes.
+        # Every tree that a table includes exists.
         for image in images:
             for tree in re.findall(r'^#include "(.*fbvh)\.c"$', image.read_text(), re.M):
                 for file in Path(folder, f"{tree}.c"), Path(folder, f"{tree}.h"):

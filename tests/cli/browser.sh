@@ -1,4 +1,4 @@
-# Sourced: begins in the empty folder WORK; what has a page answer in node, and drives it in Debian's chromium.
+# Sourced: begins in the empty folder WORK; runs pages' queries in node, and drives pages in Debian's chromium.
 set -eu
 rm -rf "$WORK"
 mkdir -p "$WORK"
@@ -9,7 +9,7 @@ fail() {
   exit 1
 }
 
-# browse PAGE [OPTION...]: the page as its scripts left it.
+# browse PAGE [OPTION...]: prints the page after its scripts have run.
 browse() {
   shown=$1
   shift
@@ -18,20 +18,20 @@ browse() {
     --virtual-time-budget=20000 "$@" --dump-dom "file://$PWD/$shown" 2>browser_log
 }
 
-# can_browse: or says why not.
+# can_browse: succeeds, or prints why not.
 can_browse() {
   command -v chromium >/dev/null || { echo "no chromium; apt-get install chromium"; return 1; }
   echo '<p>hello' >hello.html
   browse hello.html | grep -q '<p>hello' || { echo "chromium does not start here"; return 1; }
 }
 
-# with_script PAGE OUTPUT: with a script from standard input at its end.
+# with_script PAGE OUTPUT: copies the page and appends a script from standard input.
 with_script() {
   sed '$d' "$1" | sed '$d' >"$2"
   { echo '<script>'; cat; echo '</script></body></html>'; } >>"$2"
 }
 
-# drive PAGE CLAIMS SCRIPT...: each line that the scripts add is a claim; `true` is what is wanted of it.
+# drive PAGE CLAIMS SCRIPT...: each line that the scripts add is a claim, which must be `true`.
 drive() {
   driven=$1
   count=$2
@@ -44,7 +44,7 @@ drive() {
   [ "$(wc -l <claims)" -eq "$count" ] || fail "claims are missing"
 }
 
-# need_answers PAGE: the test counts as skipped where the page can't answer, or node is missing.
+# need_answers PAGE: skips the test if the page cannot answer, or node is missing.
 need_answers() {
   grep -q 'id=live-data' "$1" || { echo "SKIPPED: built without Clang for WebAssembly"; exit 77; }
   command -v node >/dev/null || { echo "SKIPPED: no node; apt-get install nodejs"; exit 77; }
@@ -57,7 +57,7 @@ same_in_node() {
   [ "$found" = "$4" ] || fail "node has $found"
 }
 
-# node_answers PAGE SCRIPT COUNT: of the library and the images in the page, what the script's `answers_of` says.
+# node_answers PAGE SCRIPT COUNT: the script's `answers_of`, run with the page's library and images.
 node_answers() {
   {
     (cd "$SOURCES" && cat draws.js "$2")

@@ -1,5 +1,5 @@
-// brute_force POSE A.obj B.obj: every triangle of A against every one of B, both as exported (B
-// transformed), printed as `flashbvh collide --pairs` does.
+// brute_force POSE A.obj B.obj: tests every triangle of A against every one of B, both as exported
+// (B transformed), and prints the pairs as `flashbvh collide --pairs` does.
 #include <array>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-"""What cases and longer tests of the command line share: they run the program and hold what it says."""
+"""Common functions of the command line's cases and longer tests: they run the program and check its output."""
 import base64
 import json
 import os
@@ -34,7 +34,7 @@ def hold(good, otherwise):
 
 
 class Said(str):
-    """What the program printed; `warnings` is what it wrote to standard error."""
+    """The program's standard output; `warnings` is its standard error."""
     warnings = ""
 
     def json(self):
@@ -61,7 +61,7 @@ def flashbvh(*arguments, **options):
 
 
 def elsewhere(*arguments, folder="elsewhere", **options):
-    """The program in another folder, place and language."""
+    """Runs the program in another folder, time zone and locale."""
     return flashbvh(*arguments, cwd=folder, env={**os.environ, "TZ": "Asia/Tokyo", "LC_ALL": "C.UTF-8"}, **options)
 
 
@@ -78,7 +78,7 @@ def refused(what, *arguments):
 
 
 def compiled(*arguments, language="cxx", strict=STRICTLY, include=INCLUDE, **options):
-    """What the compiler says."""
+    """The compiler's output."""
     return run(os.environ[language.upper()], *strict, f"-I{include}", *arguments, **options)
 
 
@@ -95,20 +95,20 @@ def size(file):
 
 
 def write(file, content):
-    """A file of these lines."""
+    """Writes a file of these lines."""
     Path(file).write_text(content if not content or content.endswith("\n") else content + "\n")
     return file
 
 
 def search(pattern, content):
-    """Its first group's first match."""
+    """The first group of the first match."""
     found = re.search(pattern, content, re.M)
     hold(found, f"no '{pattern}' in: {content}")
     return found[1]
 
 
 def at(value, path):
-    """What is at a.0.b of JSON's values; * is each of a list."""
+    """The value at the path a.0.b in JSON's values; * stands for each element of a list."""
     for number, part in enumerate(path.split(".")):
         if part == "*":
             rest = ".".join(path.split(".")[number + 1:])
@@ -118,7 +118,7 @@ def at(value, path):
 
 
 def damaged(file, offset, content, target, checksum=False):
-    """A copy with these bytes at the offset, by default all bits of one turned round; with a checksum that matches."""
+    """A copy with these bytes at the offset, by default one inverted byte; optionally with a corrected checksum."""
     data = bytearray(Path(file).read_bytes())
     content = bytes([~data[offset] & 255]) if content is None else content
     data[offset:offset + len(content)] = content
@@ -134,8 +134,8 @@ def rotation(w, x, y, z):
 
 
 def any_poses(count, seed, reach):
-    """Poses, one a line, of 17 digits: a unit quaternion of any direction, every fourth about an axis by whole
-    quarters, and a translation within +-reach."""
+    """Poses of 17 digits, one per line: a rotation by a random unit quaternion, every fourth one by quarter turns about
+    an axis, and a translation within +-reach."""
     any_of, lines = random.Random(seed), []
     for n in range(count):
         if n % 4 == 0:
@@ -150,25 +150,25 @@ def any_poses(count, seed, reach):
 
 
 def vertices(file):
-    """Of a mesh in OBJ."""
+    """The vertices of an OBJ file."""
     return [tuple(map(float, line.split()[1:])) for line in text(file).splitlines() if line.startswith("v ")]
 
 
 def faces(file):
-    """Of a mesh in OBJ, by numbers from 0; negative ones as they are."""
+    """The faces of an OBJ file, with vertex numbers from 0; negative numbers unchanged."""
     return [tuple(int(word) - (int(word) > 0) for word in line.split()[1:]) for line in text(file).splitlines()
             if line.startswith("f ")]
 
 
 def edit_vertices(source, target, change):
-    """A mesh in OBJ, with the words of each vertex changed."""
+    """Copies an OBJ file with the words of each vertex changed."""
     lines = (line.split() for line in text(source).splitlines())
     write(target, "\n".join(" ".join(["v", *map(str, change(*words[1:]))] if words[0] == "v" else words)
                             for words in lines if words[0] in ("v", "f")))
 
 
 def box(x=0, y=0, z=0, size=1, first=0, inwards=False):
-    """A box in OBJ from its lower corner; `first`: how many vertices come before."""
+    """A box in OBJ, from its lower corner; `first`: the number of vertices before it."""
     corners = [(x + size * (i % 2), y + size * (i // 2 % 2), z + size * (i // 4)) for i in range(8)]
     sides = [side[::-1] if inwards else side for side in ("1342", "5687", "1265", "3784", "1573", "2486")]
     return "".join([*("v {:.15g} {:.15g} {:.15g}\n".format(*corner) for corner in corners),
@@ -176,7 +176,7 @@ def box(x=0, y=0, z=0, size=1, first=0, inwards=False):
 
 
 def self_contained(page):
-    """No address but those that hold their data, no path, and no number that is none."""
+    """The page has no address except data addresses, no path, and no number that is not finite."""
     content = re.sub('"(image|library|values)":"[^"]*"', "", text(page))
     for pattern in (r"(https?:|file:|src=|url\(|@import|<link|fetch\(|import\(|XMLHttp)[^>]{0,40}",
                     r'href="(?!data:|#m[0-9]|#quer)', f"{re.escape(os.getcwd())}|20[0-9][0-9]-[0-9][0-9]-"):
@@ -187,7 +187,7 @@ def self_contained(page):
 
 
 def solids(*bodies):
-    """An STL in text: of each body its name and the heights of its triangles."""
+    """An STL in text: for each body, its name and the heights of its triangles."""
     facet = ("facet normal 0 0 1\nouter loop\nvertex 0 0 {0}\nvertex 1 0 {0}\nvertex 0 1 {0}\nendloop\n"
              "endfacet\n")
     return "".join(f"solid {name}".rstrip() + "\n" + "".join(map(facet.format, heights)) + "endsolid\n"
@@ -199,7 +199,7 @@ def cell_of(image):
 
 
 def transformed_right(image, lattice, cell, slack, poses):
-    """Exported at each pose, a vertex lies where the pose's numbers put it, rounded, give or take `slack`."""
+    """Checks that each exported vertex lies where the pose puts it, rounded, within `slack`, for each pose."""
     for pose in poses.splitlines():
         flashbvh("export", "--cells", image, "-o", "rotated.obj", "--pose", pose)
         p, found, before = list(map(float, pose.split())), vertices("rotated.obj"), vertices(lattice)
@@ -211,7 +211,7 @@ def transformed_right(image, lattice, cell, slack, poses):
 
 
 def numbers(file):
-    """Of each line."""
+    """The numbers of each line."""
     return [list(map(int, line.split())) for line in text(file).splitlines()]
 
 
@@ -227,7 +227,7 @@ def inverse(poses):
 
 
 def brute_force(a, b, poses):
-    """All pairs of the exported meshes, by all triangles against all."""
+    """All intersecting pairs of the exported meshes, by testing each pair of triangles."""
     flashbvh("export", "--cells", a, "-o", "a.obj")
     found = ""
     for number, pose in enumerate(poses_of(text(poses))):
@@ -238,7 +238,7 @@ def brute_force(a, b, poses):
 
 
 def lattice(mesh, cell):
-    """The vertices that the image of a mesh has."""
+    """The vertices in a mesh's image."""
     flashbvh("bake", mesh, "-o", "lattice", "--cell", cell, "--format", "image")
     flashbvh("export", "--cells", f"lattice/{Path(mesh).stem}.fbvh", "-o", "lattice.obj")
     return vertices("lattice.obj")
@@ -249,7 +249,7 @@ INLINE = "data:application/octet-stream;base64," + base64.b64encode(TRIANGLE).de
 
 
 def gltf(x, buffer):
-    """Of the triangle, moved along x; its buffer's address may be empty."""
+    """A glTF of one triangle, translated along x; its buffer's address may be empty."""
     return (f'{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],\n'
             f'"nodes":[{{"mesh":0,"name":"far","translation":[{x},0,0]}}],\n'
             '"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],\n'
@@ -258,14 +258,14 @@ def gltf(x, buffer):
 
 
 def other_version(folder):
-    """A copy of the library's headers that says to be of another version."""
+    """A copy of the library's headers with another version number."""
     shutil.copytree(f"{INCLUDE}/flashbvh", f"{folder}/flashbvh")
     version = Path(folder, "flashbvh/version.hpp")
     version.write_text(re.sub("(VERSION_(MINOR|MAJOR)) [0-9]*", r"\1 9999", version.read_text()))
 
 
 def program_in_c(words):
-    """A program that writes the images that were baked as C under these names, and prints what is known of the last."""
+    """A C program that writes the images baked under these names, and prints the constants of the last one."""
     includes = [f"#include <{header}.h>" for header in ("stdlib", "math", "string", "stdio")]
     includes += [f'#include "{file.name}"' for file in sorted(Path("baked").glob("*.h"))]
     writes = [f'  write_image("{word}.written", {word}_image, {word}_IMAGE_BYTES);\n'
@@ -289,7 +289,7 @@ def in_json(file):
     return json.loads(text(file))
 
 
-# What URDFs are made of: a link's collision as one of its shapes, or several, and joints.
+# Parts of URDFs: links with one or several collision primitives, and joints.
 def shape(geometry, place=""):
     return f'<collision><origin xyz="{place or "0 0 0"}"/><geometry>{geometry}</geometry></collision>'
 
@@ -309,24 +309,24 @@ def joint(name, kind, parent, child, inside="", limits=None):
 
 
 def robot(name, *parts):
-    """The file of a URDF."""
+    """Writes a URDF file."""
     return write(f"{name}.urdf", f'<robot name="{name}">\n{"".join(parts)}</robot>\n')
 
 
 def disables(a, b):
-    """As an SRDF does."""
+    """An SRDF element that disables a pair."""
     return f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>'
 
 
 def sized(first, second, third, reach):
-    """A robot of three boxes, whose last joint slides so far."""
+    """A robot of three boxes, whose last joint slides by up to `reach`."""
     return robot("sized", link("a", box_of(first)), link("b", box_of(second)), link("c", box_of(third)),
                  joint("one", "revolute", "a", "b", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (-1, 1)),
                  joint("two", "prismatic", "b", "c", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (0, reach)))
 
 
 def line_up(file, names, first, last, steps):
-    """A trajectory on the straight way between, a line a step."""
+    """A trajectory on the straight line in between, one line per step."""
     write(file, "\n".join([names, *(", ".join(f"{a + (b - a) * i / steps:.6f}" for a, b in zip(first, last))
                                     for i in range(steps + 1))]))
 
@@ -337,7 +337,7 @@ def refused_by(program, robot, what):
 
 
 def mutated(robot, count):
-    """Copies of a robot that end early or have bytes changed are read or refused by one line, at once."""
+    """Truncated and changed copies of a robot are read, or refused by one line, without delay."""
     whole, any_of = Path(robot).read_bytes(), random.Random(robot)
     for n in range(count):
         data = bytearray(whole[:any_of.randrange(len(whole))] if n % 4 == 0 else whole)

@@ -1,4 +1,4 @@
-// What drives a page as a reader would, and says what came of it: shared by the pages' own scripts.
+// Drives a page like a reader, and reports claims; shared by the pages' own scripts.
 const wait = () => new Promise(resolve => { setTimeout(resolve, 200); });
 const claim = (what, holds) => claims.push(`${what}: ${holds}`);
 const claims = [];
@@ -15,7 +15,7 @@ const drag = (x, y, right, down, more) => {
 };
 const key = (target, name, more = {}) => target.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, ...more }));
 
-// Where a link or a mesh is seen, not at its very edge; or nothing.
+// A pixel that shows a link or a mesh, away from its edge; or undefined.
 const seen = part => {
   const { clientWidth, clientHeight } = live.canvas;
   for (let y = 10; y < clientHeight; y += 12) {
@@ -25,7 +25,7 @@ const seen = part => {
   }
 };
 
-// `drive`: makes the claims, which then are all that the page shows.
+// `drive` makes the claims, which then replace the page's content.
 const begin_driving = drive => addEventListener("load", async () => {
   try {
     await wait();

@@ -1,4 +1,4 @@
-"""What the program says of its commands: help texts with their examples, and what shells complete."""
+"""The program's help texts with their examples, and shell completions."""
 import re
 import shlex
 import shutil
@@ -6,7 +6,7 @@ from pathlib import Path
 
 from checks import ROOT, flashbvh, hold, run
 
-# Each reads `lines`, what follows `flashbvh ` up to the cursor, and prints what the last word becomes.
+# Each script reads `lines`, the text after `flashbvh ` up to the cursor, and prints each completed last word.
 DRIVERS = {
     "bash": r"""
         compopt() { :; }  # there is no cursor
@@ -44,8 +44,8 @@ def files_here():
 
 
 def try_example(*command):
-    """Its help ends in a command line that works: it prints something or makes files, and those that it names are
-    there."""
+    """A command's help ends in an example that works: it prints something or makes files, and the files that it names
+    exist."""
     text = flashbvh(*command, "--help")
     found = re.search(r"\n\nExample:\n  flashbvh (.*)  # (.+)\n\Z", text)
     hold(found, f"no example: {text}")
@@ -70,7 +70,7 @@ def try_examples():
 
 
 def completed(shell, lines):
-    """What a shell makes of the last word of each line; None if it is not installed."""
+    """The completed last word of each line; None if the shell is not installed."""
     script = flashbvh("completion", shell)
     for name in names():
         hold(re.search(rf"\b{name}\b", script), f"{shell}: no {name}")
@@ -84,7 +84,7 @@ def completed(shell, lines):
 
 
 def try_completion(shell, wanted):
-    """wanted: what each line's last word becomes."""
+    """wanted: the expected completion of each line's last word."""
     found = completed(shell, wanted)
     for line, word, answer in zip(wanted, wanted.values(), found or ()):
         hold(answer.removesuffix("/").endswith(word), f"{shell}: '{line}' becomes '{answer}', not '{word}'")

@@ -1,5 +1,5 @@
-// Queries the output for C and C++ as firmware does, and prints what `flashbvh collide --pairs`
-// prints.
+// Queries the output for C and C++ like firmware, and prints the pairs as `flashbvh collide
+// --pairs` does.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

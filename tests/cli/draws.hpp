@@ -1,4 +1,4 @@
-// Numbers and a hash that scripts of pages have, too (draws.js), and an image's bytes.
+// Random numbers and a hash, equal to those of pages' scripts (draws.js), and an image's bytes.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-/// Of Numerical Recipes; 24 bits a number.
+/// The generator of Numerical Recipes; 24 bits per number.
 class Draws {
  public:
   std::uint32_t next() {

@@ -1,4 +1,4 @@
-// What draws.hpp has: numbers of 24 bits, and a hash of what is added.
+// The generator and the hash of draws.hpp: numbers of 24 bits, and a hash of the added ones.
 const drawing = () => {
   let state = 1, hash = 2166136261;
   return {

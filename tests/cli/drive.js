@@ -1,5 +1,5 @@
-// Drives a robot's page as a reader would, and says what came of it.
-// A trajectory that begins free and ends in a stop.
+// Drives a robot's page like a reader, and reports claims. The trajectory begins free and ends in a
+// stop.
 const drive_trajectory = async () => {
   const { trajectory } = live;
   claim("the time line has a period a line", trajectory.verdicts.length === 101);
@@ -10,7 +10,8 @@ const drive_trajectory = async () => {
   const { period } = trajectory;
   await wait();
   claim("and halts", trajectory.period === period);
-  // A period's verdict is of the way to its values, too: that of the last is of these.
+  // A period's verdict covers the motion to its values, too; the last verdict is that of these
+  // values.
   const stop = trajectory.verdicts.indexOf("3");
   trajectory.place.value = 100;
   trajectory.place.dispatchEvent(new Event("input"));
@@ -38,7 +39,7 @@ const drive_robot = async () => {
   range.dispatchEvent(new Event("input"));
   claim("a slider moves its joint", Math.abs(arm.values[0] - range.value) < 1e-6 && arm.values[0] !== 0);
 
-  // Of a zone the middle is seen where its outline's is.
+  // The middle of a zone is visible where the middle of its outline is.
   const [zone] = live.marks();
   const middle = [0, 1, 2].map(i => zone.points.reduce((sum, point) => sum + point[i], 0) / zone.points.length);
   claim("a joint zone is drawn about its joint", arm.zones.length > 0 && zone.points.length === 64 &&

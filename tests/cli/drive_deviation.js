@@ -1,4 +1,4 @@
-// Drives a page about deviations as a reader would.
+// Drives a page about deviations like a reader.
 begin_driving(() => {
   const { deviation } = window;
   const size = deviation.view.size;

@@ -1,4 +1,4 @@
-// Drives a page of two meshes as a reader would.
+// Drives a page of two meshes like a reader.
 const verdict = () => live.section.dataset.verdict;
 const change = (input, value, kind = "change") => {
   input.value = value;
@@ -6,7 +6,7 @@ const change = (input, value, kind = "change") => {
 };
 
 const same = (p, q) => p.length === q.length && p.every((part, i) => Math.abs(part - q[i]) < 1e-9);
-// Where the middle of B is seen.
+// The pixel of B's middle.
 const middle = () => {
   const [x, y, z] = live.meshes.all[1].middle;
   return live.view.pixel([0, 1, 2].map(i => live.matrix[i] * x + live.matrix[4 + i] * y + live.matrix[8 + i] * z + live.matrix[12 + i]));

@@ -1,5 +1,5 @@
-// cli_float_poses CELL: reads poses as `collide --poses` does, and prints where firmware's
-// pose_of() puts B: x, y and z in cells, a line a pose.
+// cli_float_poses CELL: reads poses as `collide --poses` does, and prints the translation of the
+// firmware's pose_of(): x, y and z in cells, one line per pose.
 #include <cmath>
 #include <cstdlib>
 #include <iostream>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A robot's page answers as the guard does natively: in node, and in a browser, which also drives it. Without
-# Clang for WebAssembly or node the test counts as skipped; without chromium its part is left out.
+# A robot's page answers like the native guard: in node, and in a browser, which also drives it. Without Clang for
+# WebAssembly or node the test is skipped; without chromium, only the browser's part is.
 . "$SOURCES/browser.sh"
 count=10000
 
@@ -16,7 +16,7 @@ can_browse || { echo "chromium's part is left out"; exit 0; }
 drive page.html 11 answers.js drive.js
 grep -qF "answers $wanted" claims || fail "the browser has other answers"
 
-# To where two links collide, straight from where they do not.
+# A trajectory to a collision of two links, straight from values without one.
 python3 -B - page.html >way.csv <<'PYTHON'
 import re, sys
 page = open(sys.argv[1]).read()

@@ -1,5 +1,5 @@
-// live_answers ROBOT COUNT: what a guard that knows nothing yet says of values drawn at random, one
-// number; and how often it says each verdict. answers.mjs gets the same of the library in a page.
+// live_answers ROBOT COUNT: hashes the answers of an unprimed guard for random values into one
+// number, and counts each verdict. answers.mjs prints the answers of the library in a page.
 #include <array>
 #include <cstdint>
 #include <cstdlib>

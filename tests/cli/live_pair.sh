@@ -1,6 +1,6 @@
 #!/bin/sh
-# A page of two meshes answers as firmware's queries do natively: in node, and in a browser, which also drives it.
-# Skipped and left out as live.sh.
+# A page of two meshes answers like the firmware's queries: in node, and in a browser, which also drives it. Skips
+# as live.sh does.
 . "$SOURCES/browser.sh"
 count=10000
 

@@ -1,6 +1,6 @@
-// live_pair_answers A B COUNT: what firmware's queries say of B at poses drawn at random, and of
-// rays at A: one number; and how often it says what. pair_answers.js gets the same of the library
-// in a page.
+// live_pair_answers A B COUNT: hashes the answers of the firmware's queries for B at random poses
+// and for rays at A into one number, and counts the kinds of answers. pair_answers.js computes the
+// answers of the library in a page.
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
@@ -19,16 +19,16 @@ namespace {
 
 constexpr std::int32_t kSpan = 1 << 14;  // cells, either way
 constexpr std::uint32_t kLimit = 1 << 20;
-/// The straight way to every so many poses from the pose before.
+/// Every 16th pose, the motion from the previous pose is queried, too.
 constexpr int kWays = 16;
 constexpr std::uint32_t kMostWayWork = 1000000;
 
-/// 0 to `end` - 1.
+/// A number from 0 to `end` - 1.
 std::int64_t below(Draws& draws, std::int64_t end) {
   return draws.next() * end >> 24;
 }
 
-/// Of a quaternion of four integers.
+/// A pose whose rotation is a quaternion of four integers.
 Pose drawn_pose(Draws& draws, const Mesh& a, const Mesh& b) {
   std::int64_t w = below(draws, 2001) - 1000;
   const std::int64_t x = below(draws, 2001) - 1000;

@@ -1,4 +1,4 @@
-"""meshes.py FOLDER: the meshes that the tests of the command line work on."""
+"""meshes.py FOLDER: writes the meshes of the command line's tests."""
 import struct
 import sys
 from math import cos, inf, nan, pi, sin
@@ -20,7 +20,7 @@ def torus(rings, sides):
 
 
 def loose(count):
-    """Triangles with three vertices each of their own."""
+    """Triangles with three own vertices each."""
     for i in range(count):
         x, y = i % 200, i // 200
         yield (x, y, 0), (x + 0.5, y, 0), (x, y + 0.5, 0)
@@ -33,7 +33,7 @@ def write_stl(path, triangles):
 
 
 def tetrahedron(odd=10):
-    """With another x in one place."""
+    """A tetrahedron; `odd` replaces one coordinate of one corner."""
     o, x, y, z = (0, 0, 0), (10, 0, 0), (0, 10, 0), (0, 0, 10)
     return (o, y, x), (o, z, y), (o, (odd, 0, 0), z), (x, y, z)
 
@@ -48,7 +48,7 @@ def write_meshes(folder):
 
 
 def write_large_meshes(folder):
-    """What takes more than 16-bit indices."""
+    """Writes meshes that need more than 16-bit indices."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     for name, triangles in (("many_nodes", torus(200, 100)), ("many_vertices", loose(22000)),

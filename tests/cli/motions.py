@@ -1,4 +1,4 @@
-"""Certified motions of two bodies, against the same bodies at poses on the way."""
+"""Certified motions of two bodies, against the two bodies at poses along the motion."""
 import random
 from math import cos, hypot, radians, sin
 
@@ -9,7 +9,7 @@ CELL = 0.01
 
 
 def moved(start, moves, share):
-    """Where a body is on its way, as 12 numbers: the last move acts first."""
+    """A body's pose at a share of its motion, as 12 numbers: the last move acts first."""
     r, t = start[:9], start[9:]
     for *point, u, v, w, degrees, x, y, z in reversed(moves):
         half = radians(degrees * share) / 2
@@ -26,7 +26,7 @@ def line(values):
 
 
 def any_moves(any_of, start, number):
-    """Past the ring's middle: one about the body's own origin, or two about any axes."""
+    """Moves past the ring's middle: one about the body's own origin, or two about random axes."""
     def numbers(reach):
         return [any_of.uniform(-reach, reach) for _ in range(3)]
     travel = [any_of.uniform(-25, 25) - 1.5 * along for along in start[9:]]
@@ -35,13 +35,13 @@ def any_moves(any_of, start, number):
 
 
 def free_before(start, moves, share):
-    """No pose before has an intersection, also where it is rounded to the lattice: they are a cell apart."""
+    """No earlier pose has an intersection, even when rounded to the lattice, since the bodies keep a cell apart."""
     write("poses", "\n".join(line(moved(start, moves, share * i / 60)) for i in range(60)))
     hold(not any(at(flashbvh("collide", *IMAGES, "--poses", "poses", "--json").json(), "*.intersects")), moves)
 
 
 def check_motion(start, moves, way):
-    """The outcome of a motion that keeps a cell's distance; what is said of it is so."""
+    """Checks the outcome of a motion that keeps a cell's distance, and the reported details."""
     ask = "motion", *IMAGES, "--from", line(start), *way, "--json"
     kept = flashbvh(*ask, "--within", CELL, code=(0, 1)).json()[0]
     if kept["outcome"] == "free":

@@ -1,4 +1,4 @@
-// The word that a mistyped one was meant to be.
+// Suggestions for mistyped words.
 #include "text/nearest.hpp"
 
 #include <map>

@@ -1,4 +1,4 @@
-"""What pages show: cards of work and instructions; and a bake that is interrupted."""
+"""Cards of work and instructions in pages; and an interrupted bake."""
 import os
 import re
 import signal
@@ -11,7 +11,7 @@ from checks import FLASHBVH, INCLUDE, flashbvh, hold, search, text
 
 
 def cards(*arguments):
-    """(work, instructions, verdict) of the eight cards."""
+    """(work, instructions, verdict) of each of the eight cards."""
     flashbvh("report", *arguments, "-o", "page.html")
     found = re.findall(r"</h4><b>([^<]*)<.*<small>([0-9,]*) work<br>at most ([0-9.,]*)[a-z ]* instr", text("page.html"))
     return [(int(work.replace(",", "")), instructions.replace(",", ""), verdict.replace(",", ""))
@@ -19,7 +19,7 @@ def cards(*arguments):
 
 
 def cards_agree(core, constants, hz, mhz, bound, arguments):
-    """The cards' instructions are those of time_bound.hpp, worked out here from `collide --bound`'s numbers."""
+    """The cards' instructions equal the formulas of time_bound.hpp for the numbers of `collide --bound`."""
     period, siblings, size = int(mhz * 1000000 / hz), bound["later_siblings"], bound["leaf_size"]
 
     def costs(constants):
@@ -43,7 +43,7 @@ def cards_agree(core, constants, hz, mhz, bound, arguments):
 
 
 def until_full(reader, writer, **options):
-    """Starts `bake` with a full pipe for standard output and waits until all bytes are on the disk, under temporary
+    """Starts `bake` with a full pipe as standard output, and waits until all bytes are on the disk, under temporary
     names."""
     os.set_blocking(writer, False)
     try:
@@ -65,7 +65,7 @@ def until_full(reader, writer, **options):
 
 
 def ended_by(how):
-    """(its exit code, how many files there are)."""
+    """(the exit code, the number of files)."""
     ignoring = {"preexec_fn": lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)} if how == "nohup" else {}
     reader, writer = os.pipe()
     baking = until_full(reader, writer, **ignoring)

@@ -1,4 +1,5 @@
-// What live_pair_answers.cpp prints, of the library of a page: exports of pair.cpp, two images opened.
+// The output of live_pair_answers.cpp, from the library in a page: exports of pair.cpp, with two
+// images opened.
 const answers_of = (library, count) => {
   const SPAN = 2 ** 14, LIMIT = 2 ** 20, WAYS = 16;
   const { next, add, hash } = drawing();
@@ -19,7 +20,7 @@ const answers_of = (library, count) => {
     library.place();
   };
   const counts = [0, 0, 0, 0, 0];
-  library.measure(1, 0);  // forgets where (0, 1) was nearest
+  library.measure(1, 0);  // forgets the hint of (0, 1)
   for (let i = 0; i < count; ++i) {
     draw_pose();
     const place = library.measure(0, 1);

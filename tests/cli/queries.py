@@ -1,4 +1,4 @@
-"""What the host program answers, by the firmware's own code, and which questions it refuses."""
+"""The host program's answers, computed by the firmware's code, and the queries that it refuses."""
 import os
 import re
 import shutil
@@ -16,14 +16,14 @@ def bake(folder, *meshes, options=""):
 
 
 def refused_lines(command, lines):
-    """Each as the only line of the file `bad`."""
+    """Each line is refused as the only line of the file `bad`."""
     for what, line in lines:
         write("bad", line)
         refused(what, *command)
 
 
 def inside():
-    """Which points lie inside, in the mesh's frame and unit."""
+    """Points inside a mesh, in its frame and unit."""
     # A ring of radii 20 and 6 about the z axis, 100 mm off its frame's origin.
     bake("near", "meshes/ring.stl", options="--cell 0.01")
     flashbvh("export", "near/ring.fbvh", "-o", "ring.obj")
@@ -53,8 +53,8 @@ def inside():
 
 
 def ray():
-    """What rays hit, in the mesh's frame and unit, from points or from an origin and a direction."""
-    # Two boxes of 10 mm, one behind the other along x, 100 mm off their frame's origin.
+    """Hits of rays, in the mesh's frame and unit; rays have two points, or an origin and a direction."""
+    # Two boxes of 10 mm, one after the other along x, 100 mm off their frame's origin.
     write("boxes.obj", box(100, size=10) + box(120, size=10, first=8))
     bake("shut", "boxes.obj", options="--cell 0.01 --unit mm")
     write("rays", """90 5 4  150 5 4       # through both
@@ -88,16 +88,16 @@ def ray():
     refused_lines([*ask, "bad"], (
         ("bad:1: has 5 numbers; a ray has 6", "1 2 3 4 5"), ("bad:1: 'x' is no finite number", "1 2 3 4 5 x"),
         ("bad:1: is no ray", "1 2 3 0 0 0 1"), ("bad:1: is no ray", "1 2 3 0 0 1 -1"),
-        # A float rounds it to 0.
+        # As a float it is 0.
         ("bad:1: is no ray: the reach is negative; give one from 0", "1 2 3 0 0 1 -1e-50"),
         ("ray 0 ends too far off", "0 0 0 9000 0 0"), ("bad: is empty", "")))
 
 
 def contacts():
-    """Where triangles intersect, in the images' unit and A's frame; poses as firmware makes them of floats; and
-    what poses needed, in work and in instructions."""
+    """Segments where triangles intersect, in the images' unit and A's frame; poses that firmware makes of floats; the
+    needed work and instructions of poses."""
     # A blade in the upper face of a block, each a metre off its frame's origin: along x = 1003.1, z = 1010, from
-    # y = 1003 to 1005 (tests/c_api/story.c has the same).
+    # y = 1003 to 1005 (as in tests/c_api/story.c).
     meshes = [HERE.parent / f"c_api/{name}.obj" for name in ("block", "blade")]
     bake("mm", *meshes, options="--cell 0.1 --unit mm")
     pair = "mm/block.fbvh", "mm/blade.fbvh"
@@ -113,7 +113,7 @@ def contacts():
     along = [float(line[i]) for line in lines for i in (4, 7)]
     hold(near(min(along), 1003) and near(max(along), 1005), lines)
     hold([line[:3] for line in lines] == [line.split() for line in Path("pairs").read_text().splitlines()], lines)
-    # Rotated half a turn about z, the blade stands where it stood, seen from the block.
+    # Rotated half a turn about z, the blade keeps its place, seen from the block.
     write("poses", "-1 0 0 0 -1 0 0 0 1  6.2 8 2000")
     flashbvh("collide", *pair, "--poses", "poses", "--contacts", "rotated")
     lines = [line.split() for line in Path("rotated").read_text().splitlines()]
@@ -121,14 +121,14 @@ def contacts():
     refused("poses", "collide", *pair, "--poses", "poses", "--contacts", "poses")
     refused("same file", "collide", *pair, "--poses", "poses", "--contacts", "out", "--pairs", "out")
 
-    # 500.005 mm are 50000.5 cells but for a float's rounding, and for a double's: to the side of either.
+    # 500.005 mm are 50000.5 cells, plus a float's rounding or a double's: the two may round to different cells.
     bake("fine", meshes[1], options="--cell 0.01")
     places = "500.005", "500.015", "499.995", "123.455", "87.345"
     along_x = [f"{HOME}  {place} 0 0" for place in places]
     text = "\n".join([*along_x, "0 -1 0 1 0 0 0 0 1  0.1 0.2 0.3\n"])
     write("poses", text)
     flashbvh("collide", "fine/blade.fbvh", "fine/blade.fbvh", "--poses", "poses", "--float", "--json")
-    # As firmware has them, tests/cli/float_poses.cpp.
+    # The firmware's translations, by tests/cli/float_poses.cpp.
     wanted = [float(line.split()[0]) for line in
               run(TOOLS / "cli_float_poses", 0.01, input=text).splitlines()[:5]]
 
@@ -141,7 +141,7 @@ def contacts():
     hold(of_floats == wanted, f"{of_floats}, not {wanted}")
     hold(list(found()) != of_floats, "floats and doubles round alike")
 
-    # A summary says what --bound says of the same poses, and what that takes at most.
+    # A summary equals --bound for the same poses, and the bound for all poses.
     bake("post", *RING_AND_COARSE, options="--cell 0.01")
     ask = "collide", "post/ring.fbvh", "post/coarse.fbvh", "--poses", write("poses", any_poses(40, 5, 20))
     bound = flashbvh(*ask, "--bound", "--json").json()[0]
@@ -152,7 +152,7 @@ def contacts():
 
     hold(number("work", "most") == bound["poses_most_work"] and number("work", "mean") == bound["poses_mean_work"],
          f"{said}{bound}")
-    # With one triangle a leaf and two children a node little is added to the constants.
+    # With one triangle per leaf and two children per node, little is added to the constants.
     costs = Path(INCLUDE, "flashbvh/plain/core_costs.h").read_text()
     least = int(re.search(r'"Cortex-M4F".* (\d+)\)', costs)[1])
     work = number("work", "most")
@@ -163,7 +163,7 @@ def contacts():
 
 
 def kept_inputs():
-    """No command replaces a file that it reads: every output of every command against every input."""
+    """No command replaces a file that it reads. Tries every output of every command with every input."""
     bake("images", "meshes/ring.stl", options="--format image")
     write("poses", f"{HOME} 0 0 0")
     for folder in "asked", "elsewhere":
@@ -180,7 +180,7 @@ def kept_inputs():
     flashbvh("robot", "arm.urdf", "-o", "baked", "--format", "image")
 
     def kept(inputs, link, *arguments):
-        """With `link`, another name of an input, as output: it is refused, and the input is what it was."""
+        """With `link`, another name of an input, as output, the command is refused and the input unchanged."""
         for file in map(Path, inputs):
             Path(link).parent.mkdir(exist_ok=True)
             os.link(file, link)
@@ -209,7 +209,7 @@ def kept_inputs():
 
 
 def clearance():
-    """Distances in the unit, with points, within a length, in every layout of options; and what is no query is
+    """Distances in the unit, with points, within a length, for every combination of options; and invalid queries are
     refused."""
     # Two boxes of 8 mm, the second one's lower corner at (0, 0, 0) of its own frame, a metre off the first one's.
     write("there.obj", box(1000, 1000, 1000, 8))
@@ -223,7 +223,7 @@ def clearance():
     for name, wanted in (("distance", [12.5, 5, 7, 0, 0]), ("lower", [12.5, 5, 7, 0, 0]),
                          ("upper", [12.5, 5, 7, 0, 0]), ("status", ["ok"] * 5), ("unit", ["mm"] * 5)):
         hold([answer[name] for answer in answers] == wanted, f"{name}: {answers}")
-    # In A's frame, as it was drawn.
+    # In A's frame, as drawn.
     hold([answers[2]["point_a"], answers[2]["point_b"]] == [[1008, 1008, 1008], [1010, 1014, 1011]], answers[2])
     a, b = answers[0]["point_a"], answers[0]["point_b"]
     hold([a[0], b[0]] == [1008, 1020.5] and a[1:] == b[1:], answers[0])
@@ -231,7 +231,7 @@ def clearance():
     cold = [answer["distance"] for answer in flashbvh(*ask, "poses", "--cold", "--json").json()]
     hold(cold == [12.5, 5, 7, 0, 0], cold)
 
-    # Within: closed, at the last digit, with all pairs.
+    # Within is closed, to the last digit, with all pairs.
     for length, third in (7, True), (6.999, False):
         said = flashbvh(*ask, "poses", "--within", length, "--json")
         hold([answer["within"] for answer in said.json()] == [False, True, third, True, True], said)
@@ -243,7 +243,7 @@ def clearance():
     flashbvh(*ask, "poses", "--within", 13, "--pairs", "near")
     hold({line.split()[0] for line in Path("near").read_text().splitlines()} == set("01234"), "not all poses")
 
-    # Any shape, rotated, of any tree: one answer.
+    # Any tree and rotation of the meshes gives one answer.
     write("any", any_poses(30, 3, 35))
     first = None
     for options in "", "--leaf-size 5 --arity 6", "--builder median --leaf-size 1", "--index-bits 32":
@@ -255,8 +255,8 @@ def clearance():
     hold(sum(float(d) > 1 for d in first) > 5 and sum(float(d) == 0 for d in first) > 2, first)
     flashbvh("clearance", "post/ring.fbvh", "post/coarse.fbvh", "--poses", "any", "--float", "--json")
 
-    # As far off as 400,000 cells and exact; so far that the answer is only "at least". The truth is 19,043.7, of 18,992,
-    # 992 and 992; nothing is reported but what holds.
+    # As far away as 400,000 cells, still exact; then so far that the answer is only "at least". The truth is 19,043.7,
+    # from 18,992, 992 and 992; each reported bound holds.
     write("far", f"{HOME}  5000 0 0\n{HOME}  20000 0 0")
     exact, answer = flashbvh(*ask, "far", "--json").json()
     hold(abs(exact["distance"] - hypot(3992, 992, 992)) < 1e-9 and exact["status"] == "ok", exact)
@@ -265,7 +265,7 @@ def clearance():
          answer)
     hold([answer[name] for name in ("distance", "triangles", "point_a", "point_b")] == [None] * 4, answer)
     flashbvh(*ask, "far").holds(">= .* out of range")
-    # Farther than 1/256 cells are counted; and a pose that follows begins without a hint.
+    # Farther than 1/256 cells can express; the next pose starts without a hint.
     write("farther", f"{HOME}  5000000 0 0\n{HOME}  1020.5 1001 1002")
     answers = flashbvh(*ask, "farther", "--json").json()
     hold(answers[0]["upper"] is None and answers[-1]["distance"] == 12.5, answers)
@@ -298,9 +298,9 @@ def star(size):
 
 
 def bound():
-    """No pose makes a query visit more, or take more work, than `collide --bound` says; where all boxes overlap,
-    `ranked` visits exactly that, for all pairs of sizes 1 to 8, and some of trees baked otherwise, with
-    FLASHBVH_THOROUGH more. And what it says that poses needed."""
+    """No pose makes a query visit more or work more than `collide --bound` prints. If all boxes overlap, `ranked`
+    visits exactly this number: for all pairs of sizes 1 to 8 and some other trees, with FLASHBVH_THOROUGH more. The
+    printed needs of poses are right."""
     write("here", f"{HOME}  0 0 0")
     for size in range(1, 9):
         write(f"star{size}.obj", "\n".join(star(size)))
@@ -338,7 +338,7 @@ def bound():
     said = flashbvh(*ask, "--bound", "--poses", "poses")
     said.holds("^40 poses: at most [0-9]* work, 99 % of them at most [0-9]*, the mean [0-9]*$")
     hold(said.count("\n") == 4, said)
-    # Of 99 poses that are apart and 1 that is not, 99 need a visit's work.
+    # Of 100 poses, 99 are disjoint and need one visit's work.
     write("hundred", f"{HOME}  100 0 0\n" * 99 + f"{HOME}  0 0 0")
     of = flashbvh("collide", "baked/star8.fbvh", "baked/star8.fbvh", "--bound", "--poses", "hundred",
                   "--json").json()[0]

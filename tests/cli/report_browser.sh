@@ -1,13 +1,12 @@
 #!/bin/sh
-# A browser shows the pages, light and dark, wide and narrow. Needs Debian's chromium; without it the
-# test counts as skipped.
+# A browser shows the pages, light and dark, wide and narrow. Needs Debian's chromium, else the test is skipped.
 . "$SOURCES/browser.sh"
 python3 -B "$SOURCES/meshes.py" meshes
 can_browse || { echo SKIPPED; exit 77; }
 "$FLASHBVH" bake meshes/ring.stl meshes/tetrahedron.stl -o baked --format image >/dev/null
 
-# The pages of a robot with long names and of its guard, too: the matrix scrolls in its card, and the names
-# at its left leave place for it.
+# Also the pages of a robot with long names and of its guard: the matrix scrolls in its card, and the names at its left
+# leave space for it.
 link() {
   printf '<link name="%s"><collision><geometry><box size="%s"/></geometry></collision></link>' "$@"
 }
@@ -28,8 +27,8 @@ printf 'slide_1,slide_2,slide_3,slide_4,slide_5\n0,0,0,0,0\n-1,0,0,0,0\n' >way.c
 "$FLASHBVH" report baked/ring.fbvh baked/tetrahedron.fbvh -o meshes.html --samples 40
 "$FLASHBVH" bake meshes/many_sides.stl --simplify 0.2 -o baked --report simplified.html >/dev/null
 
-# Scripts see what the style does: the page is not wider than its window, no bar is hidden, no table but a matrix is
-# cut off; what a canvas of meshes shows is not of one colour, where the program was built with them.
+# Scripts check the style's effects: the page is not wider than its window, no bar is hidden, only matrices are cut
+# off; canvases show meshes in more than one colour, if the program was built with them.
 for page in page guard meshes simplified; do
   with_script $page.html probe_$page.html <<'JS'
 const all = (places, holds) => [...document.querySelectorAll(places)].every(holds);
@@ -59,7 +58,7 @@ onload = () => setTimeout(() => {
 }, 500);
 JS
 done
-# A window is no narrower than 500 pixels, a frame is.
+# A window is at least 500 pixels wide; a frame may be narrower.
 {
   echo '<script>onmessage = event => { document.body.append(Object.assign(document.createElement("p"), { textContent: event.data })); }</script>'
   for frame in page.400 guard.400 simplified.400 meshes.400 meshes.500 meshes.1400; do

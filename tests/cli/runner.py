@@ -1,33 +1,37 @@
-"""runner.py [--long] [WORD...]: runs the cases of cases/*.txt in parallel, each in a folder of its own; with words,
-those whose file or title holds one. Names each that fails, with its line.
+"""runner.py [--long] [WORD...]: runs the cases of cases/*.txt in parallel, each in its own folder; with words, only
+those whose file or title contains a word. Prints each failure with its line.
 
-From the environment, by default those of build/native-sanitize: FLASHBVH, the program; TOOLS, the folder of the
-tests' own programs; WORK; INCLUDE; CC, CXX and NM. With FLASHBVH_THOROUGH all is tested, however long it takes. A case
-is made of these lines:
+The environment sets, by default for build/native-sanitize: FLASHBVH, the program; TOOLS, the folder of the tests' own
+programs; WORK; INCLUDE; CC, CXX and NM. FLASHBVH_THOROUGH runs all tests, at any length. A case consists of these
+lines:
 
     == TITLE                    begins a case; (long): runs with --long; (thorough): with FLASHBVH_THOROUGH
-    fixture NAME                begins one that is run once; its folder is copied into each case that says `use NAME`;
-                                said before a table's first case, into all of them
-    each NAME | NAME            a case for each of the rows below, with these names; a row that begins in
-                                `thorough: ` counts with FLASHBVH_THOROUGH
-    for NAME | NAME ... end     the lines up to `end` for each of the rows below; - is an empty cell. Of one name: also
-                                `for NAME: CELL | CELL`, `each NAME: CELL | CELL`
-    file NAME: TEXT             a file, with \\n and the like; without a text, of the indented lines below
-    run ARGUMENTS => EXIT       flashbvh, which must exit with 0 or with EXIT
-    refuse ARGUMENTS => TEXT    exits with 2, prints nothing but one line that holds TEXT, writes nothing named out*;
-                                with ... among the arguments, for each of the lines below: MORE ARGUMENTS => TEXT
-    save FILE                   what the command printed
-    out: TEXT                   what it printed holds this; `out~ ` a regular expression, `out= ` is all of it; `no `
-                                before it turns it round; `err` is standard error, any other word is a file;
-                                without a text, each of the indented lines below
-    json PATH = VALUE           one value of the printed JSON; `lines PATH = VALUE` of one a line, * is all
-    same FILE FILE              two files or folders of the same bytes
+        fixture NAME                begins a case that runs once; its folder is copied into each case with `use NAME`;
+    before
+                                    a table's first case, `use NAME` applies to all of its cases
+        each NAME | NAME            runs the case for each of the rows below, which give the names' values; a row that
+                                    begins with `thorough: ` needs FLASHBVH_THOROUGH
+        for NAME | NAME ... end     runs the lines up to `end` for each of the rows below; - is an empty cell. For one
+    name
+                                    also `for NAME: CELL | CELL`, `each NAME: CELL | CELL`
+        file NAME: TEXT             writes a file, with \\n and other escapes; without a text, the indented lines below
+        run ARGUMENTS => EXIT       runs flashbvh, which must exit with 0 or with EXIT
+        refuse ARGUMENTS => TEXT    it must exit with 2, print only one line, which contains TEXT, and write no out*;
+    with
+                                    ... among the arguments, for each of the lines below: MORE ARGUMENTS => TEXT
+        save FILE                   saves the command's output
+        out: TEXT                   the output contains TEXT; `out~ ` matches a regular expression, `out= ` compares all
+    of
+                                    it; `no ` before it negates it; `err` is standard error, any other word is a file;
+                                    without a text, tests each of the indented lines below
+        json PATH = VALUE           one value of the printed JSON; `lines PATH = VALUE`: JSON per line; * means all
+        same FILE FILE              two files or folders with equal bytes
     holds FOLDER = NAME NAME    the names in a folder
-    let NAME = EXPRESSION       Python, by all names of checks.py, and out, err, json, lines
+        let NAME = EXPRESSION       evaluates Python with all names of checks.py, and out, err, json, lines
     check EXPRESSION            must be true
     do EXPRESSION
 
-In all but expressions {NAME} stands for what `each`, `for` and `let` name.
+In all but expressions, {NAME} stands for the value of a name of `each`, `for` or `let`.
 """
 import ast
 import codecs
@@ -83,8 +87,8 @@ def rows_of(names, lines):
 
 
 def steps_of(table):
-    """(line number, its text, the indented lines below if it takes any) of a table. A line that ends in \\ goes on in
-    the next one, but in files."""
+    """(line number, text, indented lines below if the step takes any) of a table. A trailing \\ continues a line in the
+    next one, except in files."""
     taking, begun, word = None, "", ""
     for number, line in enumerate(table.read_text().splitlines(), 1):
         if begun:
@@ -138,7 +142,7 @@ def inside(steps):
 
 
 class Run:
-    """One case as it runs, in its folder."""
+    """A running case, in its folder."""
 
     def __init__(self, case, fixtures):
         self.case, self.fixtures, self.at, self.said = case, fixtures, "", checks.Said()
@@ -280,7 +284,7 @@ def made_once(fixture, fixtures):
 
 
 def failure_of(numbered):
-    """Runs a case; why it fails, or None."""
+    """Runs a case; returns the reason of a failure, or None."""
     number, case, fixtures = numbered
     folder = WORK / f"{case.table}-{number}"
     folder.mkdir(parents=True)
@@ -290,7 +294,7 @@ def failure_of(numbered):
         run.all()
     except Failed as failure:
         return f"FAILED: {case.title} {case.values or ''}\n  {run.at}\n  {failure}\n  in {folder}"
-    except Exception:  # a step that Python can't run
+    except Exception:  # a step raised an exception
         return f"FAILED: {case.title} {case.values or ''}\n  {run.at}\n{traceback.format_exc()}"
     os.chdir(WORK)
     shutil.rmtree(folder)

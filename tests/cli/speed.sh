@@ -1,8 +1,8 @@
 #!/bin/sh
-# speed.sh: how soon pages show their first picture, and how many frames a second they draw while all moves, each with
-# its queries, in headless Chromium on one core without a GPU: of a KUKA KR5's robot page and of two of its links.
-# Prints both numbers of each: of a browser that runs, and of one that was just started; and how much of the core was
-# free. FLASHBVH is the program, by default that of build/native.
+# speed.sh: times pages' first picture, and their frames per second while all moves, each frame with its queries, in
+# headless Chromium on one core without a GPU: a KUKA KR5's robot page and the page of two of its links. Prints both
+# numbers of each, for a running browser and a newly started one, and the idle share of the core. FLASHBVH is the
+# program, by default that of build/native.
 set -eu
 cd "$(dirname "$0")/../.."
 . tools/packages.sh

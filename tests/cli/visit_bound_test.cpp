@@ -1,4 +1,4 @@
-// The bound on visits against walks that find all boxes overlapping, on trees of every shape.
+// The bound on visits against walks in which all boxes overlap, on trees of every form.
 #include "bake/baked_tree.hpp"
 #include "evaluate/needed_work.hpp"
 #include "reference/traversals.hpp"
