@@ -1,5 +1,5 @@
-// aimed_rays [COUNT]: so many rays at edges and corners of closed meshes, 100,000 by default; ends
-// with 0 if none is lost.
+// aimed_rays [COUNT]: casts COUNT rays, 100,000 by default, at edges and corners of closed meshes;
+// exits with 0 if none is lost.
 #include <cstdlib>
 #include <iostream>
 

@@ -1,5 +1,5 @@
-// Rays aimed at edges and corners of a closed mesh whose winding number is 0 or 1: where float ray
-// casters lose them.
+// Rays aimed at edges and corners of a closed mesh with winding numbers 0 and 1, where float ray
+// casters lose rays.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ class AimedRays {
  public:
   explicit AimedRays(const Mesh& mesh) : mesh_(mesh) {}
 
-  /// One more ray, through a corner or the middle of an edge, exactly: it hits there or before, and
-  /// it goes out as often as in, but for the side of its ends.
+  /// Casts a ray exactly through a corner or the middle of an edge. It must hit there or before,
+  /// and leave as often as it enters, but for the side of its ends.
   bool is_right(Random& random) const {
     const auto& corner = mesh_.triangles[random.below(mesh_.triangle_count)].corner;
     const Vertex& u = mesh_.vertices[corner[0]];
@@ -23,7 +23,7 @@ class AimedRays {
     const auto reach = random.below(4) == 0 ? kMaxRayCoordinate - 2 * kMaxCoordinate : 20'000;
     const auto at = [&] { return random.between(-reach, reach); };
     const Point from = {at(), at(), at()};
-    const Point aimed = {u.x + v.x, u.y + v.y, u.z + v.z};  // twice
+    const Point aimed = {u.x + v.x, u.y + v.y, u.z + v.z};  // doubled
     const Point to = {aimed.x - from.x, aimed.y - from.y, aimed.z - from.z};
     const Segment segment = {placed(from), placed(to)};
     const auto hit = nearest_hit(mesh_, segment);

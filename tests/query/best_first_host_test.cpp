@@ -1,5 +1,5 @@
-// The fixed order against the best one: a search with a heap that visits pairs of boxes nearest
-// first, by the same bounds. It visits nothing that is farther than the answer.
+// The fixed traversal against the best one: a search with a heap that visits the nearest pairs of
+// boxes first, by equal bounds. It visits no pair farther than the answer.
 #include <queue>
 
 #include "bake/build_tree.hpp"
@@ -13,7 +13,7 @@ using namespace flashbvh::detail;
 
 namespace {
 
-/// By boxes alone.
+/// The nearest pair by box tests alone.
 struct BoxNearest : Nearest<std::uint16_t> {
   template <class Mesh>
   using Shapes = NoShapes<Mesh>;
@@ -44,7 +44,7 @@ struct Pairs {
   }
 };
 
-/// Visits of a query that begins with a pair, and the pair that it ends with.
+/// The visits of a query with a pair as hint; `witness`: this pair, then the final one.
 std::uint32_t visits_from(const Pairs& pairs, const Pose& pose, Witness<std::uint16_t>& witness,
                           Fraction& least) {
   NearestSoFar so_far(pairs.transform);
@@ -114,7 +114,7 @@ std::uint32_t best_first(const Pairs& pairs, const Gap& make_gap, Fraction& leas
   return visits;
 }
 
-/// The larger bound of both frames' axes.
+/// The larger of the two bounds along both frames' axes.
 struct TranslatedNearest {
   WideGap gap;
   std::uint32_t nearest(const PackedBox& a, const PackedBox& b) { return gap.squared(a, b); }
@@ -145,7 +145,7 @@ std::uint32_t best_first(const Pairs& pairs, Fraction& least, Witness<std::uint1
       least, witness);
 }
 
-/// Where the descent of a query without a seed ends, and its visits.
+/// The end of the descent of a query without a hint, and its visits.
 std::uint32_t descend(const Pairs& pairs, const Pose& pose, Witness<std::uint16_t>& witness) {
   ClearanceQuery query(pairs.a, pairs.b, pose);
   while (query.result().upper == UINT32_MAX) {
@@ -174,7 +174,7 @@ TEST_CASE("a seeded query visits what the best order visits, and a cold one litt
   Random random = test_random();
   Ratio seeded;
   Ratio cold;
-  // The gap, from 30 % of their size to 0.1 %: B goes along a line that grazes A.
+  // The gap decreases from 30 % of the size to 0.1 %: B moves along a line that grazes A.
   for (const std::int32_t gap : {7000, 2400, 800, 240, 80, 24}) {
     for (int i = 0; i < rounds(2, 8); ++i) {
       const auto rotation = rotation_of(any_quaternion(random));
@@ -184,7 +184,7 @@ TEST_CASE("a seeded query visits what the best order visits, and a cold one litt
         return turned ? Pose::rigid(rotation.entry, cells)
                       : Pose::translated(cells[0], cells[1], cells[2]);
       };
-      // From outside to about that distance.
+      // From outside to about this distance.
       std::int32_t x = 30000;
       while (x > 0 && distance(a.view(), b.view(), pose_at(x - gap / 4 - 1)).lower / 256 >
                           static_cast<std::uint32_t>(gap)) {

@@ -23,7 +23,7 @@ void for_all_pairs(const Scene& scene, const Visit& visit) {
   test::for_all_pairs(a, b, transform_of_any(scene.pose, a, b), visit);
 }
 
-/// Others are tested in clearance_test.cpp.
+/// clearance_test.cpp tests scenes out of range.
 bool is_in_range(const Scene& scene) {
   return !transform_of_any(scene.pose, scene.a.view(), scene.b.view()).is_beyond();
 }
@@ -37,7 +37,7 @@ Fraction least_distance(const Scene& scene) {
   return least;
 }
 
-/// 256 times the root, rounded down.
+/// 256 times the square root, rounded down.
 uint32_t lower_of(const Fraction& squared) {
   return static_cast<uint32_t>(square_root(quotient(shifted_up(squared.above, 16), squared.below)));
 }

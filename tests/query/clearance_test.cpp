@@ -33,7 +33,7 @@ void check_result(const std::vector<Pairwise>& all, const Clearance<std::uint16_
   check_points(found);
 }
 
-/// However a query is cut, and from every position, in another query.
+/// Runs a query in any slices, and resumes each cursor in another query.
 void check_slices(Random& random, const Mesh& a, const Mesh& b, const Pose& pose,
                   const Witness<std::uint16_t>& seed) {
   ClearanceQuery whole(a, b, pose, seed);
@@ -110,7 +110,7 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
     const Pose pose = any_pose(random, spread > 6000 ? 23000 : spread * random.between(1, 4));
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     check_result(all, distance(a, b, pose));
-    // Every seed gives the same distance, and a good one is kept.
+    // Every hint gives the exact distance, and a good hint is kept.
     for (int i = 0; i < 4; ++i) {
       const Pairwise& pair =
           i == 0 ? least_of(all) : all[random.below(static_cast<std::uint32_t>(all.size()))];
@@ -129,7 +129,7 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
         check_band(all, a, b, pose, reach);
       }
     }
-    // Other arguments: the same points, if nothing is rotated.
+    // Swapped arguments give equal points, if nothing is rotated.
     if (pose.is_translation()) {
       const std::int32_t back[3] = {-pose.translation(0), -pose.translation(1),
                                     -pose.translation(2)};
@@ -236,7 +236,7 @@ TEST_CASE("seeds and positions that are none are refused") {
     ClearanceQuery query(a, b, pose);
     const Status status = query.resume(position);
     if (status == Status::cursor_invalid) {
-      REQUIRE(query.run(kNoLimit).status == Status::done);  // as if nothing had been
+      REQUIRE(query.run(kNoLimit).status == Status::done);  // as a new query
       REQUIRE(query.result().lower == truth.lower);
       continue;
     }

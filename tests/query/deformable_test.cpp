@@ -1,5 +1,5 @@
-// Meshes that bend: boxes against ones made from the triangles down, queries against brute force
-// and against meshes baked again, and what is refused while a mesh changes.
+// Deformable meshes: boxes against boxes computed from the triangles below, queries against brute
+// force and rebaked meshes, and refusals during changes of a mesh.
 #include <catch2/catch.hpp>
 
 #include "flashbvh/clearance.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kShare = share_on_board(10);
 
-/// Of all vertices below a node, gathered from the top.
+/// The box of all vertices below a node, gathered top down.
 template <class Mesh>
 void add_vertices(const Mesh& mesh, std::uint32_t node, Box& box) {
   if (!mesh.nodes[node].is_leaf()) {
@@ -51,7 +51,7 @@ PackedBox box_below(const Mesh& mesh, std::uint32_t node) {
   return pack(box);
 }
 
-/// In slices of up to `most` nodes.
+/// Refits in slices of up to `most` nodes.
 template <class Mesh>
 RefitResult refit_in_slices(Random& random, BasicDeformableMesh<Mesh>& mesh, std::uint32_t most) {
   for (;;) {
@@ -105,7 +105,7 @@ Pairs sorted(Pairs pairs) {
   return pairs;
 }
 
-/// By every traversal that walks these meshes.
+/// Tests every traversal that supports these meshes.
 template <class Mesh>
 void check_pairs(const Mesh& a, const Mesh& b, const Pose& pose, const Pairs& expected) {
   for_each_query(a, b, pose, [&](const char* name, auto& query) {
@@ -255,12 +255,12 @@ TEST_CASE(
   REQUIRE(inside(bent.mesh.mesh(), {0, 0, 0}).status == Status::not_closed);
   Dated begun(rigid, bent.mesh, pose);
   REQUIRE(begun.status() == Status::mesh_changed);
-  whole();  // what the slice had begun
+  whole();  // ends the slice's refit
   REQUIRE(begun.status() == Status::mesh_changed);
   Dated second(rigid, bent.mesh, pose);
   (void)refuses(second, part);
 
-  // What moved while a refit was on counts from the beginning.
+  // After start_again(), vertices that moved during a refit count.
   bent.vertices[bent.baked.triangles.back().corner[0]].x += 3;
   bent.mesh.start_again();
   whole();

@@ -1,4 +1,4 @@
-// Distances of meshes that lie far apart, against exact rationals of all pairs of triangles.
+// Distances of meshes far apart, against exact rationals over all pairs of triangles.
 #include <algorithm>
 #include <vector>
 
@@ -22,7 +22,7 @@ struct TruePair {
   mpq_class squared;
 };
 
-/// Of every pair of triangles; B's vertices are placed by the definition of a pose.
+/// The distances of all pairs of triangles; the definition of a pose places B's vertices.
 std::vector<TruePair> true_distances(const Mesh& a, const Mesh& b, const Pose& pose) {
   const Pose here = Pose::translated(0, 0, 0);
   std::vector<TruePair> all;
@@ -44,7 +44,7 @@ const mpq_class& least_of(const std::vector<TruePair>& all) {
       ->squared;
 }
 
-/// 256 times the root, rounded down; whether that is exact.
+/// 256 times the square root, rounded down; `exact`: whether this is exact.
 std::uint32_t fine_root(const mpq_class& squared, bool& exact) {
   const mpq_class fine = squared * 65536;
   const mpz_class root = sqrt(mpz_class(fine.get_num() / fine.get_den()));
@@ -82,7 +82,7 @@ std::int32_t any_offset(Random& random) {
   return random.below(2) == 0 ? offset : -offset;
 }
 
-/// Far along one axis at least, or on either side of where far begins.
+/// A pose far along at least one axis, or on either side of the far limit.
 Pose any_far_pose(Random& random) {
   std::int32_t cells[3];
   for (std::int32_t& along : cells) {
@@ -114,7 +114,7 @@ AnyMesh any_large_mesh(Random& random) {
   return any_mesh(random, random_mesh(random, 12, 15000, 1300));
 }
 
-/// So far along one axis that B is placed far, and no farther.
+/// A pose just beyond the far limit along one axis.
 Pose any_pose_just_far(Random& random) {
   std::int32_t cells[3];
   for (std::int32_t& along : cells) {
@@ -139,7 +139,7 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
     const std::vector<TruePair> all = true_distances(a, b, pose);
     const Clearance<std::uint16_t> cold = distance(a, b, pose);
     if (cold.lower == 0) {
-      return;  // near scenes are clearance_test's
+      return;  // clearance_test covers near scenes
     }
     check_distance(all, cold);
     far += detail::Transform(pose, a, b, false).is_near() ? 0 : 1;
@@ -163,13 +163,13 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
       }
     }
     check_distance(all, cut.result());
-    // The other way round, where nothing is rotated.
+    // Swapped arguments, if nothing is rotated.
     if (pose.is_translation()) {
       const Clearance<std::uint16_t> back = distance(
           b, a, Pose::translated(-pose.translation(0), -pose.translation(1), -pose.translation(2)));
       REQUIRE((back.lower == cold.lower && back.upper == cold.upper));
     }
-    // A tolerance.
+    // With a tolerance.
     const auto tolerance = static_cast<std::uint16_t>(1 + random.below(2000));
     ClearanceQuery tolerant(a, b, pose, ClearanceQuery::Options{{}, tolerance});
     REQUIRE(tolerant.run(kNoLimit).status == Status::done);
@@ -229,7 +229,7 @@ TEST_CASE("far apart meshes with 32-bit indices give the same, and a pose that t
       REQUIRE(closer_than(a32, b32, pose, found.upper).yes);
       REQUIRE_FALSE(closer_than(a32, b32, pose, found.lower - 1).yes);
     }
-    // Fractions of a cell of a pose that turns by nothing do not count, near or far.
+    // A pose without rotation ignores fractions of a cell, near or far.
     const std::int32_t one = kRotationOne;
     const std::int32_t same[3][3] = {{one, 0, 0}, {0, one, 0}, {0, 0, one}};
     const std::int32_t cells[3] = {pose.translation(0), pose.translation(1), pose.translation(2)};

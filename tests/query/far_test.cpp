@@ -1,4 +1,4 @@
-// Meshes that are farther apart than distances are exact: what queries report of them holds.
+// Meshes beyond the range of exact distances: all reported bounds hold.
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
@@ -30,7 +30,7 @@ bool is_zero(const FinePoint& p) {
   return p.x == 0 && p.y == 0 && p.z == 0;
 }
 
-/// Neither triangles nor points, and bounds that hold, in cells; vertices may be off by `rounded`.
+/// The answer has no triangles or points, and its bounds hold; vertices are off by `rounded` cells.
 void check_bounds(const Found& found, double truth, double rounded) {
   CAPTURE(truth, found.lower / 256.0, found.upper / 256.0);
   REQUIRE(found.status == Status::done);
@@ -57,7 +57,7 @@ TEST_CASE("of two hollow boxes of the largest size, half their size apart, both 
       const double truth = std::sqrt(axes) * (x - 2 * 16383);
       const Found found = distance(mesh, mesh, Pose::translated(cells[0], cells[1], cells[2]));
       check_bounds(found, truth, 0);
-      // What is beyond the range, and no more, is between them.
+      // The bounds differ by the part beyond the range, and no more.
       CHECK(found.upper - found.lower <= 256 * std::sqrt(axes) * (x - kRange) + 2);
     }
   }
@@ -89,7 +89,7 @@ TEST_CASE(
         2 *
         length_of(least_of(all_distances(small_a.view<Mesh>(), small_b.view<Mesh>(), pose(cells)))
                       .squared);
-    // Rotated vertices are rounded: those of the halves to two cells.
+    // Rotated vertices are rounded; the halves' vertices by up to two cells.
     const double rounded = rotated ? 3 : 1e-6;
     const Mesh a = large_a.view<Mesh>();
     const Mesh b = large_b.view<Mesh>();
@@ -97,7 +97,7 @@ TEST_CASE(
     check_bounds(distance(a, b, far), truth, rounded);
     const auto any = [&] { return static_cast<std::uint16_t>(random.below(12)); };
     check_bounds(distance(a, b, far, Witness<std::uint16_t>{any(), any()}), truth, rounded);
-    // In slices as in one.
+    // In slices, too.
     ClearanceQuery cut(a, b, far);
     while (cut.run(9).status == Status::suspended) {
       const Found known = cut.result();

@@ -1,4 +1,4 @@
-// Triangles and boxes compared along a direction as they lie in flash, against exact distances.
+// Separation of triangles and boxes in flash along a direction, against exact distances.
 #include "flashbvh/detail/bounds/leaf_gap.hpp"
 
 #include "flashbvh/clearance.hpp"
@@ -18,7 +18,7 @@ struct AnyScene {
 };
 
 AnyScene any_scene(Random& random, int round) {
-  // Few cells and many, as far apart as they are large.
+  // Few cells or many, with distances about the meshes' size.
   const std::int32_t spread = round % 3 == 0 ? 5000 : 10 + 20 * (round % 7);
   const auto mesh = [&] {
     return any_mesh(random, random_mesh(random, 1 + random.below(14), spread, 1 + spread / 4));
@@ -26,7 +26,7 @@ AnyScene any_scene(Random& random, int round) {
   return {mesh(), mesh(), any_pose(random, 3 * spread)};
 }
 
-/// Long and short, along an axis at times; never none.
+/// A random non-zero direction: long or short, sometimes along an axis.
 PackedVector any_direction(Random& random) {
   const std::int32_t most = (2 << random.below(kDirectionBits)) - 1;
   const auto part = [&] { return random.below(4) == 0 ? 0 : random.between(-most, most); };
@@ -37,7 +37,7 @@ PackedVector any_direction(Random& random) {
           x == 0 && y == 0 && z == 0 ? most : z};
 }
 
-/// The leaf of a triangle, by its node.
+/// The leaf's node of each triangle.
 std::vector<std::uint32_t> leaf_nodes(const Mesh& mesh) {
   std::vector<std::uint32_t> node(mesh.triangle_count);
   for (std::uint32_t i = 0; i < mesh.node_count; ++i) {
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> leaf_nodes(const Mesh& mesh) {
   return node;
 }
 
-/// Triangles about a corner, in one leaf, that hardly fall off from the plane across `up` there.
+/// Triangles about a corner, in one leaf, nearly in the plane across `up` there.
 AnyMesh fan(Random& random, const double (&up)[3], std::int32_t reach) {
   bake::LatticeMesh mesh;
   const auto add = [&](double at, double height) {
@@ -96,7 +96,7 @@ TEST_CASE(
     const std::vector<std::uint32_t> node_a = leaf_nodes(a);
     const std::vector<std::uint32_t> node_b = leaf_nodes(b);
     for (int i = 0; i < 8; ++i) {
-      // As far as some pair is, to the cell.
+      // The limit is the distance of some pair, rounded down to whole cells.
       const Pairwise& near = all[random.below(static_cast<std::uint32_t>(all.size()))];
       const auto cells = static_cast<std::int64_t>(length_of(near.squared));
       const std::int64_t limit = cells * cells;
@@ -127,7 +127,7 @@ TEST_CASE(
             SupportGap::end_along(support.row_beside(Side::b), box_a) <= support.most_beside(end_b);
         const bool by_leaves = end_b <= support.most_beside(end_a);
         REQUIRE(by_leaves == (end_a <= support.most_beside(end_b)));
-        // What is tighter separates whatever is looser; and none of it what is near.
+        // A tighter test separates whenever a looser one does, and none separates near pairs.
         REQUIRE(!(by_boxes && !(by_leaf_a && by_leaf_b)));
         REQUIRE(!((by_leaf_a || by_leaf_b) && !by_leaves));
         REQUIRE(!(by_leaves && !by_gap));
@@ -152,7 +152,7 @@ TEST_CASE("leaves that have nothing but ties have no triangles that are nearer")
                              1.0 * random.between(1, 1000)};
     const double length = std::hypot(apart[0], apart[1], apart[2]);
     const double up[3] = {apart[0] / length, apart[1] / length, apart[2] / length};
-    double down[3] = {0, 0, 0};  // as B's lattice has it
+    double down[3] = {0, 0, 0};  // in B's lattice
     for (int i = 0; i < 9; ++i) {
       down[i % 3] -= up[i / 3] * turn.rotation(i / 3, i % 3) / kRotationOne;
     }
@@ -168,7 +168,7 @@ TEST_CASE("leaves that have nothing but ties have no triangles that are nearer")
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     Transform transform(pose, a, b, /*may_stop=*/false);
     transform.prepare(b);
-    // As if this pair were the nearest so far.
+    // With this pair as the nearest so far.
     Nearest<std::uint16_t> nearest;
     NearestSoFar so_far(transform);
     nearest.so_far = &so_far;
@@ -225,13 +225,13 @@ TEST_CASE("the direction of the boxes' gap has nine bits, however wide the gap i
 TEST_CASE("slivers that cross are separated along the normal of their edges") {
   constexpr std::int32_t length = 30000;
   for (std::int32_t apart = 600; apart < 9000; apart += 300) {
-    // Wherever the other's ends are: B turns about their nearest points.
+    // For any ends of the other edge: B turns about the nearest points.
     for (std::int32_t along = -12000; along <= 12000; along += 3000) {
       const Triangle a = {{{-length, 0, 0}, {length, 0, 0}, {length, 1, -1}}};
       const Triangle b = {
           {{along, -length, apart}, {-along, length, apart}, {-along, length, apart + 1}}};
       Direction direction;
-      const std::int64_t near = apart / 10 * 9;  // 12 bits turn the direction a little
+      const std::int64_t near = apart / 10 * 9;  // 12 bits change the direction slightly
       const std::int64_t limit = near * near;
       CAPTURE(apart, along);
       REQUIRE(edges_separate(a, b, limit, direction));

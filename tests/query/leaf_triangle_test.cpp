@@ -1,4 +1,4 @@
-// The exact test as queries call it, of triangles that a walk brought together.
+// The exact test as queries call it, on triangles that a walk brings together.
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/query/leaf_triangles.hpp"
 #include "support/rotations.hpp"
@@ -79,7 +79,7 @@ TEST_CASE("a box and a triangle overlap where their bounds do") {
 
 namespace {
 
-/// Says so where there is none.
+/// Whether the CPU has AVX2; prints a note if not.
 bool has_avx2() {
   const bool has = __builtin_cpu_supports("avx2") != 0;
   if (!has) {
@@ -88,7 +88,7 @@ bool has_avx2() {
   return has;
 }
 
-/// A narrow one.
+/// The lanes of a narrow triangle.
 TriangleLanes lanes_of(const Triangle& t) {
   const Point& base = t.corner[0];
   Vertex corner[3];

@@ -1,4 +1,4 @@
-// Rays of floats: where their ends are, in double precision, and what is no ray.
+// Rays given in floats: their ends against double precision, and invalid rays.
 #include "flashbvh/float.hpp"
 #include "support/test.hpp"
 

@@ -1,5 +1,5 @@
-// Rays through meshes: against all triangles one by one, against winding numbers, and at the edges
-// and corners of closed meshes.
+// Rays through meshes: against each triangle alone, against winding numbers, and at edges and
+// corners of closed meshes.
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
 #include "query/aimed_rays.hpp"
@@ -24,8 +24,8 @@ bool same(const Hit& x, const Hit& y) {
          x.along.above == y.along.above && x.along.below == y.along.below;
 }
 
-/// Each triangle by itself, by the same test of one, which segment_hit_host_test.cpp holds to
-/// rationals.
+/// The hits of each triangle alone, by the library's own test, which segment_hit_host_test.cpp
+/// compares with rationals.
 std::vector<Hit> all_hits(const Mesh& mesh, const Segment& segment) {
   detail::SegmentWalk<Mesh> walk(mesh, segment);
   std::vector<Hit> hits;
@@ -38,7 +38,7 @@ std::vector<Hit> all_hits(const Mesh& mesh, const Segment& segment) {
   return hits;
 }
 
-/// All questions about one ray.
+/// Tests all ray queries on one ray.
 void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   const std::vector<Hit> hits = all_hits(mesh, segment);
   std::vector<Hit> found;
@@ -78,7 +78,7 @@ void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   REQUIRE(visited == 1);
 }
 
-/// The winding number, and whether the point is on the surface.
+/// The winding number of a point; `on_surface`: whether it is on the surface.
 long truth_of(const Mesh& mesh, const Point& p, bool& on_surface) {
   double sum = 0;
   on_surface = false;
@@ -115,7 +115,7 @@ TEST_CASE("of several hits in one place that of the least triangle id is reporte
     const AnyMesh any = any_mesh(random, boxes(random));
     const Mesh mesh = any.view<Mesh>();
     for (int i = 0; i < 30; ++i) {
-      // Through a corner, mostly of several triangles.
+      // Through a corner, usually of several triangles.
       const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
       const Point corner = moved({v.x, v.y, v.z}, mesh.origin);
       const Point from = moved(any_point(random, 25), mesh.origin);
@@ -139,7 +139,7 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
   std::uint32_t changes = 0;
   for_rounds(200 / kShare, [&](Random& random, int) {
     bake::LatticeMesh lattice = boxes(random);
-    for (Vertex& v : lattice.vertices) {  // so that it has middles
+    for (Vertex& v : lattice.vertices) {  // makes all middles lattice points
       v = {static_cast<std::int16_t>(2 * v.x), static_cast<std::int16_t>(2 * v.y),
            static_cast<std::int16_t>(2 * v.z)};
     }
@@ -155,7 +155,7 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
       const long to = truth_of(mesh, segment.to, on_surface[1]);
       const CrossingCount found = signed_crossings(mesh, segment);
       REQUIRE(found.status == Status::done);
-      // Of the whole segment, not of the part before a hit.
+      // For the whole segment, not only up to a hit.
       const auto any_of_it = any_hit(mesh, segment);
       REQUIRE((any_of_it.yes ? found.visits >= any_of_it.visits && found.visits <= mesh.node_count
                              : found.visits == any_of_it.visits));
@@ -163,7 +163,7 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
         REQUIRE(found.outwards == from - to);
         changes += from != to ? 1 : 0;
       }
-      // Round a triangle, from anywhere: on the surface the same place counts each time.
+      // Around a triangle of random points; a point on the surface counts equally each time.
       const Point third = any_point(random, 20);
       REQUIRE(found.outwards + signed_crossings(mesh, {segment.to, third}).outwards +
                   signed_crossings(mesh, {third, segment.from}).outwards ==
@@ -190,7 +190,7 @@ TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") 
   std::uint32_t nearest = 0;
   std::uint32_t seeded = 0;
   for (int i = 0; i < 200; ++i) {
-    // Along the ring's middle: through both walls and what is between them.
+    // Along the ring's middle: through both walls and the space in between.
     const Segment segment = {{-12000, random.between(-2000, 2000), random.between(-2000, 2000)},
                              {12000, random.between(-2000, 2000), random.between(-2000, 2000)}};
     const auto found = nearest_hit(mesh, segment);

@@ -1,5 +1,5 @@
-// What it takes to refit a sheet, and to query it against itself at rest and crumpled, counted on
-// the target.
+// The instructions to refit a sheet, and to query it against itself at rest and crumpled, counted
+// on the target.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-/// Of a Cortex-M7 at 480 MHz and 100 Hz, at an instruction a cycle.
+/// Half a frame of a Cortex-M7 at 480 MHz and 100 Hz, at one instruction per cycle.
 [[maybe_unused]] constexpr std::uint32_t kHalfAFrame = 2'400'000;
 std::uint32_t cost_of_refit(BasicDeformableMesh<Mesh>& mesh) {
   RefitResult step{};
@@ -33,7 +33,7 @@ std::uint32_t cost_of_self(const Mesh& mesh, QueryStats& counts) {
   });
 }
 
-/// The most that a run of so much work takes.
+/// The largest cost of a run with this budget.
 [[maybe_unused]] std::uint32_t worst_run(const Mesh& mesh, std::uint32_t work) {
   SelfQuery query(mesh);
   std::uint32_t most = 0;

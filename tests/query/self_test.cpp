@@ -1,4 +1,4 @@
-// A mesh against itself: each unordered pair once, by brute force; slices, positions, frames.
+// A mesh against itself: each unordered pair once, against brute force; slices, cursors, frames.
 #include <catch2/catch.hpp>
 
 #include <set>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kShare = share_on_board(10);
 
-/// By source numbers, the smaller first.
+/// Pairs by source numbers, the smaller first.
 Pairs unordered(Pairs pairs) {
   for (auto& pair : pairs) {
     pair = {std::min(pair.first, pair.second), std::max(pair.first, pair.second)};
@@ -23,7 +23,7 @@ Pairs unordered(Pairs pairs) {
   return pairs;
 }
 
-/// Of triangles that share no vertex.
+/// The intersecting pairs of triangles that share no vertex.
 template <class Test>
 Pairs brute_force(const bake::LatticeMesh& mesh, const Test& test) {
   Pairs pairs;
@@ -58,7 +58,7 @@ Pairs near_pairs(const bake::LatticeMesh& mesh, std::uint32_t distance) {
   });
 }
 
-/// In new objects, each resumed from where the one before was stopped.
+/// Runs in new queries, each resumed from the previous one's cursor.
 template <class Query, class Make>
 Pairs run_by_cursors(Random& random, const Make& make, std::uint32_t& visits) {
   QueryCursor<typename Query::Index> position{};
@@ -153,7 +153,7 @@ TEST_CASE("a position is taken if and only if a walk on which all boxes overlap 
   Random random = test_random(2);
   for (int round = 0; round < 60 / kShare; ++round) {
     CAPTURE(round);
-    // All triangles have all boxes in common, and share a vertex: no answer ends a run.
+    // All boxes overlap and all triangles share a vertex: no answer ends a run.
     bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(10), 0, 0);
     for (auto& triangle : lattice.triangles) {
       triangle = {0, 0, 0};

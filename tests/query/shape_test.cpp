@@ -1,4 +1,4 @@
-// Shapes made at run time are meshes like any other: against the same ones baked, and formulas.
+// Shapes made at run time, queried like meshes: against equal baked meshes, and formulas.
 #include "flashbvh/shape.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/ray.hpp"
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// The same triangles as bake lays them out.
+/// The shape's triangles, baked.
 AnyMesh baked(const Mesh& shape) {
   bake::LatticeMesh mesh;
   for (std::uint32_t i = 0; i < shape.vertex_count; ++i) {
@@ -58,7 +58,7 @@ TEST_CASE("shapes are queried like the same triangles, baked") {
     const Point upper = {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)};
     const BoxShape box(mesh, lower, upper);
     compare(mesh, box.mesh(), pose);
-    // Closed, and facing outwards.
+    // The box is closed and faces outwards.
     const Point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
     CHECK(inside(box.mesh(), middle).side != PointSide::outside);
     CHECK(inside(box.mesh(), {upper.x + 1, middle.y, middle.z}).side == PointSide::outside);
@@ -82,7 +82,7 @@ TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
     point.set(p);
     const double apart = 256 * std::sqrt(1.0 * p.x * p.x + 1.0 * p.y * p.y + 1.0 * p.z * p.z);
     CHECK(distance(origin.mesh(), point.mesh(), still).lower == static_cast<std::uint32_t>(apart));
-    // Along x, past the origin.
+    // A segment along x, past the origin.
     segment.set({-16000, p.y, p.z}, {16000, p.y, p.z});
     const double beside = 256 * std::sqrt(1.0 * p.y * p.y + 1.0 * p.z * p.z);
     CHECK(distance(origin.mesh(), segment.mesh(), still).lower ==

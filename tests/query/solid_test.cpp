@@ -8,10 +8,10 @@
 
 namespace {
 
-// Solid angles take boards long.
+// Solid angles are slow on boards.
 constexpr int kShare = share_on_board(30);
 
-/// By another way, in A's lattice.
+/// The side of a point in A's lattice, by solid angles.
 PointSide truth_of(const Mesh& mesh, const detail::Transform* transform, const Point& p) {
   double sum = 0;
   for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
@@ -73,7 +73,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
   const Mesh mesh = closed(any);
   std::uint32_t within = 0;
   for_rounds(1500 / kShare, [&](Random& random, int round) {
-    // Right below a corner, or the middle of an edge.
+    // Just below a corner, or below the middle of an edge.
     const auto& corner = mesh.triangles[random.below(mesh.triangle_count)].corner;
     const Vertex& u = mesh.vertices[corner[0]];
     const Vertex& v = mesh.vertices[corner[round % 2 == 0 ? 0 : 1]];
@@ -87,7 +87,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
   CHECK(inside(mesh, {8000, 0, 0}).side == PointSide::inside);
   CHECK(inside(mesh, {1 << 29, 0, -(1 << 29)}).side == PointSide::outside);
   CHECK(inside(mesh, {8000, 0, 0}).visits < 200);
-  CHECK(inside(mesh, {8000, 0, 3001}).visits == 1);  // right above it, and next to it
+  CHECK(inside(mesh, {8000, 0, 3001}).visits == 1);  // just above the mesh, and next to it
   CHECK(inside(mesh, {11001, 0, 0}).visits == 1);
   CHECK(inside(mesh, {-11001, 0, 0}).visits == 1);
   CHECK(inside(mesh, {0, 11001, 0}).visits == 1);
@@ -101,7 +101,7 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     bake::LatticeMesh outer;
     const std::int32_t wide = random.between(20, 60);
     add_box(outer, {-wide, -wide, -wide}, {2 * wide, 2 * wide, 2 * wide}, false);
-    if (random.below(2) == 0) {  // hollow, with a body in the middle now and then
+    if (random.below(2) == 0) {  // hollow, sometimes with a body in the middle
       add_box(outer, {3 - wide, 3 - wide, 3 - wide}, {2 * wide - 6, 2 * wide - 6, 2 * wide - 6},
               true);
     }
@@ -135,7 +135,7 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     const Answer other_way = solids_intersect(b, a, pose.inverse());
     REQUIRE(other_way.status == Status::done);
     REQUIRE((!pose.is_translation() || other_way.yes == truth));
-    // A query that found no pair, and what it leaves open.
+    // The part that a query without intersecting pairs leaves open.
     const Answer contained = one_is_inside(a, b, pose);
     REQUIRE(contained.status == Status::done);
     REQUIRE((touch || contained.yes == truth));

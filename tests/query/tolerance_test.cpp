@@ -1,4 +1,4 @@
-// What a tolerance allows, against brute force over all pairs of triangles.
+// Effects of a tolerance, against brute force over all pairs of triangles.
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
@@ -9,9 +9,9 @@ using namespace flashbvh::detail;
 
 namespace {
 
-constexpr double kExact = 1e-12;  // of doubles
+constexpr double kExact = 1e-12;  // the error of doubles
 
-/// The reported distance is at most so much larger than the true one, and than `lower`.
+/// The reported distance exceeds the true one, and `lower`, by at most the tolerance.
 void check_tolerance(const std::vector<Pairwise>& all, const Clearance<std::uint16_t>& found,
                      std::uint16_t tolerance) {
   const double truth = length_of(least_of(all).squared);
