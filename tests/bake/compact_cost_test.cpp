@@ -1,4 +1,4 @@
-// What several triangles in a leaf save in flash, and cost in instructions, counted on the target.
+// Flash saved, and instructions added, by several triangles in a leaf, counted on the target.
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -48,12 +48,13 @@ Cost cost_of(const Mesh& a, const Mesh& b, std::int32_t reach) {
   return cost;
 }
 
-/// The compact form of the documents: five triangles in a leaf.
+/// The compact form of the documents: five triangles per leaf.
 constexpr std::uint32_t kCompact = 5;
 constexpr double kMostBytes = 20;
 constexpr double kMostInstructions = 1.3;
 
-/// All of an image but the levels, which only the paper's alternating rule needs.
+/// An image's bytes per triangle, without the levels, which only the paper's alternating rule
+/// needs.
 double bytes_per_triangle(const Baked& baked) {
   const std::uint64_t levels = 2 * sizeof(std::uint16_t) * baked.nodes.size();
   return static_cast<double>(bake::image_size(baked) - levels) /

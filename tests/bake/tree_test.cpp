@@ -1,5 +1,5 @@
-// Trees: the surface area heuristic's are whole, with tight boxes, of any input; and what ranks are
-// made of.
+// Trees: those of the surface area heuristic are complete, with tight boxes, for any input; and the
+// origin of ranks.
 #include <set>
 
 #include "bake/binary_tree.hpp"
@@ -26,7 +26,8 @@ Box box_of_all(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triang
   return box;
 }
 
-/// Every node but the root is a child once; every triangle lies in one leaf; boxes are tight.
+/// Checks that every node but the root is a child once, every triangle is in one leaf, and boxes
+/// are tight.
 void check_whole(const BuildTree& tree, const LatticeMesh& mesh, std::uint32_t leaf_size,
                  std::uint32_t arity) {
   std::vector<std::uint32_t> parents(tree.nodes.size(), 0);
@@ -79,7 +80,7 @@ std::uint32_t depth_of(const BuildTree& tree) {
   return *std::max_element(depths.begin(), depths.end());
 }
 
-/// `count` times the same triangle, with the given corners.
+/// `count` copies of a triangle with the given corners.
 LatticeMesh repeated(std::uint32_t count, const Vertex& p, const Vertex& q, const Vertex& r) {
   LatticeMesh mesh;
   mesh.vertices = {p, q, r};
@@ -87,7 +88,7 @@ LatticeMesh repeated(std::uint32_t count, const Vertex& p, const Vertex& q, cons
   return mesh;
 }
 
-/// Segments one after the other along an axis.
+/// A chain of segments along an axis.
 LatticeMesh row(std::uint32_t count, int axis) {
   LatticeMesh mesh;
   for (std::uint32_t i = 0; i <= count; ++i) {
@@ -102,7 +103,7 @@ LatticeMesh row(std::uint32_t count, int axis) {
   return mesh;
 }
 
-/// Triangles round one point, each by `percent` larger than the one before, as far as fits.
+/// Triangles around one point, each larger by `percent` than the previous one, as far as they fit.
 LatticeMesh nested(std::int32_t percent) {
   LatticeMesh mesh;
   for (std::int32_t size = 1; size <= kMaxCoordinate;
@@ -129,7 +130,7 @@ constexpr Box kLargest = {{-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate},
                           {kMaxCoordinate, kMaxCoordinate, kMaxCoordinate}};
 constexpr Box kPoint = {{5, 5, 5}, {5, 5, 5}};
 
-/// A root over equal leaves.
+/// A root over leaves with equal boxes.
 BuildTree flat_tree(const Box& root, const Box& leaf, std::size_t count) {
   BuildTree tree;
   tree.nodes.push_back({root, {}, {}});

@@ -1,4 +1,4 @@
-// Boxes under a rotation, each form against the definition in 64-bit integers.
+// Boxes under a rotation: each form against the definition in 64-bit integers.
 #include <catch2/catch.hpp>
 
 #include <stdint.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int32_t kMost = kMaxCoordinate;
 
-/// A biased bound, in kSplitOne a cell, cut to whole cells on the lattice.
+/// Rounds a biased bound, in 1/kSplitOne cell, down to whole cells, clamped to the lattice.
 uint32_t whole_cells(int64_t bound) {
   const int64_t cells = bound >> kSplitBits;
   return static_cast<uint32_t>(cells < 0 ? 0 : cells > 32767 ? 32767 : cells);
@@ -26,7 +26,7 @@ struct Bounds {
   uint32_t upper, lower;
 };
 
-/// Each entry takes the upper bound where it is positive and the lower one where it is negative.
+/// A positive entry takes the upper bound, a negative one the lower bound.
 Bounds bounds_on(const SplitRow& row, const BoxTestStart& start, const PackedBox& box) {
   const int64_t entries[] = {row.x(), row.y(), row.z_entry()};
   const Bounds of_box[] = {{low_half(box.upper_xy), low_half(box.lower_xy)},
@@ -88,8 +88,8 @@ PackedBox any_box(Random& random) {
   return pack(box);
 }
 
-/// The whole lattice but for what lies before a side of `box`, or that and a cell more: whether it
-/// overlaps `box` depends on that one bound.
+/// The whole lattice up to a side of `box`, or up to a cell before it: whether it overlaps `box`
+/// depends on this bound alone.
 PackedBox box_beside(Random& random, const PackedBox& box) {
   const auto axis = kVertexAxes[random.below(3)];
   const Box side = unpack(box);
@@ -105,7 +105,7 @@ PackedBox box_beside(Random& random, const PackedBox& box) {
   return pack(beside);
 }
 
-/// Any pose that rotates, and where its sums begin, of the largest meshes at any distance.
+/// A random pose with a rotation, and its transform for the largest meshes, at any distance.
 struct AnyRotation {
   Pose pose = Pose::translated(0, 0, 0);
   RotatedTransform transform{};
@@ -159,7 +159,7 @@ TEST_CASE("boxes reach a window exactly when they overlap the rotated box that i
     const BoxInNode kept = in_node(random, unpack(any));
     const BoxInNode other = in_node(random, unpack(any_box(random)));
     RotatedBoxTest bound(rotation.transform);
-    // Of a box that is not kept: all.
+    // A box that is not kept has a window that every box reaches.
     CHECK(reaches(other.box, bound.window_of_a(kept.box)));
     CHECK(reaches(other.box, bound.window_of_b(kept.box)));
     bound.keep_a(kept.box);
@@ -185,7 +185,7 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
     const AnyRotation rotation(random);
     const SplitMatrix& rows = rotation.pose.matrix().rows;
     const SplitMatrix& columns = rotation.transform.columns;
-    // Each box next to the other rotated; kept ones are known by their addresses.
+    // Each box next to the other one, rotated; kept boxes are identified by their addresses.
     BoxInNode a[3];
     BoxInNode b[3];
     for (int i = 0; i < 3; ++i) {
@@ -250,7 +250,7 @@ TEST_CASE("B's origin lies where a sum of 64 bits says, near or far") {
     while (pose.is_translation()) {
       pose = any_rigid_pose(random, reaches[random.below(6)]);
     }
-    // Anywhere, or at an end.
+    // A random coordinate, or one at an end.
     const auto coordinate = [&](int32_t reach) {
       const int32_t any = random.between(-reach, reach);
       return random.below(4) != 0 ? any : any < 0 ? -reach : reach - 1;

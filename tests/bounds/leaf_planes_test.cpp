@@ -1,5 +1,5 @@
-// Leaves as shapes: they save visits and change nothing else. The same query with boxes alone is
-// what each answer is compared with.
+// Leaf planes save visits and change nothing else: each answer is compared with a query on boxes
+// alone.
 #include "support/any_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 using flashbvh::test::same;
 
-/// Of many queries.
+/// Sums over many queries.
 struct Totals {
   std::uint32_t pairs = 0;
   std::uint32_t with_shapes = 0;  ///< visits and pairs of leaves
@@ -31,7 +31,7 @@ void compare(const typename Traversal::Tree& a, const typename Traversal::Tree& 
   const QueryStats& counts = shapes.query.stats();
   const QueryStats& of_boxes = boxes.query.stats();
   REQUIRE(counts.triangle_pairs == pairs.size());
-  if (pose.is_translation()) {  // a window is as good as the boxes
+  if (pose.is_translation()) {  // a window is as tight as the boxes
     REQUIRE(counts.visits <= of_boxes.visits);
     REQUIRE(counts.overlaps <= of_boxes.overlaps);
     REQUIRE(counts.leaf_pairs <= of_boxes.leaf_pairs);
@@ -41,7 +41,7 @@ void compare(const typename Traversal::Tree& a, const typename Traversal::Tree& 
   totals.with_boxes += of_boxes.visits + of_boxes.leaf_pairs;
 }
 
-/// Under all orders. `a` and `b` may be one.
+/// Compares all traversals. `a` and `b` may be one mesh.
 void compare_all(const AnyMesh& a, const AnyMesh& b, const Pose& pose, Totals& totals) {
   for_each_order<std::uint16_t>([&](auto named) {
     using Traversal = typename decltype(named)::Traversal;
@@ -55,7 +55,7 @@ void compare_all(const AnyMesh& a, const AnyMesh& b, const Pose& pose, Totals& t
   });
 }
 
-/// Makes some triangles points, segments, or parts of one of two planes.
+/// Turns some triangles into points or segments, or moves them into one of two planes.
 void flatten(Random& random, bake::LatticeMesh& mesh, bool all_in_plane) {
   for (const auto& triangle : mesh.triangles) {
     Vertex* const corner[3] = {&mesh.vertices[triangle[0]], &mesh.vertices[triangle[1]],
@@ -89,7 +89,7 @@ void add_triangle(bake::LatticeMesh& mesh, const Vertex& p, const Vertex& q, con
   mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// On the largest lattice: long and thin, or long both ways, often next to an axis.
+/// Adds a triangle on the largest lattice: long and thin, or long both ways, often near an axis.
 void add_extreme_triangle(Random& random, bake::LatticeMesh& mesh) {
   const auto far = [&] {
     const std::int32_t at = random.between(14000, kMaxCoordinate);
@@ -121,7 +121,7 @@ bake::LatticeMesh extreme_mesh(Random& random, std::uint32_t count) {
   return mesh;
 }
 
-/// A rotation with entries as coarse as is taken for one, so that its defect is large.
+/// A rotation with entries as coarse as a pose accepts, so that its defect is large.
 Rotation coarse_rotation(Random& random) {
   const Rotation fine = rotation_of(any_quaternion(random));
   for (const std::int32_t dropped : {0xFFFF, 0x7FFF, 0x3FFF}) {
@@ -138,7 +138,7 @@ Rotation coarse_rotation(Random& random) {
   return fine;
 }
 
-/// A rotation that stretches the diagonal (1, 1, 1), or shrinks it, by as much as is taken for one.
+/// A rotation that stretches or shrinks the diagonal (1, 1, 1) as far as a pose accepts.
 Rotation stretched_rotation(Random& random) {
   Rotation rotation = rotation_of(any_quaternion(random));
   const std::int64_t by = random.below(2) == 0 ? 127 : -127;
@@ -151,7 +151,7 @@ Rotation stretched_rotation(Random& random) {
   return rotation;
 }
 
-/// A triangle across that diagonal, at its end.
+/// A triangle across this diagonal, at its end.
 bake::LatticeMesh diagonal_mesh(Random& random) {
   const auto step = [&] { return random.between(100, 300); };
   const std::int32_t at = random.below(2) == 0 ? 16000 : -16000;
@@ -162,7 +162,7 @@ bake::LatticeMesh diagonal_mesh(Random& random) {
   return mesh;
 }
 
-/// A lattice point in or next to a mesh's triangle: at a corner, on an edge, or inside.
+/// A lattice point in or next to a triangle of a mesh: at a corner, on an edge, or inside.
 Vertex point_of(Random& random, const bake::LatticeMesh& mesh, std::uint32_t triangle) {
   const auto& corner = mesh.triangles[triangle];
   const std::int32_t parts = random.below(3) == 0 ? 1 : 1000;
@@ -177,7 +177,7 @@ Vertex point_of(Random& random, const bake::LatticeMesh& mesh, std::uint32_t tri
   return vertex(at(&Vertex::x), at(&Vertex::y), at(&Vertex::z));
 }
 
-/// A pose that puts vertex `b` on `a`, or within a cell of it.
+/// A pose that places vertex `b` on `a`, or within a cell of it.
 Pose touching_pose(Random& random, const Rotation& rotation, const Vertex& a, const Vertex& b) {
   const Pose turned = Pose::rigid(rotation.entry, {0, 0, 0});
   const std::int32_t target[3] = {a.x, a.y, a.z};
@@ -192,7 +192,7 @@ Pose touching_pose(Random& random, const Rotation& rotation, const Vertex& a, co
   return Pose::rigid(rotation.entry, cells, fraction);
 }
 
-/// A vertex of A on B's lattice, rounded.
+/// A vertex of A, rounded to B's lattice.
 Vertex seen_from_b(const Pose& pose, const Vertex& a) {
   const std::int64_t from[3] = {a.x - pose.translation(0), a.y - pose.translation(1),
                                 a.z - pose.translation(2)};
@@ -211,7 +211,7 @@ Vertex seen_from_a(const Pose& pose, const Vertex& b) {
                 transformed_coordinate(origin, b, pose, 2));
 }
 
-/// A point, or a segment or triangle of a few cells.
+/// Adds a point, or a segment or triangle of a few cells.
 void add_speck(Random& random, bake::LatticeMesh& mesh, const Vertex& at) {
   const auto near = [&] {
     const std::int32_t most = random.below(2) == 0 ? 1 : 2;

@@ -1,4 +1,4 @@
-// Bounds of distances reject nothing that is near enough: against exact distances, at the limit.
+// Bounds of distances reject no pair within the limit: against exact distances, at the limit.
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
 #include "support/points.hpp"
@@ -9,7 +9,7 @@ using namespace flashbvh::detail;
 
 namespace {
 
-/// A mesh of one triangle, in a leaf that is the root.
+/// A mesh of one triangle, whose leaf is the root.
 AnyMesh mesh_of(const Vertex& p, const Vertex& q, const Vertex& r) {
   bake::LatticeMesh mesh;
   mesh.vertices = {p, q, r};
@@ -32,7 +32,7 @@ Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
   return {at(0, p.x), at(1, p.y), at(2, p.z)};
 }
 
-/// The squared distance, rounded up: a limit that the pair is within.
+/// The pair's squared distance, rounded up: a limit that the pair is within.
 std::int64_t limit_of(const Mesh& a, const Mesh& b, const Transform& transform) {
   Triangle of_a;
   Triangle of_b;
@@ -66,7 +66,7 @@ void check(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t& reject
   transform.bring_near();
   transform.prepare(b);
   const std::int64_t limit = limit_of(a, b, transform);
-  // A tenth of the distance less.
+  // The limit for a distance smaller by a tenth.
   const std::int64_t less = limit / 5 * 4;
   check_leaf(a, b, transform, KeptGap(transform, GapLimit(limit)), rejected,
              KeptGap(transform, GapLimit(less)));
@@ -78,7 +78,7 @@ void check(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t& reject
   }
 }
 
-/// Of one box along one row, in whole cells.
+/// The upper bound of a box along a row, in whole cells.
 std::int32_t rotated_bound(const SplitRow& row, std::int64_t start, const std::uint32_t (&upper)[3],
                            const std::uint32_t (&lower)[3]) {
   const std::int32_t entry[3] = {row.x(), row.y(), row.z_entry()};
@@ -126,7 +126,7 @@ TEST_CASE("gaps of boxes are those along each axis, however many are worked out 
     const SeenBox seen = seen_translated(b, offset);
     REQUIRE(squared_gap(seen, a, limit) == squared_gap_by_axis(seen, a, limit));
     REQUIRE(WideGap(offset, limit).squared(a, b) == squared_gap_by_axis(seen, a, limit));
-    // At the very gap, and next to it.
+    // At the exact gap, and next to it.
     const std::int64_t squared = WideGap(offset, GapLimit(0)).squared(a, b);
     for (std::int64_t by = -1; by <= 1; ++by) {
       const GapLimit beside(squared + by);
@@ -163,7 +163,7 @@ TEST_CASE("rotated boxes are the sums of products along each axis") {
       RotatedGap wide(rotated, beside);
       KeptGap kept(transform, beside);
       REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));
-      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));  // the current one
+      REQUIRE(kept(box_a, box_b) == wide(box_a, box_b));  // with the kept box
     }
   });
 }
@@ -220,7 +220,7 @@ TEST_CASE("leaves as shapes reject no box that is within the limit") {
     check(a, b, Pose::translated(cells[0], cells[1], cells[2]), translated);
     Rotation rotation = rotation_of(any_quaternion(random));
     check(a, b, Pose::rigid(rotation.entry, cells), rotated);
-    // As far from a rotation as a pose takes.
+    // As far from a rotation as a pose accepts.
     for (auto& row : rotation.entry) {
       for (std::int32_t& entry : row) {
         entry += (random.below(8) == 0 ? -1 : 1) * (entry / 17000);

@@ -1,4 +1,4 @@
-// Instructions of a visit under rotation, counted on the target over the walks of many poses.
+// Instructions per visit under rotation, counted on the target over walks at many poses.
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -39,7 +39,7 @@ struct Cost {
   std::uint32_t instructions = 0;
 };
 
-/// The boxes alone, from the root on, the preparation of the pose included.
+/// A walk over boxes alone, from the root, with the preparation of the pose.
 void add_walk(const Mesh& a, const Mesh& b, const Pose& pose, Cost& cost) {
   QueryStats counts = {1, 0, 0, 0};
   std::uint32_t leaf_pairs = 0;

@@ -1,4 +1,4 @@
-// Slabs: what they hold, and that two at once are two.
+// Slabs: their extent, and the test of two slabs at once.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ PackedVector vector(std::int32_t x, std::int32_t y, std::int32_t z) {
   return {join_halves(static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)), z};
 }
 
-/// Any of 13 bits and a sign.
+/// A random direction of 13 bits and a sign.
 PackedVector any_direction(Random& random) {
   const std::int32_t most = random.below(4) == 0 ? 8191 : 1 << random.below(13);
   const auto at = [&] { return random.between(-most, most); };
@@ -32,7 +32,7 @@ Box any_box(Random& random, std::int32_t most) {
           {std::max(u.x, v.x), std::max(u.y, v.y), std::max(u.z, v.z)}};
 }
 
-/// Of a translated triangle, for boxes of the other tree.
+/// The slab of a translated triangle, for boxes of the other tree.
 struct AnySlab {
   PackedVector direction;
   Extent extent;
@@ -57,12 +57,12 @@ struct AnySlab {
   std::int64_t moved() const {
     return (side == Side::a ? -1 : 1) * along(offset.x, offset.y, offset.z);
   }
-  /// -1 below, 1 above, 0 in it.
+  /// -1 below the slab, 1 above it, 0 inside.
   std::int32_t side_of(const Vertex& v) const {
     const std::int64_t at = along(v.x, v.y, v.z) - moved();
     return at < extent.least ? -1 : at > extent.most ? 1 : 0;
   }
-  /// In 64-bit integers: the box's own bounds along the direction, and the slab's.
+  /// Compares the bounds of the box and of the slab along the direction, in 64-bit integers.
   bool touches(const Box& box) const {
     const std::int32_t d[3] = {direction.x(), direction.y(), direction.z};
     const std::int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};

@@ -35,7 +35,7 @@ std::uint32_t any_distance(Random& random) {
   return random.below(8) == 0 ? kMaxDistance + random.below(2) : random.below(60) * 100;
 }
 
-/// All but those of C++ alone and of robots.
+/// All statuses except those of C++ alone and of robots.
 std::uint64_t all_statuses() {
   std::uint64_t all = 0;
   for (int i = 0; i < 64; ++i) {

@@ -1,4 +1,4 @@
-// Distances, what is within one, rays and solids.
+// Distances, proximity, rays and solids.
 #include "c_api/slices.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/ray.h"
@@ -40,7 +40,7 @@ bool distance_agrees(Scene& s) {
   return agree && (seeded.status != Status::done || same(found, seeded));
 }
 
-/// In slices, each in a new object.
+/// Runs in slices, each in a new object.
 bool clearance_agrees(Scene& s) {
   const auto tolerance = static_cast<std::uint16_t>(s.random.below(2000));
   const flashbvh_clearance_options options = {nullptr, tolerance};

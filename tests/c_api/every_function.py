@@ -1,5 +1,5 @@
-"""every_function.py NM LIBRARY... -- OBJECT...: each C function that the libraries define is called by
-these objects, those of the tests against C++."""
+"""every_function.py NM LIBRARY... -- OBJECT...: checks that the objects, those of the tests against C++, call each C
+function that the libraries define."""
 import subprocess
 import sys
 

@@ -23,7 +23,7 @@ Move any_move(Random& random) {
   return move;
 }
 
-/// A motion in both languages, of two poses or of moves that lie here.
+/// A motion in both languages, of two poses or of moves stored here.
 struct Motions {
   Move moves[kMostMoves];
   BodyMotion motion;
@@ -73,7 +73,7 @@ bool same_answer(const flashbvh_first_contact_answer& c, const FirstContactAnswe
          c.from == answer.from && c.to == answer.to;
 }
 
-/// A query and its counterpart, which end up in other objects.
+/// A query and its counterpart, moved to other objects.
 struct Contacts {
   Scene& scene;
   const Motions& motions;
@@ -86,7 +86,8 @@ struct Contacts {
                 query.status());
   }
 
-  /// By their cursors, after one that is none; a query that is not suspended refuses any.
+  /// Resumes by cursors in new objects, after a wrong one; a query that is not suspended refuses
+  /// all.
   bool move() {
     const FirstContact::Cursor at = query.cursor();
     const flashbvh_contact_cursor c_at = flashbvh_first_contact_cursor(&c);

@@ -1,4 +1,4 @@
-// Poses: whole and of floats, and in place.
+// Poses from integers and floats, and in place.
 #include "c_api/scene.hpp"
 #include "flashbvh/float.hpp"
 #include "support/rotations.hpp"
@@ -6,7 +6,7 @@
 namespace flashbvh::test {
 namespace {
 
-/// `made` twice in place: of itself and another one, either way round.
+/// Calls `make` twice in place: its output is its second argument, then its first one.
 template <class Make>
 bool in_place_agrees(Make make, const flashbvh_pose& p, const flashbvh_pose& q,
                      const Pose& wanted) {
@@ -36,7 +36,7 @@ bool translations_agree(Scene& s) {
   return same(flashbvh_pose_translated(x, 2, -x - 9, &made), wanted.status()) && same(made, wanted);
 }
 
-/// Now and then of a float that is no number, or scaled.
+/// Sometimes with a float that is not a number, or a scaled rotation.
 bool floats_agree(Scene& s) {
   float rows[3][3];
   for (int i = 0; i < 9; ++i) {

@@ -29,7 +29,7 @@ struct PairFunctions {
   static constexpr auto last_pair = flashbvh_query_last_pair;
 };
 
-/// A word of the image changed, its checksum repaired or not; a part of it; from a wrong address.
+/// Changes a word of the image, with or without a repaired checksum; cuts it; misaligns it.
 bool damage_agrees(Scene& s) {
   const std::size_t count = s.a.image.size();
   auto* bytes = reinterpret_cast<unsigned char*>(s.damaged.data());
@@ -106,7 +106,7 @@ bool visits_agree(Scene& s) {
 }
 
 bool first_pair_agrees(Scene& s) {
-  flashbvh_pair wanted = {0xABCD, 0xDCBA};  // untouched where there is none
+  flashbvh_pair wanted = {0xABCD, 0xDCBA};  // unchanged if there is no pair
   flashbvh_pair found = wanted;
   bool yes = false;
   const Answer answer = first_pair(s.a.mesh, s.b.mesh, s.pose, wanted);
@@ -124,7 +124,7 @@ bool intersects_agrees(Scene& s) {
 bool hinted_agrees(Scene& s) {
   Witness<std::uint16_t> hint;
   flashbvh_witness c_hint = FLASHBVH_NO_WITNESS;
-  if (s.random.below(4) != 0) {  // now and then beyond the last triangle
+  if (s.random.below(4) != 0) {  // sometimes beyond the last triangle
     hint.a = c_hint.a = static_cast<std::uint16_t>(s.random.below(s.a.mesh.triangle_count + 1));
     hint.b = c_hint.b = static_cast<std::uint16_t>(s.random.below(s.b.mesh.triangle_count + 1));
   }
@@ -150,7 +150,7 @@ bool pairs_agree(Scene& s) {
          same(found, wanted, some.count);
 }
 
-/// Of each pair: from the query, and at any later time.
+/// The contact of each pair: from the query, and at any later time.
 bool contacts_agree(Scene& s) {
   PairQuery query(s.a.mesh, s.b.mesh, s.pose);
   flashbvh_query c_query;
@@ -177,7 +177,7 @@ bool contacts_agree(Scene& s) {
   return agree;
 }
 
-/// With a query and a contact, and in C.
+/// By a query and a contact, and in C.
 bool first_contact_agrees(Scene& s) {
   flashbvh_pair pair[1] = {};
   PairQuery query(s.a.mesh, s.b.mesh, s.pose);

@@ -1,4 +1,4 @@
-// Each C function of robots against its C++ counterpart, on the arm of
+// Each robot function in C against its C++ counterpart, on the arm of
 // firmware_examples/robot_guard.
 #include <catch2/catch.hpp>
 
@@ -62,7 +62,7 @@ bool same(const flashbvh_pose& c, const Pose& pose) {
 Mesh meshes[c_arm_LINK_COUNT];
 const Robot robot = view_robot_unchecked(c_arm_robot_image, meshes);
 
-/// In steps that a guard takes, but now and then a jump, beyond a limit, or no number.
+/// Moves by steps that a guard accepts; sometimes jumps, exceeds a limit, or is not a number.
 void move(Random& random, float (&floats)[kVariables]) {
   const auto i = random.below(kVariables);
   floats[i] += static_cast<float>(random.between(-100, 100)) / 1000;
@@ -107,7 +107,7 @@ void check_explained(flashbvh_guard& c, Guard& guard, uint16_t pair) {
   }
 }
 
-/// A period, and more work for it; how bad it was.
+/// Runs a period, and more work for it; returns its worst verdict.
 uint32_t check_period(flashbvh_guard& c, Guard& guard, Values& at, Random& random) {
   at.move_on(random);
   const uint32_t work = random.below(60);
@@ -217,7 +217,7 @@ TEST_CASE("a guard in C answers as in C++, also after its state was stored, or d
   for (int period = 0; period < 400; ++period) {
     verdicts |= check_period(c, guard, at, random);
     if (random.below(20) == 0) {
-      memcpy(static_cast<void*>(&state), &c_state, sizeof state);  // C++ goes on where C stands
+      memcpy(static_cast<void*>(&state), &c_state, sizeof state);  // C++ continues from C's state
       const uint32_t damage = random.below(2);
       reinterpret_cast<uint32_t*>(&state)[1] ^= damage;
       reinterpret_cast<uint32_t*>(&c_state)[1] ^= damage;
@@ -361,7 +361,7 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
   memset(state_bytes, 0, sizeof state);
   for (uint32_t offset = 0; offset <= 2; offset += 2) {
     const uint32_t less = offset == 0 ? 1 : 0;
-    const uint32_t guard_less = 4 * less;  // its last three bytes may be but for alignment
+    const uint32_t guard_less = 4 * less;  // the state's last three bytes may be padding
     flashbvh_guard guard;
     flashbvh_motion motion;
     CHECK(same(flashbvh_guard_init(&guard, &robot, state_bytes + offset,
@@ -377,6 +377,6 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
     CHECK(flashbvh_motion_run(&motion, 1).status == invalid);
   }
   for (size_t i = 0; i < sizeof state; ++i) {
-    REQUIRE(state_bytes[i] == 0);  // what is refused is not written
+    REQUIRE(state_bytes[i] == 0);  // a refused object is not written
   }
 }

@@ -1,4 +1,4 @@
-// Random meshes and poses in both languages, and rows that call both alike.
+// Random meshes and poses in both languages, and rows that call both.
 #pragma once
 
 #include <cstdint>
@@ -17,26 +17,26 @@ struct Object {
   Mesh mesh{};
   flashbvh_mesh c{};
 
-  /// Of a few random triangles, or closed: a torus.
+  /// A few random triangles, or a closed torus.
   Object(Random& random, double cell);
   std::size_t size() const { return image.size() * sizeof image[0]; }
 };
 
-/// What a row may use.
+/// Inputs of a row.
 struct Scene {
   explicit Scene(Random& from);
 
   Random& random;
   Object a;
-  Object b;                            ///< now and then of another cell
-  std::vector<std::uint32_t> damaged;  ///< memory for a's image, and a word more
-  Pose pose;                           ///< now and then one that can't be
+  Object b;                            ///< sometimes of another cell
+  std::vector<std::uint32_t> damaged;  ///< memory for a's image, and an extra word
+  Pose pose;                           ///< sometimes an impossible one
   flashbvh_pose c_pose;
-  std::uint32_t distance;  ///< now and then too large
+  std::uint32_t distance;  ///< sometimes too large
 
   /// A budget that suspends a query, or none.
   std::uint32_t any_work() { return random.below(4) == 0 ? UINT32_MAX : 1 + random.below(60); }
-  /// In cells, near the meshes.
+  /// A random point near the meshes, in cells.
   Point any_point() { return {random.between(-40, 40), random.between(-40, 40), any_height()}; }
   std::int32_t any_height() { return random.between(-40, 40); }
   Triangle any_triangle() { return {{any_point(), any_point(), any_point()}}; }
@@ -55,10 +55,10 @@ std::vector<Row> shape_rows();
 std::vector<Row> motion_rows();
 std::vector<Row> self_test_rows();
 
-/// In C, by its numbers.
+/// The pose in C, with equal numbers.
 flashbvh_pose taken_to_c(const Pose& pose);
 
-/// A bit for each status, and each outcome of a first contact, that both languages gave.
+/// A bit for each status, and for each outcome of a first contact, that both languages returned.
 extern std::uint64_t seen_statuses;
 extern std::uint32_t seen_outcomes;
 
@@ -70,7 +70,7 @@ inline bool same(const RunResult& c, const RunResult& step) {
   return same(static_cast<flashbvh_status>(c.status), step.status) && c.count == step.count &&
          c.work == step.work;
 }
-/// Of types without padding.
+/// For types without padding.
 template <class Plain>
 bool same(const Plain& p, const Plain& q) {
   static_assert(__has_unique_object_representations(Plain), "padding has any bytes");
@@ -94,7 +94,7 @@ inline bool same(flashbvh_witness c, const Witness<std::uint16_t>& witness) {
 bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known);
 bool same(const flashbvh_pose& c, const Pose& pose);
 
-/// A query's bytes are gone, as if power had been.
+/// Overwrites a query's bytes, like a loss of power.
 template <class Struct>
 void wipe(Struct& object) {
   std::memset(&object, 0xA5, sizeof object);

@@ -1,4 +1,4 @@
-// Shapes made at run time, meshes that bend, and queries of a mesh against itself.
+// Shapes made at run time, deformable meshes, and queries of a mesh against itself.
 #include "c_api/slices.hpp"
 #include "flashbvh/deformable.h"
 #include "flashbvh/deformable.hpp"
@@ -9,7 +9,7 @@
 namespace flashbvh::test {
 namespace {
 
-/// Made with a status, and as far off, in every query.
+/// A shape has the expected status, and equal distances and pairs in both languages.
 bool shape_agrees(Scene& s, flashbvh_status made, const flashbvh_mesh& c, Status status,
                   const Mesh& mesh) {
   flashbvh_clearance found;
@@ -20,7 +20,7 @@ bool shape_agrees(Scene& s, flashbvh_status made, const flashbvh_mesh& c, Status
          same(flashbvh_count_pairs(&c, &s.b.c, &s.c_pose), count_pairs(mesh, s.b.mesh, s.pose));
 }
 
-/// Now and then too large.
+/// Sometimes too large.
 bool shapes_agree(Scene& s) {
   Triangle t = s.any_triangle();
   t.corner[1].x += s.random.below(5) == 0 ? 40000 : 0;
@@ -47,7 +47,7 @@ bool shapes_agree(Scene& s) {
 constexpr std::uint32_t kMostNodes = 128;
 constexpr std::uint32_t kMostVertices = 128;
 
-/// The scene's mesh A in RAM, in both languages, its vertices moved alike.
+/// The scene's mesh A in RAM, in both languages, with equally moved vertices.
 struct Bent {
   Node<std::uint16_t> nodes[kMostNodes];
   Vertex vertices[kMostVertices];
@@ -70,7 +70,7 @@ struct Bent {
     vertices[vertex].x = static_cast<std::int16_t>(s.random.between(-most, most));
     c_vertices[vertex] = vertices[vertex];
   }
-  /// In slices, to the end or an error.
+  /// Refits in slices, to the end or an error.
   bool refit(Scene& s) {
     for (bool goes_on = true; goes_on;) {
       const std::uint32_t work = 1 + s.random.below(9);
@@ -123,7 +123,7 @@ struct BandFunctions : SelfFunctions {
   static constexpr auto resume = flashbvh_self_within_resume;
 };
 
-/// What was begun before a refit is refused after it.
+/// Queries started before a refit are refused after it.
 template <class C>
 bool refusals_agree(Scene& s) {
   flashbvh_pair pair[1];

@@ -1,4 +1,4 @@
-// A query in C against the same in C++, cut into random runs, saved, copied and resumed.
+// A C query against its C++ counterpart, cut into random runs, saved, copied and resumed.
 #pragma once
 
 #include "c_api/scene.hpp"
@@ -7,7 +7,7 @@
 
 namespace flashbvh::test {
 
-/// Of a position in either language: where it is in the trees.
+/// The traversal part of a cursor in either language.
 template <class Walk>
 Walk& walk_of(Walk& position) {
   return position;
@@ -20,11 +20,11 @@ QueryCursor<Index>& walk_of(DeformableCursor<Index>& position) {
   return position.at;
 }
 
-/// What is common to queries that hand out pairs. `C` names the functions:
-///     Struct, Position       of C
-///     query(scene)           the query in C++
+/// The common part of queries that return pairs. `C` names the functions:
+///     Struct, Position       the C types
+///     query(scene)           the C++ query
 ///     start, run, counts, position, resume
-///     kVisits                whether there are visit, status and last_pair, too
+///     kVisits                whether visit, status and last_pair exist, too
 template <class C>
 class Slices {
  public:
@@ -92,7 +92,7 @@ class Slices {
     return same(wanted, found, 2);
   }
 
-  /// To another address, or by its position to another query, in both languages.
+  /// Moves to another address, or by cursor to another query, in both languages.
   bool move() {
     if (scene_.random.below(2) == 0) {
       const typename C::Struct copy = c_;
@@ -112,7 +112,7 @@ class Slices {
     return same(C::resume(&c_, &position), query_.status());
   }
 
-  /// Of positions that may be none.
+  /// Tests cursors that may be invalid.
   bool refusals_agree() {
     auto copy = query_;
     typename C::Struct c_copy = c_;

@@ -1,6 +1,6 @@
-/* One story through all topics in C99, with answers that are known: a blade of a triangle, upright,
- * above and in a block of 10 mm, both drawn a metre off; a cell is 0.1 mm. counterpart_test.cpp
- * compares all else with C++. */
+/* A walk through all topics in C99, with known answers: a blade of a triangle, upright, above and
+ * in a block of 10 mm, both drawn a metre off; a cell is 0.1 mm. counterpart_test.cpp compares all
+ * other features with C++. */
 #include <string.h>
 
 #include "blade.fbvh.h"
@@ -18,7 +18,7 @@
 #endif
 
 #define CHECK(holds) check((holds), #holds, __LINE__)
-/** A call that answers yes or no. */
+/** A call that returns yes or no. */
 #define CHECK_YES(call, wanted) CHECK((call) == FLASHBVH_STATUS_DONE && yes == (wanted))
 
 static long failures;
@@ -59,7 +59,7 @@ static void meshes(void) {
   CHECK(sizeof(flashbvh_box_shape) == 232 + wider && sizeof(flashbvh_contact) == 104);
 }
 
-/** The blade's lower corner is (1003.1, 1004, 1005) mm of the block's frame, and `height` up. */
+/** Places the blade's lower corner at (1003.1, 1004, 1005) mm of the block, plus `height`. */
 static void place_blade(float height, flashbvh_pose* pose) {
   const float upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   const float quaternion[4] = {1, 0, 0, 0};
@@ -106,7 +106,7 @@ static void contacts(const flashbvh_pose* pose) {
         high < 1005010000);
 }
 
-/** Work for a period is worked out on the target, from the images it has. */
+/** The target computes a period's work from its images. */
 static void time_bounds(void) {
   flashbvh_tree_size a;
   flashbvh_tree_size b;
@@ -151,8 +151,7 @@ static void distances(const flashbvh_pose* pose) {
   CHECK(!found.in_range && found.lower <= 2000000u * 256 && found.upper >= 2000000u * 256);
 }
 
-/** Down through the block from 5 mm above it. */
-/** The blade comes down by 7.5 mm; its lower corner is on the block's upper face after 2.5 mm. */
+/** The blade moves down by 7.5 mm; its lower corner meets the block's upper face after 2.5 mm. */
 static void motions(const flashbvh_pose* from, const flashbvh_pose* to) {
   const uint32_t cell = FLASHBVH_MOTION_END / 75 + 1;
   flashbvh_body_motion down;
@@ -182,6 +181,7 @@ static void motions(const flashbvh_pose* from, const flashbvh_pose* to) {
   CHECK(found.status == FLASHBVH_STATUS_DONE && found.outcome == FLASHBVH_OUTCOME_FREE);
 }
 
+/** A ray goes down through the block, from 5 mm above it. */
 static void rays(void) {
   const float origin[3] = {1003, 1002, 1015};
   const float down[3] = {0, 0, -3};
@@ -200,8 +200,8 @@ static void rays(void) {
   CHECK(outwards == -1);
 }
 
-/** A box inside the block has no pair with it, and a point in common. A sphere, a capsule and a
- * plate are 30 and 50 cells off. */
+/** A box inside the block has no pair with it, but a common point. A sphere, a capsule and a
+ * plate are 30 and 50 cells away. */
 static void solids_and_shapes(void) {
   const flashbvh_point lower = {10040, 10040, 10040};
   const flashbvh_point upper = {10060, 10060, 10060};
@@ -232,7 +232,7 @@ static void solids_and_shapes(void) {
   CHECK_YES(flashbvh_closer_than(&block, &plate.mesh, &pose, 50 * 256 - 1, &yes), false);
 }
 
-/** A corner of the block is pulled through its other side. */
+/** A corner of the block moves through its opposite side. */
 static void bending(void) {
   static flashbvh_node nodes[16];
   static flashbvh_vertex vertices[8];
@@ -258,7 +258,7 @@ static void bending(void) {
 }
 
 #ifdef STORY_HAS_ROBOT
-/** An arm goes from rest to where it folds into itself. */
+/** An arm moves from rest until it folds into itself. */
 static void robots(void) {
   static uint32_t state[c_arm_GUARD_STATE_SIZE / 4];
   static uint32_t motion_state[c_arm_MOTION_STATE_SIZE / 4];

@@ -1,6 +1,6 @@
-"""compilers.py WORK: the digest on this machine, by each compiler that is here, unoptimised and optimised, with
-64 and 32 bits; with FLASHBVH_THOROUGH each of them in each way, with vector instructions and without, on x86 and
-Arm. Every program must print the same and end with 0."""
+"""compilers.py WORK: the digest on this machine by each installed compiler, unoptimised and optimised, with 64 and 32
+bits; with FLASHBVH_THOROUGH all combinations, with vector instructions and without, on x86 and Arm. Every program must
+print equal output and exit with 0."""
 import os
 import platform
 import shutil
@@ -15,7 +15,7 @@ FLAGS = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-I.", "-Ilib/include", "-
 
 
 def ways():
-    """Compiler and options of each program, and what runs it."""
+    """Compiler and options of each program, and the command that runs it."""
     found = [compiler for compiler in ("g++", "clang++") if shutil.which(compiler)]
     for i, compiler in enumerate(found):
         if THOROUGH:
@@ -26,7 +26,7 @@ def ways():
             yield [], compiler, "-Os" if i > 0 else "-O2"
     if THOROUGH:
         yield [], "g++", "-O3", PORTABLE
-    # A compiler for 32 bits, whose programs an x86-64 kernel runs.
+    # A 32-bit compiler, whose programs an x86-64 kernel runs.
     if shutil.which("i686-linux-gnu-g++") and platform.machine() == "x86_64":
         yield [], "i686-linux-gnu-g++", "-static", "-O0"
         if THOROUGH:
@@ -43,7 +43,7 @@ def ways():
 
 
 def one_source(file, *patterns):
-    """It takes half the time, and the library is to bear it."""
+    """One source file compiles in half the time, and the library must support it."""
     sources = [path.relative_to(ROOT) for pattern in (*patterns, "tests/digest/*.cpp")
                for path in sorted(ROOT.glob(pattern))]
     file.write_text("".join(f'#include "{source}"\n' for source in sources))
@@ -54,7 +54,7 @@ def main(work):
     work = Path(work)
     work.mkdir(parents=True, exist_ok=True)
     whole = one_source(work / "all.cpp", "lib/src/*/*.cpp")
-    # What the digest is of.
+    # The sources that the digest needs.
     needed = one_source(work / "needed.cpp", "lib/src/[blpw]*/*.cpp", "lib/src/query/[!ds]*.cpp",
                         "lib/src/query/solid.cpp")
     answers = []

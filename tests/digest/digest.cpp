@@ -28,7 +28,7 @@ struct Side {
   SmallTree<Layout::post_indexed> post;
 };
 
-// Static, since the smallest core has no such stack.
+// Static, since the smallest core's stack is too small.
 Side side_a;
 Side side_b;
 PairCursor<uint16_t> stack[2 * kMostTriangles];
@@ -62,7 +62,7 @@ void add_counts(const QueryStats& counts, Hash& hash) {
   hash.add(counts.triangle_pairs);
 }
 
-// What a case needs of the stack is not inlined: the smallest board's holds one at a time.
+// Functions with large frames are not inlined: the smallest board's stack holds one at a time.
 
 template <class Traversal, bool with_contacts = false>
 [[gnu::noinline]] void add_query(const typename Traversal::Tree& a,
@@ -71,7 +71,7 @@ template <class Traversal, bool with_contacts = false>
   Query<Traversal> query(a, b, pose, test::at_roots<Traversal>(stack, 2 * kMostTriangles));
   const auto add_pair = [&](const TrianglePair<uint16_t>& pair) {
     hash.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
-    return !with_contacts;  // a contact is requested between runs: the smallest board's stack
+    return !with_contacts;  // contacts are computed between runs: the smallest board's stack
   };
   Status status = Status::suspended;
   while (status == Status::suspended || status == Status::full) {
@@ -92,8 +92,8 @@ Point any_point(Random& random, int32_t reach) {
   return {x, y, random.between(-reach, reach)};
 }
 
-/// Far along one axis: about where distances begin to place B far, or up to the end of their range
-/// and a little beyond it.
+/// Moves a pose far along one axis: to about the limit from which distances place B far, or to the
+/// end of their range and slightly beyond.
 [[gnu::noinline]] Pose moved_far(Random& random, const Pose& pose) {
   const int32_t most = random.below(3) == 0 ? 50'000 : (1 << 20) + 5'000;
   const Point by = any_point(random, most);
@@ -104,7 +104,7 @@ Point any_point(Random& random, int32_t reach) {
       pose);
 }
 
-/// The distance, seeded by the last one, and the pairs within it and a little more.
+/// The distance, with the last nearest pair as hint, and the pairs within it and slightly more.
 [[gnu::noinline]] void add_distance(const Mesh& a, const Mesh& b, const Pose& pose, uint32_t slice,
                                     Witness<uint16_t>& seed, Hash& hash) {
   uint32_t upper = 0;
@@ -138,8 +138,8 @@ Point any_point(Random& random, int32_t reach) {
   add_counts(query.stats(), hash);
 }
 
-/// Every hit of a ray and the nearest, its crossings, and where it starts: of a mesh that is said
-/// to be closed, which crossings need not be.
+/// All hits of a ray, the nearest one, its crossings, and its start's side, for a mesh marked
+/// closed. The mesh need not be closed for crossings.
 [[gnu::noinline]] void add_ray(const Mesh& mesh, Random& random, int32_t reach, Hash& hash) {
   Mesh closed = mesh;
   closed.is_closed = true;
@@ -162,7 +162,7 @@ Point any_point(Random& random, int32_t reach) {
   hash.add(from.visits);
 }
 
-/// Every traversal, in an order that the value depends on.
+/// Runs every traversal; the hash depends on their order.
 void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
   const PreMeshWithLevels& pre_a = side_a.pre.view();
   const PreMeshWithLevels& pre_b = side_b.pre.view();

@@ -1,5 +1,5 @@
-// One number for thousands of queries: every pair reported, in its order, every count, and under
-// one rule where each pair intersects.
+// One number for thousands of queries: every reported pair, in order, every count, and, with one
+// traversal, each pair's contact.
 #pragma once
 
 #include <stdint.h>
@@ -22,14 +22,14 @@ class Hash {
 };
 
 struct Result {
-  bool is_expected;  ///< by all the sums
+  bool is_expected;  ///< whether all sums have the expected values
   uint32_t cases;    ///< (mesh pair, pose, rule)
   uint32_t pairs;    ///< of triangles that intersect, over all cases
-  uint32_t refused;  ///< trees that check_tree() does not accept: 0
+  uint32_t refused;  ///< trees that check_tree() refuses: 0
 };
 
-/// Takes a sum's name, its value, and what every core and every compiler must get; whether it is
-/// that.
+/// Receives a sum's name, its value, and the value of every core and compiler; returns whether they
+/// are equal.
 using Report = bool(const char* name, uint64_t value, uint64_t expected);
 
 /// Runs the fixed list of cases. About 7 KB of memory, all of it static.

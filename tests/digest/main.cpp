@@ -1,4 +1,4 @@
-// Prints the digest; ends with 0 if it is the one that every core and compiler must get.
+// Prints the digest; exits with 0 if it is the one of every core and compiler.
 #include "digest.hpp"
 
 #include "support/print.hpp"

@@ -1,4 +1,4 @@
-// Random meshes in fixed arrays and poses that translate them against each other.
+// Random meshes in fixed arrays, and poses that move them against each other.
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 namespace digest {
 
-/// How large a mesh is, in cells, and how far poses translate it.
+/// The size of a mesh, in cells, and the largest translation of poses.
 struct Scale {
   int32_t spread;
   int32_t size;
@@ -17,10 +17,10 @@ struct Scale {
 constexpr Scale kScales[] = {
     {3, 2, 2}, {40, 30, 30}, {900, 500, 700}, {16383, 9000, 12000}, {16383, 32766, 30000}};
 
-/// Triangles that share an edge with the one before, now and then; some without area, some twice.
+/// Some triangles share an edge with the previous one; some have no area, some occur twice.
 void make_mesh(flashbvh::test::Random& random, const Scale& scale, SmallMesh& mesh);
 
-/// Now and then a translation.
+/// A random pose, sometimes a translation.
 flashbvh::Pose any_pose(flashbvh::test::Random& random, const Scale& scale);
 
 }  // namespace digest

@@ -22,7 +22,7 @@ uint32_t cut(Shape shape, uint32_t count) {
   }
 }
 
-/// Ids of triangles, from 0 on, and the only shell's vertex.
+/// Ids of triangles, from 0 on, and the vertex of the only shell.
 constexpr uint16_t kIds[kMostTriangles] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13,
                                            14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27};
 
@@ -30,7 +30,7 @@ uint16_t nodes_of(uint32_t leaves) {
   return static_cast<uint16_t>(2 * leaves - 1);
 }
 
-/// 1 to 126: four steps an octave of the sum of extents.
+/// 1 to 126: four steps per octave of the sum of extents.
 uint32_t rank_of(const PackedBox& box) {
   const uint32_t size = extent_x(box) + extent_y(box) + extent_z(box) + 4;
   uint32_t octave = 0;
@@ -60,7 +60,7 @@ PackedBox SmallTree<layout>::box_of(const SmallMesh& mesh, uint32_t first, uint3
   return pack(box);
 }
 
-/// `sibling`: the node of the other child of the parent.
+/// `sibling`: the node of the parent's other child.
 template <Layout layout>
 void SmallTree<layout>::set_node(const SmallMesh& mesh, const Range& range, uint16_t sibling) {
   Node<uint16_t>& node = nodes_[range.node];
@@ -86,7 +86,7 @@ void SmallTree<layout>::set_node(const SmallMesh& mesh, const Range& range, uint
   node.data = static_cast<uint16_t>((own < above ? own : above < 127 ? above : 126u) << 8 | above);
 }
 
-/// Of all triangles, in cells, rounded up.
+/// The longest edge of all triangles, in cells, rounded up.
 uint16_t longest_edge(const SmallMesh& mesh) {
   const auto square = [](int32_t difference) {
     return uint32_t(difference) * uint32_t(difference);
@@ -130,8 +130,8 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
     }
     const auto middle = static_cast<uint16_t>(
         range.first + cut(shape, static_cast<uint32_t>(range.end - range.first)));
-    // Array order is leaf order: the subtree right after its parent, the first child or, in a
-    // post-indexed tree, the last one, takes the leaves that come first.
+    // Nodes and leaves have the same order: the subtree right after its parent takes the first
+    // leaves. It is the first child or, in a post-indexed tree, the last one.
     const auto near = static_cast<uint16_t>(range.node + 1);
     const auto far =
         static_cast<uint16_t>(near + nodes_of(static_cast<uint32_t>(middle - range.first)));

@@ -1,7 +1,7 @@
-// Baked trees made in fixed arrays: no heap, no C++ library, so that the digest runs on the
-// smallest core and on those without C++ headers. Binary, of any shape; both layouts; small.
+// Baked trees in fixed arrays: no heap, no C++ library, so that the digest runs on the smallest
+// core and on cores without C++ headers. Binary, of any form; both layouts; small.
 //
-// An implementation of the layouts of its own: check_tree() proves what it makes.
+// A separate implementation of the layouts: check_tree() verifies its trees.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +14,7 @@ constexpr uint32_t kMostTriangles = 28;
 constexpr uint32_t kMostNodes = 2 * kMostTriangles - 1;
 constexpr uint32_t kMostVertices = 3 * kMostTriangles;
 
-/// Triangles with corners of their own or shared, in any order.
+/// Triangles with own or shared corners, in any order.
 struct SmallMesh {
   flashbvh::Vertex vertices[kMostVertices];
   flashbvh::Corners<uint16_t> triangles[kMostTriangles];
@@ -23,7 +23,7 @@ struct SmallMesh {
   int32_t origin[3];
 };
 
-/// Where a range of n leaves is cut in two.
+/// The division of a range of n leaves into two.
 enum class Shape : uint8_t { halves, thirds, first_alone, last_alone };
 
 /// A tree over a mesh, in the order of its triangles; the mesh outlives it.

@@ -1,5 +1,5 @@
-"""check_headers.py WORK: doxygen reads the public headers' comments without a warning. Every type and every
-function has one; fields, constants and aliases may speak for themselves."""
+"""check_headers.py WORK: doxygen reads the public headers' comments without a warning. Every type and every function
+has a comment; fields, constants and aliases need none."""
 import re
 import shutil
 import subprocess

@@ -1,6 +1,6 @@
-"""check_links.py ROOT    What the documents point at is there: relative links and their anchors, paths of this
-repository between backticks, and sections named behind a document, as in `lib/docs/guide.md`, "Builds".
-What is elsewhere is not fetched.
+"""check_links.py ROOT    Checks the documents' references: relative links and their anchors, paths of this repository
+between backticks, and sections named after a document, as in `lib/docs/guide.md`, "Builds". External links are not
+fetched.
 """
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 PATH = re.compile(r"`((?:\./)?(?:lib|ports|tools|tests|firmware_examples|\.github)/[A-Za-z0-9_./\-]+)(?::\d+)?`")
-# Several sections may be named.
+# A reference may name several sections.
 SECTION = re.compile(r'`([A-Za-z0-9_./\-]+\.md)`[,:]? (?:section )?((?:"[^"]+"(?:, | and )?)+)')
 
 
@@ -24,7 +24,7 @@ def headings(document: Path) -> list[str]:
 
 
 def sections(document: Path) -> list[str]:
-    """Headings without their numbers, and what paragraphs begin with in bold."""
+    """Headings without their numbers, and the bold beginnings of paragraphs."""
     bold = re.findall(r"\*\*([^*]+?)\.?\*\*", without_code(document.read_text()))
     return [re.sub(r"^\d+\. ", "", title) for title in headings(document)] + bold
 
@@ -34,7 +34,7 @@ def anchor_of(title: str) -> str:
 
 
 def find(root: Path, document: Path, name: str) -> Path | None:
-    """Next to the document, at the root, or among the documents, as `guide.md` is from `design.md`."""
+    """Finds a file next to the document, at the root, or among the documents, as `guide.md` from `design.md`."""
     candidates = (document.parent / name, root / name, root / "lib/docs" / name)
     return next((path for path in candidates if path.exists()), None)
 

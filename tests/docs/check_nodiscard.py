@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-# check_nodiscard.py CLANG INCLUDE_FOLDER    No public function's status, verdict or outcome can be
-# dropped without a warning: each that returns one, or a struct with one, is marked, or its type is.
-# clang's syntax trees of all public headers, C++ and C, say which there are.
+# check_nodiscard.py CLANG INCLUDE_FOLDER    Checks that dropping a public function's status, verdict or outcome gives
+# a warning: each function that returns one, or a struct with one, is marked, or its type is. The functions are taken
+# from clang's syntax trees of all public headers, C++ and C.
 import json
 import pathlib
 import re
@@ -9,15 +9,15 @@ import subprocess
 import sys
 import tempfile
 
-# Where dropping is safe, since the error stays in the object: in a pose or a motion, with which each
-# query then ends; in a query, a guard or a workcell, whose later calls report it.
+# Results that may be dropped, since the error stays in the object: in a pose or a motion, with which each query then
+# ends; in a query, a guard or a workcell, whose later calls report it.
 STICKY = {"flashbvh_" + name for name in (
     "pose_composed", "pose_inverse", "pose_of_matrix", "pose_of_quaternion", "pose_relative",
     "pose_rigid", "pose_translated", "relative_pose",
     "body_motion_between", "body_motion_of_moves", "body_motion_pose", "first_contact_start",
     "query_start", "within_start", "clearance_start", "self_query_start", "self_within_start",
     "guard_init", "motion_init", "motion_start", "workcell_init")}
-# A query's state: no function returns it.
+# A query's state, which no function returns.
 MEMORY = {"MotionCore", "MotionStateOf"}
 CARRIED_FIELDS = {"status", "verdict", "outcome"}
 SEEDS = {"Status", "Verdict", "MotionOutcome", "ContactOutcome"}
@@ -38,7 +38,7 @@ def is_marked(node):
 
 
 def declarations(node, scope=(), access="public"):
-    """All that is public, whatever templates and namespaces it is in, but for detail's."""
+    """All public declarations in any template or namespace, except detail's."""
     for child in node.get("inner", []):
         kind, name = child.get("kind"), child.get("name", "")
         if kind == "AccessSpecDecl":
@@ -57,7 +57,7 @@ def declarations(node, scope=(), access="public"):
 
 
 def base_name(written):
-    """Of a type: without qualifiers, scopes and template arguments."""
+    """A type's name without qualifiers, scopes and template arguments."""
     plain = re.sub(r"<.*>", "", written)
     plain = re.sub(r"\b(const|volatile|struct|enum|class|typename)\b|&&?", "", plain)
     return plain.strip().split("::")[-1].strip()
@@ -77,7 +77,7 @@ def aliases_in(found):
 
 
 def carriers_of(found, seeds):
-    """Names of types with a status in a public field, and of those with such a one."""
+    """Names of types with a public field that is a status, or of such a type."""
     fields = {alias: [(None, kind)] for alias, kind in aliases_in(found).items()}
     for node, scope in found:
         if node["kind"] == "FieldDecl" and scope:

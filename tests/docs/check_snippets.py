@@ -1,5 +1,5 @@
-"""check_snippets.py: the C++ and C that README.md and the guide show are lines of programs that the tests compile, and
-the guide names each status."""
+"""check_snippets.py: the C++ and C in README.md and the guide are lines of programs that the tests compile, and the
+guide names each status."""
 import re
 import sys
 from pathlib import Path

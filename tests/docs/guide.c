@@ -1,4 +1,4 @@
-/* The guide's C: the same in C99. */
+/* The guide's examples in C99. */
 #include <flashbvh/clearance.h>
 #include <flashbvh/ray.h>
 #include <flashbvh/shape.h>
@@ -112,7 +112,7 @@ static verdict verdict_at(float height, float mm[3]) {
   return answer;
 }
 
-/** The cable touches 1.9 mm above the plate, not 2.1. */
+/** The cable touches the plate at 1.9 mm above it, not at 2.1 mm. */
 static bool cable_is_right(void) {
   const int32_t low = (int32_t)(1.9f * plate_CELLS_PER_UNIT);
   const int32_t high = (int32_t)(2.1f * plate_CELLS_PER_UNIT);
@@ -128,7 +128,7 @@ static bool cable_is_right(void) {
   return touches && !cable_touches_plate(&axis, &pose);
 }
 
-/** 12 mm above the plate, and next to it. */
+/** Sensors 12 mm above the plate, and next to it. */
 static bool ray_is_right(void) {
   const float above[3] = {30, 20, 12};
   const float beside[3] = {300, 20, 12};

@@ -1,4 +1,4 @@
-// The guide's C++, and the README's: a peg that is about to be moved above a plate.
+// The C++ of the guide and of the README: a peg that is about to move above a plate.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/float.hpp>
 #include <flashbvh/image.hpp>
@@ -29,7 +29,7 @@ flashbvh::Pose peg_in_plate(const flashbvh::Pose& plate_in_world, const flashbvh
   return flashbvh::Pose::relative(plate_in_world, peg_in_world);
 }
 
-// The README's lines.
+// The README's examples.
 
 /// May the peg go there? Exact, for the two solids; an error is no permission to move on.
 bool may_go(const flashbvh::Pose& peg_in_plate) {
@@ -237,7 +237,7 @@ bool drive(const flashbvh::Frame& cart_at, uint32_t moved) {
   return cell.move(cart_link, cart_at, moved) == flashbvh::Status::done;
 }
 
-/// The verdict with the peg upright at this height; where it stops, the contact's is written.
+/// The verdict with the peg upright at this height; on a stop, gets the contact's height.
 Verdict verdict_at(float height, float& mm, int64_t& nm) {
   const flashbvh::Pose world = flashbvh::Pose::translated(0, 0, 0);
   Check check(peg_in_plate(world, {1, 0, 0, 0}, 0, 0, height));

@@ -1,4 +1,4 @@
-"""guide.py WORK FLASHBVH: the guide's commands, one after the other."""
+"""guide.py WORK FLASHBVH: runs the guide's commands in order."""
 import os
 import re
 import shutil

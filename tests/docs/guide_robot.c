@@ -1,4 +1,4 @@
-/* The guide's C of robots, with the arm of firmware_examples/robot_guard. */
+/* The guide's robot examples in C, with the arm of firmware_examples/robot_guard. */
 #include <flashbvh/robot.h>
 
 #include "c_arm.robot.h"

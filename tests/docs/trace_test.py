@@ -1,4 +1,4 @@
-"""Each gap in the safety manual's requirements is found: on copies of the manual that are changed in one place."""
+"""Finds each gap in the safety manual's requirements, on copies of the manual with one change each."""
 import pathlib
 import re
 import sys
