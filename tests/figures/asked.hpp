@@ -1,4 +1,4 @@
-// The queries that the figures are about: two meshes, a pose, and what it is known to count.
+// The queries behind the figures: two meshes, a pose, and its known counts.
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 namespace figures {
 
-/// How near two meshes are, in the words of the paper's section 9.1.
+/// The proximity of two meshes, in the terms of the paper's section 9.1.
 enum class Proximity : uint8_t {
   separated,     ///< the boxes of the roots are disjoint: one visit decides
   small,         ///< they overlap, at most kFewLeafPairs pairs of leaves do, no triangles intersect
@@ -23,8 +23,8 @@ constexpr uint32_t kFewLeafPairs = 10;
 /// Poses of one class under one kind of motion, for one pair of meshes.
 constexpr uint32_t kPosesOfPair = 16;
 
-/// A pose, made of integers so that it is the same everywhere, and the counts of its query by
-/// `ranked`, for every core to repeat.
+/// A pose, in integers so that it is equal everywhere, and the counts of its query by `ranked`,
+/// which every core must repeat.
 struct Asked {
   int16_t quaternion[4];  ///< w, x, y, z, of any length; 1 0 0 0 for a translation
   int32_t cells[3];
@@ -34,7 +34,7 @@ struct Asked {
   uint32_t work;
 };
 
-/// Two meshes and their poses: translated only, and rotated, too.
+/// Two meshes and their poses: translations, and rotations.
 struct AskedPair {
   const char* a_name;
   const char* b_name;
@@ -54,8 +54,8 @@ inline flashbvh::Pose pose_of(const Asked& asked) {
                                asked.cells);
 }
 
-/// Calls `ask(pair, pose, motion, proximity)` for each pose of each pair: MOTION is translated or
-/// rotated. Returns whether all calls do.
+/// Calls `ask(pair, pose, motion, proximity)` for each pose of each pair; MOTION is translated or
+/// rotated. Returns whether all calls return true.
 template <class Ask>
 bool ask_all(const Ask& ask) {
   bool right = true;

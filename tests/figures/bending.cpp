@@ -1,5 +1,5 @@
-// A sheet of 1,012 triangles that bends: what a refit takes, and questions about itself, flat and
-// crumpled.
+// A deformable sheet of 1,012 triangles: the costs of a refit, and of queries against itself, flat
+// and crumpled.
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/self.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 const Mesh sheet = view_unchecked<Mesh>(sheet_image);
 
-// Static, since the smallest board has no such stack.
+// Static, since the smallest board's stack is too small.
 Node<uint16_t> nodes[sheet_NODE_COUNT];
 Vertex vertices[sheet_VERTEX_COUNT];
 

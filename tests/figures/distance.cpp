@@ -1,5 +1,5 @@
-// Distances of the KR5's links in the poses of kr5.cpp: cold, and with the witness of the pose
-// before, 10 cells away, as a hint. Ends with 1 if both differ.
+// Distances of the KR5's links in the poses of kr5.cpp: without a hint, and with the witness of a
+// pose 10 cells away as a hint. Exits with 1 if the two differ.
 #include "flashbvh/clearance.hpp"
 
 #include "asked.hpp"
@@ -17,7 +17,7 @@ Name part(const char* what, const char* motion) {
   return {{"distance", what, motion}};
 }
 
-/// A question whose tests are measured, but for those without a name.
+/// A predicate whose tests are measured if it has a name.
 template <class Predicate>
 struct Timed : Predicate {
   const Name* name = nullptr;
@@ -36,8 +36,8 @@ void run_all(const AskedPair& pair, const Pose& pose, const Predicate& question)
   (void)query.run(UINT32_MAX, [](const TrianglePair<uint16_t>&) { return true; });
 }
 
-/// Two triangles as queries come to them: within the distance, and whether they may be nearer than
-/// the nearest.
+/// Tests of pairs of triangles that queries reach: within the distance, and possibly nearer than
+/// the nearest pair.
 void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t>& known,
                const char* motion) {
   const Name of_within = part("within", motion);
@@ -77,7 +77,7 @@ Walked walk_within(const AskedPair& pair, const Transform& transform, const With
   return measure_walk(bound, shapes, no_leaf_pair);
 }
 
-/// Walks alone, of pairs within the distance.
+/// Walks without triangle tests, over pairs within the distance.
 void add_walks(const AskedPair& pair, const Pose& pose, uint32_t distance, const char* motion) {
   Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
   transform.prepare(*pair.b);

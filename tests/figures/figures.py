@@ -1,14 +1,14 @@
-"""figures.py COMMAND: what queries cost on each core.
+"""figures.py COMMAND: the costs of queries on each core.
 
-    run OUTPUT PROGRAM...     runs programs that measure, by the command in RUN if they are firmware, and writes
-                              what they print (results.py) to OUTPUT. Fails if one of them does
+    run OUTPUT PROGRAM...     runs measuring programs, by the command in RUN if they are firmware, and writes their
+                              output (results.py) to OUTPUT. Fails if a program does
     cycles CORE FOLDER PROGRAM...   runs them with QEMU's options in CYCLES, by which they count cycles, and writes
-                              what they print to FOLDER; by each model that runs the core's code
-    hold OUTPUT...            holds what programs printed, those OUTPUTs that exist, against budgets.csv; lists
-                              figures that differ by more than 2 %, either way, and counts that differ at all,
-                              and fails
+                              their output to FOLDER; for each model that runs the core's code
+    hold OUTPUT...            compares those OUTPUTs of programs that exist with budgets.csv; lists figures that
+                              differ by more than 2 %, either way, and counts that differ at all, and fails if
+                              there are any
     pages [--check]           writes the tables of README.md and lib/docs/*.md that show budgets.csv (pages.py);
-                              --check fails if that would change them
+                              --check fails if this would change them
     measure MODE URDF NATIVE [PRESET...]    see tools/figures.sh
 """
 import difflib
@@ -25,14 +25,14 @@ from results import ALL, BUDGETS, CYCLES, Refused, budgets, cycles, measured_in
 DOCS = ROOT / "lib/docs"
 SHIPPED = ROOT / "proofs/time/shipped.py"
 COSTS = ROOT / "lib/include/flashbvh/plain"
-# The presets of cores whose manuals have cycles.
+# The presets of cores whose manuals state cycles.
 MODELLED = "cortex-m0", "cortex-m3", "cortex-m4f"
-# The columns of cycles.csv that run a core's code, and what the plugin is given in addition: the core without
-# wait states, and parts with flash that waits.
+# The columns of cycles.csv that run a core's code, with the plugin's additional options: the core without wait states,
+# and parts whose flash has wait states.
 MODELS = {"Cortex-M0": {"Cortex-M0": "", "Cortex-M0+": ",core=cortex-m0plus",
                         "RP2040": ",core=cortex-m0plus,flash=rp2040-xip"},
           "Cortex-M4F": {"Cortex-M4F": "", "STM32F4": ",flash=stm32f4-5ws"}}
-# What measures: the figures, the memory (proofs/stack) and the bounds (proofs/time).
+# The measuring tests: the figures, the memory (proofs/stack) and the bounds (proofs/time).
 TESTS = "figures: .* measured|memory, and both stacks|bound: (no (run|period) takes more|the most cycles)"
 
 
@@ -56,14 +56,14 @@ def run(output, *programs, folder=None, **environment):
 def count_cycles(core, results, *programs):
     for model, options in MODELS.get(core, {core: ""}).items():
         output = Path(results) / f"{model}.txt"
-        # The plugin leaves what it counts in the folder.
+        # The plugin writes its counts to the folder.
         with tempfile.TemporaryDirectory() as folder:
             run(output, *programs, folder=folder, FLASHBVH_QEMU_OPTIONS=os.environ["CYCLES"] + options)
         output.write_text(output.read_text().replace(f"core {core}\n", f"core {model}\n"))
 
 
 def held(measured):
-    """Prints which budgets are not kept; whether all are."""
+    """Prints the exceeded budgets; returns whether there are none."""
     book = budgets()
     complaints = list(book.complaints(measured))
     print("".join(f"{line}\n" for line in complaints), end="")
@@ -77,7 +77,7 @@ def hold(*files):
 
 
 def write_pages(check):
-    """Writes the pages, or prints how they differ; whether none does."""
+    """Writes the pages, or prints how they differ; returns whether none does."""
     books, good = {"figures": budgets(), "cycles": cycles()}, True
     for page in [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]:
         old = page.read_text()
@@ -94,7 +94,7 @@ def write_pages(check):
 
 
 def texts_of(preset):
-    """What measured programs printed in its build folder; the core first."""
+    """The output of measuring programs in the preset's build folder; the core comes first."""
     build = BUILD / preset
     files = [*sorted((build / "figures").glob("*.txt")), *(build / f"{name}.txt" for name in (
         "memory", "bound", "bound_measured", "bound_guard", "bound_guard_measured")), *([FOLDER / "host.txt"] if preset == "native" else [])]
@@ -113,7 +113,7 @@ def table_of(measured):
 
 
 def write(measured):
-    """The budgets, the pages, and the constants of the library that are proven."""
+    """Writes the budgets, the pages, and the library's proven constants."""
     book = budgets()
     book.update(measured)
     BUDGETS.write_text(book.text())
@@ -128,7 +128,7 @@ def write(measured):
 
 
 def show_cycles(book):
-    """What cycles.csv holds, next to the instructions of budgets.csv."""
+    """The figures of cycles.csv, next to the instructions of budgets.csv."""
     instructions, columns = budgets(), []
     for core in book.columns:
         columns += [(core, instructions)] * (core in instructions.columns) + [(core, book)]
@@ -138,7 +138,7 @@ def show_cycles(book):
 
 
 def same_answers(preset, measured):
-    """Refuses counts that differ from those of budgets.csv: the model changes no answer."""
+    """Refuses counts that differ from budgets.csv: the model must not change an answer."""
     book = budgets()
     for (core, name), value in measured.items():
         if core == ALL and name in book.rows and value != book.value(ALL, name):
@@ -174,7 +174,7 @@ def measure(mode, urdf, native, *presets):
     print(table_of(measured))
     if mode == "write":
         write(measured)
-    # After writing, too: two boards may have one core.
+    # Also after writing: two boards may have one core.
     good = [held(measured_in(texts_of(preset))) for preset in presets] if mode != "print" else []
     return all(good) and write_pages(check=True)
 

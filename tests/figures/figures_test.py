@@ -1,4 +1,4 @@
-"""What `hold` lets pass and what it does not, how budgets are rewritten, and tables; of figures made up here."""
+"""Accepted and refused figures of `hold`, rewritten budgets, and tables, for invented figures."""
 import unittest
 
 import pages
@@ -18,7 +18,7 @@ def measured(*lines):
 
 class FiguresTest(unittest.TestCase):
     def expect(self, said, *lines):
-        """What the budgets report about these measurements."""
+        """The budgets' complaints about these measurements."""
         self.assertEqual(list(Budgets(BUDGETS).complaints(measured(*lines))), said, lines)
 
     def test_near_the_budgets(self):
@@ -54,7 +54,7 @@ class FiguresTest(unittest.TestCase):
         figures = measured(*lines("lump", "gear", "kr5", "spindle"))
         self.assertEqual((figures["M4", "meshes.rotated.close.query.mean"],
                           figures["M4", "meshes.rotated.close.query.worst"]), ("16", "31"))
-        # A mean of some of them would be another figure.
+        # A mean of only some of the meshes would be a different figure.
         self.assertFalse([name for _, name in measured(*lines("lump", "gear", "kr5")) if name.startswith("meshes")])
 
     def test_update(self):

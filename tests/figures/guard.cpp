@@ -1,5 +1,5 @@
 // The guard of the KR5 at 1 kHz: 20 s of motion at half of the joints' top speed and at a tenth,
-// and motions certified. Ends with 1 if the guard stops a period on a certified motion.
+// and certified motions. Exits with 1 if the guard stops a period of a certified motion.
 #include "flashbvh/robot/guard.hpp"
 
 #include "flashbvh/robot/image.hpp"
@@ -16,14 +16,14 @@ namespace {
 constexpr uint64_t kSeed = 20261121;
 constexpr uint32_t kPeriods = 20000;
 constexpr uint32_t kMotions = 64;
-/// Granted each period.
+/// The work budget of each period.
 constexpr uint32_t kWork = 680;
 
 constexpr uint32_t kJoints = kr5_arm_JOINT_COUNT;
 using MotionState = MotionStateOf<kr5_arm_VARIABLE_COUNT, kJoints>;
 
-// Units of a joint's coordinate in a period at top speed: 375, 300, 375, 410, 410 and 660 degrees a
-// second.
+// Units of a joint's coordinate per period at top speed: 375, 300, 375, 410, 410 and 660 degrees
+// per second.
 constexpr int32_t kTop[kJoints] = {279620, 223696, 279620, 305719, 305719, 492132};
 
 Mesh meshes[kr5_arm_LINK_COUNT];
@@ -31,11 +31,11 @@ const Robot robot = view_robot_unchecked(kr5_arm_robot_image, meshes);
 GuardStateOf<kr5_arm_JOINT_COUNT, kr5_arm_PAIR_COUNT, kr5_arm_PAIR_JOINT_COUNT> guard_memory;
 MotionState motion_memory;
 
-/// Cubic motions of an arm between random places, on which no links intersect. In integers, so that
-/// every core and the host see the same.
+/// Cubic motions of an arm between random poses, during which no links intersect. Computed in
+/// integers, so every core and the host run equal motions.
 class Motions {
  public:
-  /// `percent`: of the top speed of the joint that takes longest; the others take as long.
+  /// `percent`: of the top speed of the slowest joint; the other joints take equally long.
   explicit Motions(uint32_t percent) : percent_(percent) {}
 
   /// Where the arm begins, at 0.
@@ -85,7 +85,7 @@ class Motions {
   uint32_t at_ = 0;
 };
 
-/// What 999 of 1,000 periods stay below.
+/// The number of instructions that 999 of 1,000 periods do not exceed.
 class Thousandth {
  public:
   void add(uint32_t instructions) {
@@ -107,8 +107,8 @@ class Thousandth {
   uint16_t buckets_[kBuckets] = {};
 };
 
-/// What a period takes by the work that it spends: the straight line of the least squares through
-/// all that spend some, and the mean of those that spend none.
+/// The cost of a period by its work: the least-squares line through all periods with work, and the
+/// mean of those without.
 class PeriodCosts {
  public:
   void add(uint32_t work, uint32_t instructions) {
@@ -124,13 +124,13 @@ class PeriodCosts {
     products_ += int64_t{work} * instructions;
   }
 
-  /// A period that spends no work.
+  /// The cost of a period without work.
   uint32_t pass() const { return static_cast<uint32_t>(of_passes_ / passes_); }
   uint32_t hundred_work() const {
     return static_cast<uint32_t>((walks_ * products_ - work_ * of_walks_) * 100 /
                                  (walks_ * squares_ - work_ * work_));
   }
-  /// What a period that spends work takes in addition to the pass and its work.
+  /// The cost of a period with work, in addition to the pass and the work.
   uint32_t walk() const {
     const int64_t of_work = work_ * hundred_work() / 100;
     return static_cast<uint32_t>((of_walks_ - of_work) / walks_ - pass());
@@ -146,7 +146,7 @@ class PeriodCosts {
   int64_t products_ = 0;  ///< of work and instructions
 };
 
-/// Returns whether the guard stopped no period.
+/// Returns whether the guard stops no period.
 bool guard_motions(const char* name, uint32_t percent, PeriodCosts& costs) {
   Motions motions(percent);
   Guard guard(robot, guard_memory);
@@ -170,7 +170,7 @@ bool guard_motions(const char* name, uint32_t percent, PeriodCosts& costs) {
   return good;
 }
 
-/// Each joint moves by up to 1 radian; those that are free. Returns whether some are.
+/// Certifies motions of up to 1 radian per joint. Returns whether some are free.
 bool certify_motions() {
   constexpr int32_t radian = 42722830;
   test::Random random(kSeed);
@@ -213,7 +213,7 @@ void measure_standing() {
   add_figure({{"guard", "state"}}, sizeof guard_memory);
 }
 
-/// `flashbvh guard --core` estimates other robots' periods from these.
+/// Figures from which `flashbvh guard --core` estimates other robots' periods.
 void add_costs(const PeriodCosts& costs) {
   print_count({{"guard", "joints"}}, robot.joint_count);
   print_count({{"guard", "pairs"}}, robot.pair_count);

@@ -1,5 +1,5 @@
-// The links of a KUKA KR5, pair by pair, in the poses that write_poses found for four classes of
-// proximity. Ends with 1 if a query counts anything else than on the host.
+// The links of a KUKA KR5, pair by pair, in the poses of write_poses for four classes of proximity.
+// Exits with 1 if a query's counts differ from the host's.
 #include "asked.hpp"
 #include "measure.hpp"
 
@@ -18,7 +18,7 @@ bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const ch
          counts.leaf_pairs == asked.leaf_pairs && counts.triangle_pairs == asked.triangle_pairs;
 }
 
-/// What it takes to have a pose: made of integers, and made of two others.
+/// The cost of a pose made of integers, and of one composed of two others.
 void measure_poses() {
   for (uint32_t p = 0; p < kAskedPairCount; ++p) {
     const Pose other = pose_of(kAskedPairs[p].rotated[1][0]);

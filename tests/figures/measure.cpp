@@ -11,7 +11,7 @@ namespace {
 constexpr auto kEveryPair = [](const PairQuery::Pair&) { return true; };
 constexpr auto kNoLeafPair = [](uint32_t, uint32_t) {};
 
-/// One visit, if the roots alone show that the meshes are disjoint.
+/// Returns one visit if the roots alone show that the meshes are disjoint.
 template <class Shapes, class LeafPair>
 Walked walk_pose(const Mesh& a, const Mesh& b, const Pose& pose, const LeafPair& leaf_pair) {
   Transform transform(pose, a, b, /*may_stop=*/true);
@@ -29,7 +29,7 @@ Walked walk_pose(const Mesh& a, const Mesh& b, const Pose& pose, const LeafPair&
   return measure_walk(transform.translated().bound, shapes, leaf_pair);
 }
 
-/// Leaves whose slabs are made twice, or counted: what that takes more is what they take.
+/// Leaf planes whose slabs are computed twice, or counted: the difference is the slabs' cost.
 template <bool kCounted>
 class MadeTwice : public LeafPlanes<Mesh> {
  public:
@@ -51,7 +51,7 @@ class MadeTwice : public LeafPlanes<Mesh> {
 template <bool kCounted>
 uint32_t MadeTwice<kCounted>::slabs;
 
-/// Of a walk of more than one visit; returns it.
+/// Adds the parts of a walk of more than one visit; returns the walk.
 Walked add_walks(const Asking& asking, const Mesh& a, const Mesh& b, const Pose& pose) {
   const Walked all = walk_pose<LeafPlanes<Mesh>>(a, b, pose, kNoLeafPair);
   if (all.visits > 1) {
@@ -78,9 +78,9 @@ bool add_query(const Asking& asking, const Mesh& a, const Mesh& b, const Pose& p
     status = query.run(UINT32_MAX, kEveryPair).status;
   });
   (void)add_first(asking, a, b, pose);
-  // Its counts from another run: a user of the first would not copy them.
+  // Counts come from another run: a caller of the first run would not copy them.
   PairQuery query(a, b, pose);
-  constexpr uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
+  constexpr uint32_t kGranted = UINT32_MAX - 1;  // which counts as a limit
   work = query.run(kGranted, kEveryPair).work;
   counts = query.stats();
   add_count(asking.whole("visits"), counts.visits);

@@ -1,4 +1,4 @@
-// Instructions of a query and its parts, counted on the target.
+// Instructions of a query and of its parts, counted on the target.
 #pragma once
 
 #include <stdint.h>
@@ -8,8 +8,8 @@
 
 namespace figures {
 
-/// Leaves that reject all that is below them: what is left of a walk is its visits to pairs of
-/// nodes that are no leaves, and to the first pair with one.
+/// Leaf planes that reject everything: a walk then visits only pairs of inner nodes, and the first
+/// pair with a leaf.
 struct NothingBelow {
   using Tree = flashbvh::Mesh;
   static constexpr bool kShapes = true;
@@ -36,8 +36,8 @@ struct Walked {
   uint32_t instructions;
 };
 
-/// The walk alone, from the first visit to the last, slabs made, the preparation left out.
-/// `leaf_pair(i, j)` is called at each pair of leaves.
+/// The walk alone, from the first visit to the last, slabs included, without the preparation. Calls
+/// `leaf_pair(i, j)` at each pair of leaves.
 template <class Shapes, class BoxTest, class LeafPair>
 Walked measure_walk(const BoxTest& bound, Shapes& shapes, const LeafPair& leaf_pair) {
   using Cursor = flashbvh::detail::PairCursor<uint16_t>;
@@ -57,7 +57,7 @@ Walked measure_walk(const BoxTest& bound, Shapes& shapes, const LeafPair& leaf_p
   return walked;
 }
 
-/// What a set of figures is of: names are SET.MOTION.PROXIMITY.WHAT and SET.PART.MOTION.
+/// The subject of a set of figures: names are SET.MOTION.PROXIMITY.WHAT and SET.PART.MOTION.
 struct Asking {
   const char* set;
   const char* motion;
@@ -67,8 +67,8 @@ struct Asking {
   Name part(const char* what) const { return {{set, what, motion}}; }
 };
 
-/// Adds a search for one pair (`first`), and if there is one, the same with it as hint (`held`).
-/// Returns whether there is one.
+/// Adds a search for one pair (`first`) and, if there is one, a search with this pair as hint
+/// (`held`). Returns whether there is one.
 inline bool add_first(const Asking& asking, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                       const flashbvh::Pose& pose) {
   bool yes = false;
@@ -80,15 +80,15 @@ inline bool add_first(const Asking& asking, const flashbvh::Mesh& a, const flash
   return yes;
 }
 
-/// Adds a whole query (`query`), one to its first pair (add_first()), what they count, and its
-/// parts: `visit`, outside the leaf phase; `leaf_visit`, in it, slabs and all; `slab`: a slab, and
-/// taking the leaf; `start`: a query made and its first visit; `leaf_pair`: what a pair of leaves
-/// adds. Returns whether the query and the walks agree.
+/// Adds a whole query (`query`), one to its first pair (add_first()), their counts, and their
+/// parts: `visit`, outside the leaf phase; `leaf_visit`, in it, with slabs; `slab`: a slab, and
+/// loading the leaf; `start`: preparing a query and its first visit; `leaf_pair`: the additional
+/// cost of a pair of leaves. Returns whether the query and the walks agree.
 bool add_query(const Asking& asking, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                const flashbvh::Pose& pose, flashbvh::QueryStats& counts, uint32_t& work);
 
-/// Adds SET.triangle_test: the exact test, without transforming, of each pair of triangles that the
-/// query comes to.
+/// Adds SET.triangle_test: the exact test, without the transform, of each pair of triangles that
+/// the query reaches.
 void add_triangle_tests(const char* set, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                         const flashbvh::Pose& pose);
 

@@ -1,5 +1,4 @@
-// Collisions of meshes that are no robot's. Ends with 1 if a query counts anything else than on the
-// host.
+// Collisions of meshes other than robots. Exits with 1 if a query's counts differ from the host's.
 #include "flashbvh/collide.hpp"
 
 #include "others.hpp"

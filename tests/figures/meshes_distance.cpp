@@ -1,5 +1,5 @@
-// Distances of meshes that are no robot's, where they do not intersect. Ends with 1 if a hint
-// changes one.
+// Distances of meshes other than robots, where they do not intersect. Exits with 1 if a hint
+// changes a distance.
 #include "flashbvh/clearance.hpp"
 
 #include "others.hpp"

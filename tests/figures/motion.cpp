@@ -1,5 +1,5 @@
-// Motions of the KR5's links through the poses of kr5.cpp in which they are near: 100 cells each, B
-// straight, and turning.
+// Motions of the KR5's links through the near poses of kr5.cpp: 100 cells each, B straight, and
+// turning.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 
@@ -19,7 +19,7 @@ Pose moved(const Asked& asked, int32_t by) {
   return pose_of(at);
 }
 
-/// About an axis through the middle of B's box, by a turn that moves its corners by the way.
+/// A turn about an axis through the middle of B's box that moves its corners by kWay.
 Move turn_of(const Mesh& b, const Pose& pose) {
   const Box box = unpack(b.nodes[0].box);
   const int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
@@ -41,7 +41,8 @@ Move turn_of(const Mesh& b, const Pose& pose) {
   return move;
 }
 
-/// A motion, and the distance in its middle, with the nearest pair a tenth of the way before.
+/// Certifies a motion, and measures the distance in its middle, with the nearest pair of a tenth of
+/// the motion before as hint.
 void certify(const AskedPair& pair, const BodyMotion& motion, const char* pose_kind,
              const char* proximity, const char* kind) {
   const Pose before = motion.pose_at(kMotionEnd / 10 * 4);

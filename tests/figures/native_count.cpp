@@ -1,4 +1,4 @@
-// On this machine no instructions are counted.
+// This machine counts no instructions.
 #include "insn.hpp"
 
 namespace port {

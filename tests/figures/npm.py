@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""npm.py: prints how many KB the modules of the npm package take, NPM_LIBRARY: each file, and compressed."""
+"""npm.py: prints the sizes in KB of the modules of the npm package NPM_LIBRARY: each file, and compressed."""
 import gzip
 import os
 from pathlib import Path

@@ -1,4 +1,4 @@
-// Meshes that are no robot's, pair by pair, as callers query them: from the pose to the result.
+// Meshes other than robots, pair by pair, as callers query them: from the pose to the result.
 #pragma once
 
 #include "asked.hpp"
@@ -6,8 +6,8 @@
 
 namespace figures {
 
-/// Calls `add(asking, pair, asked)` for each pose in turn; what main() returns: 1 if one of them is
-/// not right. `set`: of the digest.
+/// Calls `add(asking, pair, asked)` for each pose in turn. Returns main()'s status: 1 if a call
+/// returns false. `set`: the name of the digest's set.
 template <class Add>
 int measure_others(const char* set, const Add& add) {
   constexpr bool kRotated[] = {false, true};

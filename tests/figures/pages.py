@@ -2,10 +2,10 @@
 
 A comment above a table names the figure of each row, with braces as in a shell, but for blanks after commas:
     <!-- figures kr5.rotated.{small, close}.query.{mean, max} -->
-The cells below a core's name are its figures, those below `every core` are counts. Names after a colon are
-those of the last columns, all of them counts:
+Cells below a core's name are its figures; cells below `every core` are counts. Names after a colon give the last
+columns, all of which are counts:
     <!-- figures leaf.{1,2,4}: flash work.close.mean work.close.max -->
-All other cells, the first of each row among them, are text, and stay.
+All other cells, with the first of each row, are text, and stay unchanged.
 """
 import re
 
@@ -17,7 +17,7 @@ EVERY_CORE = "every core"
 
 
 def expanded(word):
-    """a.{b,c} as a.b, a.c."""
+    """Expands a.{b,c} to a.b, a.c."""
     braces = re.search(r"\{([^{}]*)\}", word)
     if not braces:
         return [word]
@@ -26,12 +26,12 @@ def expanded(word):
 
 
 def grouped(text):
-    """With commas from 10,000 on; a dash for nothing."""
+    """The number with commas from 10,000 on; a dash for an empty text."""
     return f"{int(text):,}" if text.isdecimal() and int(text) >= 10000 else text or "-"
 
 
 def lines_of(rows):
-    """The lines of a table with a head: the first column left, the others right."""
+    """The lines of a table with a head: the first column aligned left, the others right."""
     widths = [max(map(len, column)) for column in zip(*rows)]
 
     def line(cells):
@@ -66,7 +66,7 @@ def table_of(books, found):
 
 
 def rewritten(books, text):
-    """The text of a page, its tables of figures made again. `books`: the budgets by a comment's first word."""
+    """A page's text with rewritten tables of figures. `books`: the budgets by a comment's first word."""
     new, tables = TABLE.subn(lambda found: table_of(books, found), text)
     if tables != len(MARK.findall(text)):
         raise Refused("a comment `<!-- figures` or `<!-- cycles` without a table")

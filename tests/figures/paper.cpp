@@ -1,8 +1,8 @@
-// The paper's evaluation, section 9, on a microcontroller: instructions instead of seconds, of each
+// The paper's evaluation, section 9, on a microcontroller: instructions instead of seconds of each
 // algorithm in each setup of this image, as paper.SETUP.ALGORITHM.WHAT.
 //
-// Ends with 1 if the algorithms disagree about a setup, a query does not finish, or `ranked` takes
-// 0.85 of the instructions of `volume-stack` in a setup, or 1.02 of those of `ranked-stack` in all.
+// Exits with 1 if the algorithms disagree about a setup, a query does not finish, or `ranked` needs
+// 0.85 of the instructions of `volume-stack` in a setup, or 1.02 of `ranked-stack` in all setups.
 #include <string.h>
 
 #include "reference/levels.hpp"
@@ -18,9 +18,10 @@ using namespace flashbvh::detail;
 namespace benchmark {
 namespace {
 
-/// Setups of fewer visits say nothing about the loop.
+/// Setups with fewer visits do not measure the loop.
 constexpr uint32_t kMostVisitsOfSeparated = 10;
-/// Room for the stack of every setup, which is checked: stack algorithms trust their array.
+/// Stack entries for every setup; the program checks this, since stack traversals trust their
+/// array.
 constexpr uint32_t kStackEntries = 64;
 
 struct Counted {
@@ -35,7 +36,7 @@ typename Traversal::Cursor start() {
   return test::at_roots<Traversal>(entries, kStackEntries);
 }
 
-/// Goes on at each pair of leaves. Holds the count itself: what a walk knows of it is one address.
+/// Continues at each pair of leaves. Holds the count itself, so that a walk needs only one address.
 struct LeafCounter {
   mutable uint32_t count = 0;
   bool operator()(uint32_t /*node_a*/, uint32_t /*node_b*/, const Progress& /*progress*/) const {
@@ -44,7 +45,7 @@ struct LeafCounter {
   }
 };
 
-/// The boxes alone, from the start of the walk to its end, pairs of leaves counted.
+/// A walk over boxes alone, from its start to its end, counting pairs of leaves.
 template <class Traversal>
 __attribute__((noinline)) Counted measure_walk(const typename Traversal::Tree& a,
                                                const typename Traversal::Tree& b,
@@ -59,7 +60,7 @@ __attribute__((noinline)) Counted measure_walk(const typename Traversal::Tree& a
   return walked;
 }
 
-/// A query made, and run to its end, with the triangles of each pair of leaves tested.
+/// Makes a query and runs it to its end, testing the triangles of each pair of leaves.
 template <class Traversal>
 __attribute__((noinline)) Counted measure_query(const typename Traversal::Tree& a,
                                                 const typename Traversal::Tree& b,
@@ -71,14 +72,14 @@ __attribute__((noinline)) Counted measure_query(const typename Traversal::Tree& 
     Query query(a, b, pose, start<Traversal>());
     result.status = query.run(UINT32_MAX, every_pair).status;
   });
-  // Its counts from another run: a user of the first would not copy them.
+  // Counts come from another run: a caller of the first run would not copy them.
   Query query(a, b, pose, start<Traversal>());
   (void)query.run(UINT32_MAX, every_pair);
   result.counts = query.stats();
   return result;
 }
 
-/// A setup's objects, as the traversals read them.
+/// A setup's objects, in the traversals' formats.
 struct Trees {
   PreMeshWithLevels pre;
   MeshWithLevels post;
@@ -100,13 +101,13 @@ struct Trees {
 uint64_t sum_of_ranked;
 uint64_t sum_of_ranked_stack;
 
-/// Whether `a` is below `percent` of `b`.
+/// Whether `a` is less than `percent` of `b`.
 bool below(uint64_t a, uint32_t percent, uint64_t b) {
   return a * 100 < b * percent;
 }
 
-/// Walks of each algorithm, on the layout that it has on the host, too. The first is volume-stack,
-/// which the others are compared with.
+/// Walks of each algorithm, on the layout that it uses on the host. The first one is volume-stack,
+/// to which the others are compared.
 bool ask_walks(const Setup& setup, const Trees& a, const Trees& b, uint32_t& leaf_pairs) {
   int32_t t[3];
   for (int i = 0; i < 3; ++i) {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int32_t kRadius = 20000;
 constexpr std::int64_t kScanSteps = 64;
 
-/// The largest number whose square is not above `value`.
+/// The largest number whose square is at most `value`.
 std::int64_t square_root(std::int64_t value) {
   std::int64_t root = 0;
   for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
@@ -23,7 +23,7 @@ std::int64_t square_root(std::int64_t value) {
   return root;
 }
 
-/// Evenly in a ball, but not near its middle: then its direction is even, too.
+/// A uniform point in a ball, but not near its middle: so its direction is uniform, too.
 template <std::size_t dimensions>
 void set_in_ball(test::Random& random, std::int64_t (&point)[dimensions]) {
   constexpr std::int64_t most = std::int64_t{kRadius} * kRadius;
@@ -101,7 +101,7 @@ Asked PoseSearch::at(const Approach& approach, std::int64_t distance) const {
                  0};
   const Pose rotated = pose_of(asked);
   for (int axis = 0; axis < 3; ++axis) {
-    std::int64_t middle = 0;  // B's, rotated
+    std::int64_t middle = 0;  // B's middle, rotated
     for (int i = 0; i < 3; ++i) {
       middle += rotated.rotation(axis, i) * middle_b_[i];
     }
@@ -151,10 +151,10 @@ std::int64_t PoseSearch::gap_of(Proximity proximity) {
 bool PoseSearch::is(Proximity proximity, Asked& asked) const {
   const Pose pose = pose_of(asked);
   constexpr auto every_pair = [](const PairQuery::Pair&) { return true; };
-  // Classes are of boxes alone, so that poses stay the same whatever else rejects pairs.
+  // Classes depend on boxes alone, so that other rejections do not change the poses.
   Query<Ranked<Mesh>, detail::BoxIntersection> by_boxes(*searched_.a, *searched_.b, pose);
   PairQuery query(*asked_.a, *asked_.b, pose);
-  constexpr std::uint32_t kGranted = UINT32_MAX - 1;  // which is a limit
+  constexpr std::uint32_t kGranted = UINT32_MAX - 1;  // which counts as a limit
   const RunResult step = query.run(kGranted, every_pair);
   if (by_boxes.run(UINT32_MAX, every_pair).status != Status::done || step.status != Status::done) {
     return false;

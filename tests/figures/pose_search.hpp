@@ -1,4 +1,4 @@
-// Poses of a given proximity, the same on every machine. For the host: it tries until it has one.
+// Poses of a given proximity, equal on every machine. For the host: it searches until it finds one.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,17 @@
 
 namespace figures {
 
-/// Two meshes that outlive what is given them.
+/// Two meshes, which must outlive their users.
 struct Meshes {
   const flashbvh::Mesh* a;
   const flashbvh::Mesh* b;
 };
 
-/// B is rotated at random, or not at all, and comes towards A from any direction, the middles of
-/// their boxes in line, until it touches. From there it is translated on or back by a part of its
-/// size.
+/// B is rotated at random, or not at all, and approaches A from any direction, the middles of their
+/// boxes aligned, until they touch. From there it is translated on or back by a part of its size.
 class PoseSearch {
  public:
-  /// Poses are found with the one pair of trees, counts with the other, of the same meshes.
+  /// Poses are found with one pair of trees, counts with the other, over equal meshes.
   PoseSearch(const Meshes& searched, const Meshes& asked, std::uint64_t seed);
 
   Asked next(Proximity proximity, bool rotated);
@@ -32,12 +31,12 @@ class PoseSearch {
   };
 
   Approach any_approach(bool rotated);
-  /// B's middle at a distance, in cells, from A's; its counts are 0.
+  /// B's middle at a distance, in cells, from A's; the counts are 0.
   Asked at(const Approach& approach, std::int64_t distance) const;
   bool touches(const Approach& approach, std::int64_t distance) const;
-  /// The largest distance at which they touch; -1 if there is none.
+  /// The largest distance at which the boxes touch; -1 if there is none.
   std::int64_t touching_distance(const Approach& approach) const;
-  /// How far B is translated away from where it touches; negative: towards A.
+  /// The translation of B away from contact; negative: towards A.
   std::int64_t gap_of(Proximity proximity);
   /// Fills in the counts.
   bool is(Proximity proximity, Asked& asked) const;
@@ -47,7 +46,7 @@ class PoseSearch {
   flashbvh::test::Random random_;
   std::int64_t middle_a_[3];  ///< in half cells
   std::int64_t middle_b_[3];
-  std::int64_t reach_;   ///< from here on their boxes are disjoint however B is rotated
+  std::int64_t reach_;   ///< at this distance their boxes are disjoint in any rotation of B
   std::int64_t size_b_;  ///< the longest side of B's box
 };
 

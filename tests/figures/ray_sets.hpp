@@ -1,5 +1,5 @@
-// The rays that the figures are about: aimed at a mesh's box from outside, and fans of rays from
-// one place, as sensors scan. Of integers alone, so that they are the same everywhere.
+// The rays behind the figures: aimed at a mesh's box from outside, and fans of rays from one point,
+// like a sensor's scan. In integers alone, so that they are equal everywhere.
 #pragma once
 
 #include <stdint.h>
@@ -10,7 +10,7 @@
 
 namespace figures {
 
-/// Of a mesh, in its frame.
+/// A mesh's box, in its frame.
 struct Box {
   flashbvh::Point lower = {INT32_MAX, INT32_MAX, INT32_MAX};
   flashbvh::Point upper = {INT32_MIN, INT32_MIN, INT32_MIN};
@@ -52,12 +52,12 @@ inline flashbvh::Point any_point(flashbvh::test::Random& random, const flashbvh:
   return {x, y, random.between(lower.z, upper.z)};
 }
 
-/// Through `by`, and as far again.
+/// A segment through `by` and equally far beyond it.
 inline flashbvh::Segment through(const flashbvh::Point& from, const flashbvh::Point& by) {
   return {from, {2 * by.x - from.x, 2 * by.y - from.y, 2 * by.z - from.z}};
 }
 
-/// From outside the box, within two of its longest sides, through a point of it.
+/// A random segment from outside the box, within two of its longest sides, through a point of it.
 inline flashbvh::Segment any_aimed(flashbvh::test::Random& random, const Box& box) {
   const int32_t reach = 2 * box.longest_side();
   const flashbvh::Point m = box.middle();
@@ -76,8 +76,8 @@ struct Fan {
   int32_t columns;
 };
 
-/// From the longest side away along each axis, along (1, 1, -1); rows go along (1, -1, 0), columns
-/// along (1, 1, 2).
+/// A ray of a fan whose origin lies one longest side away along each axis, in direction (1, 1, -1);
+/// rows run along (1, -1, 0), columns along (1, 1, 2).
 inline flashbvh::Segment of_fan(const Fan& fan, const Box& box, int32_t row, int32_t column) {
   const int32_t side = box.longest_side();
   const flashbvh::Point m = box.middle();

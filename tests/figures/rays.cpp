@@ -1,6 +1,6 @@
-// Rays at the KR5's links: single ones that are aimed at a link's box from outside, and scans of
-// it, fans of rays from one place; and points in the box. Ends with 1 if a hint changes an answer,
-// or any_hit() is of another opinion than nearest_hit().
+// Rays at the KR5's links: single ones aimed at a link's box from outside, and scans of it, fans of
+// rays from one point; and points in the box. Exits with 1 if a hint changes an answer, or
+// any_hit() and nearest_hit() disagree.
 #include "flashbvh/ray.hpp"
 
 #include "bicep.fbvh.h"
@@ -30,8 +30,8 @@ constexpr Fan kFans[] = {{"grid", 16, 16}, {"line", 1, 256}};
 
 const Mesh* const kLinks[] = {&bicep, &forearm, &palm, &wrist};
 
-/// What a visit takes, with nothing cut off, and a triangle that nearest_hit() comes to: fetched
-/// and tested.
+/// The cost of a visit, with nothing rejected, and of a triangle that nearest_hit() reaches:
+/// loading and testing it.
 void add_parts(const Mesh& mesh, const Segment& segment, const char* set) {
   detail::SegmentWalk<Mesh> all(mesh, segment);
   uint32_t position = 0;
@@ -57,7 +57,7 @@ void add_parts(const Mesh& mesh, const Segment& segment, const char* set) {
   add_count({{"ray", "triangles", set}}, count);
 }
 
-/// Adds a question of the set.
+/// Adds a query of the set.
 template <class Ask>
 auto add(const char* what, const char* set, const Ask& ask) {
   decltype(ask()) answer = {};
@@ -91,7 +91,7 @@ bool ask_aimed() {
   return good;
 }
 
-/// Each ray that hits has what was hit before as a hint; the others leave the hint as it is.
+/// Each ray that hits gets the previous hit as hint; the others leave the hint unchanged.
 bool ask_fan(const Fan& fan) {
   bool good = true;
   for (const Mesh* const link : kLinks) {

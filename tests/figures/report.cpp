@@ -27,7 +27,7 @@ struct Row {
   uint32_t whole_of_most;
 };
 
-constexpr uint32_t kRows = 40;  // there is room on the smallest board
+constexpr uint32_t kRows = 40;  // the smallest board has memory for them
 Row rows[kRows];
 uint32_t row_count;
 bool are_too_many;
@@ -47,7 +47,7 @@ bool same(const Name& a, const Name& b) {
   return true;
 }
 
-/// With one that is new, if need be; the last is for all for which there is no room.
+/// The row of a name, added if it is new; the last row serves all names without a row.
 Row& row_of(const Name& name, Kind kind) {
   uint32_t i = 0;
   while (i < row_count && !same(rows[i].name, name)) {
@@ -59,7 +59,7 @@ Row& row_of(const Name& name, Kind kind) {
   return rows[i < kRows ? i : kRows - 1];
 }
 
-/// The core goes before the first of them.
+/// Prints a name; the core precedes the first one.
 void put_name(Kind kind, const Name& name, const char* last) {
   static bool begun = false;
   if (!begun && kCore != nullptr) {

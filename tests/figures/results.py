@@ -1,12 +1,12 @@
-"""What measuring programs print, and the budgets that hold some of it.
+"""The output of measuring programs, and the budgets for some of it.
 
-Of a program's lines these count:
-    core CORE                      the core that the following figures are of
-    figure NAME VALUE              what depends on the core: instructions, bytes
-    count NAME VALUE               what every core and this machine must agree about
-    quotient NAME PART WHOLE       a figure: PART / WHOLE, each added up over all programs
-    code|stack|object|bound WORD... VALUE       of proofs/stack and proofs/time, as figures
-    measured NAME OBSERVED of PROVEN, ...       of proofs/time
+These lines of a program count:
+    core CORE                      the core of the following figures
+    figure NAME VALUE              a value that depends on the core: instructions, bytes
+    count NAME VALUE               a value that is equal on every core and this machine
+    quotient NAME PART WHOLE       a figure: PART / WHOLE, each summed over all programs
+    code|stack|object|bound WORD... VALUE       from proofs/stack and proofs/time, as figures
+    measured NAME OBSERVED of PROVEN, ...       from proofs/time
 """
 import csv
 import io
@@ -16,7 +16,7 @@ BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
 CYCLES = BUDGETS.with_name("cycles.csv")  # of some of its figures, by the model of lib/docs/cycles.md
 SLACK = 2  # percent
 ALL = "all"  # the column of counts
-OTHERS = "lump", "gear", "spindle"  # sets of meshes by the first of their pairs; the robot's links come on top
+OTHERS = "lump", "gear", "spindle"  # sets of meshes by the first of their pairs, in addition to the robot's links
 
 
 class Refused(Exception):
@@ -28,7 +28,7 @@ def is_number(word):
 
 
 def lines_in(texts):
-    """Yields core, name and value of each figure; of a quotient the value is a pair."""
+    """Yields core, name and value of each figure; a quotient's value is a pair."""
     core = ""
     for words in (line.split() for text in texts for line in text.splitlines()):
         match words:
@@ -48,7 +48,7 @@ def lines_in(texts):
 
 
 def queries():
-    """The queries that each set of meshes has figures of: their name in `meshes`, and in the sets."""
+    """The queries with figures for each set of meshes: their name in `meshes`, and in the sets."""
     for motion in "translated", "rotated":
         for proximity, what in (("separated", "query"), ("small", "query"), ("close", "query"),
                                 ("intersecting", "query"), ("small", "first"), ("close", "first"),
@@ -62,7 +62,7 @@ def queries():
 
 
 def add_means(values):
-    """What all sets of meshes take in the mean, and the worst of them."""
+    """Adds the mean over all sets of meshes, and the worst set."""
     for core in {core for core, _ in values}:
         for name, sets in queries():
             means = [int(values[core, f"{of}.mean"]) for of in sets if (core, f"{of}.mean") in values]
@@ -72,7 +72,7 @@ def add_means(values):
 
 
 def measured_in(texts):
-    """The figures by core and name, as text. Of a figure that several programs print the largest counts."""
+    """The figures by core and name, as text. If several programs print a figure, the largest counts."""
     values, quotients = {}, {}
     for core, name, value in lines_in(texts):
         figure = core, name
@@ -93,14 +93,14 @@ def measured_in(texts):
 
 
 def group_of(figure):
-    """The first word of a name (kr5, tori, stack, ...). Groups come from programs of their own, which not
-    every build has; of a group that was measured nothing may be missing."""
+    """The first word of a name (kr5, tori, stack, ...). Groups come from separate programs, which not every build has;
+    a measured group must be complete."""
     core, name = figure
     return core, name.split(".")[0]
 
 
 class Budgets:
-    """budgets.csv: a row a figure, a column a core. The rows are chosen by hand."""
+    """budgets.csv: a row per figure, a column per core. The rows are chosen by hand."""
 
     def __init__(self, text):
         head, *rows = csv.reader(io.StringIO(text))
@@ -121,17 +121,17 @@ class Budgets:
         return self.rows[name].get(core, "")
 
     def missing_in(self, measured):
-        """The budgets whose group was measured, and they were not."""
+        """Budgets missing from a group that was measured."""
         groups = set(map(group_of, measured))
         return [(core, name) for name, cells in self.rows.items() for core, value in cells.items()
                 if value and group_of((core, name)) in groups and (core, name) not in measured]
 
     def held(self, measured):
-        """The measured figures that have a budget, by core and name."""
+        """The measured figures with a budget, by core and name."""
         return {figure: value for figure, value in measured.items() if figure[1] in self.rows}
 
     def complaints(self, measured):
-        """Yields a line for each budget that is not kept."""
+        """Yields a line for each exceeded budget."""
         for (core, name), now in self.held(measured).items():
             was = self.value(core, name)
             if not was:

@@ -1,4 +1,4 @@
-"""The robot whose links and poses are measured, a KUKA KR5: what tools/figures.sh builds and runs."""
+"""The measured robot, a KUKA KR5, with its links and poses: built and run by tools/figures.sh."""
 import json
 import os
 import re
@@ -11,21 +11,21 @@ from results import measured_in
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
 FOLDER = BUILD / "figures"
-# Each pair of links that no joint connects, of those that fit 256 KB together.
+# Each pair of links without a common joint, of those that fit 256 KB together.
 LINKS = "bicep", "forearm", "palm", "wrist"
 PAIRS = "bicep-palm", "forearm-palm", "bicep-forearm", "bicep-wrist"
 LEAF_SIZES = 1, 2, 3, 4, 8
-# Other meshes, made by firmware_examples/meshes.py, in pairs: organic, well-shaped and mechanical, of slivers.
+# Other meshes, made by firmware_examples/meshes.py, in pairs: organic, well-shaped; mechanical, of slivers.
 OTHERS = FOLDER / "meshes"
 SHAPES = {"lump": "lump 10 9000", "limb": "limb 20 32 2000 14000", "gear": "gear 14 3 8000",
           "cog": "gear 10 3 5000", "spindle": "turned 60 6000 14000", "flange": "turned 48 8000 5000"}
 OTHER_PAIRS = "lump-limb", "gear-cog", "spindle-flange"
-# A pose in poses.cpp: its entries; the last number is the work.
+# The entries of a pose in poses.cpp; the last number is the work.
 POSE = re.compile(r" *\{\{.*\}, \{.*\}, \d+, \d+, \d+, (\d+)\},?$", re.M)
 
 
 def quietly(*command, **environment):
-    """What it prints is shown if it fails."""
+    """Shows the command's output only if it fails."""
     done = subprocess.run(command, cwd=ROOT, env={**os.environ, **environment}, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode:
@@ -34,7 +34,7 @@ def quietly(*command, **environment):
 
 
 def boards():
-    """The presets that have one, and are measured."""
+    """The presets of boards that are measured."""
     cores = json.loads((ROOT / "ports/cores.json").read_text())
     return [core["preset"] for core in cores if core["tests"] != "release" and core["machine"] != "node"]
 
@@ -50,7 +50,7 @@ class Robot:
         self.flashbvh = BUILD / native / "bin/flashbvh"
 
     def bake(self, folder, *options):
-        """The links' trees; returns their bytes and their triangles."""
+        """Bakes the links; returns their trees' bytes and triangles."""
         return self.bake_all([self.meshes / f"{link}.STL" for link in LINKS], folder, *options)
 
     def bake_all(self, meshes, folder, *options):
@@ -74,7 +74,8 @@ class Robot:
         self.write_poses(OTHERS, OTHERS / "leaf1", OTHER_PAIRS)
 
     def visits(self):
-        """The most visits that any pose takes, of the pair that may take most: of `ranked` and any order."""
+        """The largest number of visits at any pose, for the pair with the largest bound: by `ranked` and any
+        traversal."""
         pairs = {}
         for a, b in (pair.split("-") for pair in PAIRS):
             bound = json.loads(quietly(self.flashbvh, "collide", FOLDER / f"{a}.fbvh", FOLDER / f"{b}.fbvh",
@@ -84,12 +85,12 @@ class Robot:
         yield f"visits.any {pairs[max(pairs)]}"
 
     def leaf_size(self, size):
-        """What trees of that leaf size take, and the work that the rotated poses need with them."""
+        """The size of trees with this leaf size, and the work of the rotated poses with them."""
         folder = FOLDER / f"leaf{size}"
         flash, triangles = self.bake(folder, "--leaf-size", str(size))
         self.write_poses(folder)
         yield f"leaf.{size}.flash {flash / triangles:.1f}"
-        # 16 poses of each class, translated, then rotated; of each pair.
+        # 16 poses of each class, translated, then rotated, for each pair.
         work = list(map(int, POSE.findall((folder / "poses.cpp").read_text())))
         for of_class, begin in ("close", 96), ("intersecting", 112):
             found = [of for pair in range(0, len(work), 128) for of in work[pair + begin:pair + begin + 16]]
@@ -97,7 +98,7 @@ class Robot:
             yield f"leaf.{size}.work.{of_class}.max {max(found)}"
 
     def prepare(self, for_boards_alone):
-        """The links as arrays, the poses, and what they take of flash."""
+        """The links as arrays, the poses, and their flash sizes."""
         quietly("cmake", "--preset", self.native)
         quietly("cmake", "--build", "--preset", self.native, "--target", "flashbvh_tool", "write_poses")
         FOLDER.mkdir(parents=True, exist_ok=True)
@@ -107,7 +108,7 @@ class Robot:
         self.bake(FOLDER / "leaf1", "--leaf-size", "1")
         self.write_poses(FOLDER)
         self.prepare_others()
-        # Without the neighbours that can collide: the motions stay clear of all other pairs.
+        # Without the neighbours that can collide: the motions avoid contact of all other pairs.
         quietly(self.flashbvh, "robot", self.urdf, "--zone", "shoulder_pitch=0.15", "--name", "kr5_arm", "-o",
                 FOLDER / "robot")
         if not for_boards_alone:
@@ -120,20 +121,20 @@ class Robot:
                 f"-DFLASHBVH_KR5_FIGURES={folder}")
 
     def measure(self, preset, tests):
-        """Leaves what the tests print in the preset's build folder."""
+        """Stores the tests' output in the preset's build folder."""
         print(f"Measuring {preset}", flush=True)
         self.configure(preset, FOLDER)
         quietly("cmake", "--build", "--preset", preset, "--target", "figures")
         quietly("ctest", "--preset", preset, "-R", tests)
 
     def count_cycles(self, preset):
-        """Leaves what programs print of cycles in the preset's build folder."""
+        """Stores the programs' cycle counts in the preset's build folder."""
         print(f"Counting cycles of {preset}", flush=True)
         self.configure(preset, FOLDER)
         quietly("cmake", "--build", "--preset", preset, "--target", "figures_cycles")
 
     def trees(self, preset):
-        """A row for each leaf size and arity; the build is left as it was."""
+        """A row for each leaf size and arity; restores the build."""
         folder = FOLDER / "trees"
         folder.mkdir(exist_ok=True)
         (folder / "robot").unlink(missing_ok=True)

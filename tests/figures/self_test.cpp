@@ -1,4 +1,4 @@
-// What self-tests take: known answers, and constant memory by the byte.
+// The costs of self-tests: known answers, and constant memory per byte.
 #include "flashbvh/self_test.hpp"
 
 #include "flashbvh/robot/self_test.hpp"

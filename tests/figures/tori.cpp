@@ -1,5 +1,5 @@
-// Two tori in random poses, and pairs of triangles of the costliest kinds: what can be measured
-// anywhere, without a robot's meshes.
+// Two tori in random poses, and pairs of triangles of the most expensive kinds: measurements that
+// need no robot's meshes.
 #include "measure.hpp"
 
 #include "flashbvh/image.hpp"

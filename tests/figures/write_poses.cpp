@@ -1,8 +1,8 @@
-// write_poses FOLDER SEARCHED PAIR...: FOLDER/poses.cpp, the poses that the figures are taken at.
+// write_poses FOLDER SEARCHED PAIR...: writes FOLDER/poses.cpp, the poses of the figures.
 //
-// PAIR: two meshes' names, as bicep-palm, whose images lie in FOLDER, and in SEARCHED with one
-// triangle a leaf. The same file every time: the poses follow from the latter alone, what a query
-// at each of them counts from the former.
+// PAIR: two meshes' names, as bicep-palm, whose images lie in FOLDER, and with one triangle per
+// leaf in SEARCHED. The file is equal each time: the poses depend on SEARCHED alone, their counts
+// on FOLDER.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20240607;
 
-/// An image in memory, opened. Ends the program, with a message, if it can't be.
+/// An opened image in memory. Ends the program with a message if it cannot be opened.
 class Image {
  public:
   Image(const std::string& folder, const std::string& mesh) {

@@ -11,7 +11,7 @@ inline Pose any_pose(Input& input) {
   std::int32_t cells[3];
   std::int16_t fraction[3];
   for (int axis = 0; axis < 3; ++axis) {
-    // Near, or anywhere.
+    // A small translation, or any.
     cells[axis] = (kind & 1) != 0 ? input.take<std::int32_t>() : input.take<std::int16_t>();
     fraction[axis] = input.take<std::int16_t>();
   }
@@ -19,7 +19,7 @@ inline Pose any_pose(Input& input) {
     return Pose::translated(cells[0], cells[1], cells[2]);
   }
   if ((kind & 4) != 0) {
-    Rotation matrix{};  // most often none
+    Rotation matrix{};  // rarely a rotation
     for (auto& row : matrix.entry) {
       for (std::int32_t& entry : row) {
         entry = input.take<std::int32_t>();

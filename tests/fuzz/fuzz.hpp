@@ -1,5 +1,5 @@
-// What the fuzzed programs share. Each defines LLVMFuzzerTestOneInput(), which libFuzzer calls, or
-// replay.cpp where there is no libFuzzer.
+// Common parts of the fuzzed programs. Each defines LLVMFuzzerTestOneInput(), which libFuzzer
+// calls, or replay.cpp if there is no libFuzzer.
 #pragma once
 
 #include <cstddef>

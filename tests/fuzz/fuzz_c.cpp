@@ -1,6 +1,6 @@
-// Any calls of the C interface, with any poses, budgets, positions and seeds: each object gives a
-// status, writes within its arrays and ends; the answers are the C++ interface's, whatever the
-// seed.
+// Arbitrary calls of the C interface, with any poses, budgets, cursors and hints: each object
+// returns a status, writes within its arrays and ends. The answers equal the C++ interface's, with
+// any hint.
 #include <vector>
 
 #include "flashbvh/clearance.h"
@@ -50,7 +50,7 @@ flashbvh_pose c_pose_of(const Pose& pose) {
 
 constexpr std::uint32_t kRoom = 8;
 
-/// In slices of any size, now and then taken up at its own position or at any.
+/// Queries in slices of any size, sometimes resumed at its own cursor or at any other.
 void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same, Input& input) {
   flashbvh_query query;
   std::memset(&query, 0xA5, sizeof query);
@@ -91,7 +91,7 @@ void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same
           "C gives another answer than C++");
 }
 
-/// Any seed: refused, or the distance is the one without.
+/// Any hint is refused, or does not change the distance.
 void ask_distance(const Meshes& meshes, const Pose& pose, Input& input) {
   const Mesh& a = meshes.a;
   const Mesh& b = meshes.b;

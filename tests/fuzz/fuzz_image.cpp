@@ -1,7 +1,8 @@
-// Any bytes as an image: refused, or queries on it read nothing else and end (golden/exercise.hpp).
+// Arbitrary bytes as an image: refused, or queries on it read nothing else and end
+// (golden/exercise.hpp).
 //
-// The input is an image; what stands after the image's end makes one more pose. Magic, version,
-// size and checksum are repaired first, which chance would not do.
+// The input is an image; bytes after its end make another pose. Magic, version, size and checksum
+// are repaired first, since chance would not find them.
 #include <vector>
 
 #include "flashbvh/detail/lattice/image_parts.hpp"
@@ -15,7 +16,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-/// The image's part of the input, repaired where its header allows.
+/// The image's part of the input, repaired as far as its header allows.
 std::vector<std::uint8_t> mended(const std::uint8_t* bytes, std::size_t size) {
   ImageHeader header;
   std::memcpy(&header, bytes, sizeof header);
@@ -31,13 +32,13 @@ std::vector<std::uint8_t> mended(const std::uint8_t* bytes, std::size_t size) {
   return image;
 }
 
-/// Every traversal tests all pairs of triangles that intersect; keeps one input below a second.
+/// With every traversal testing all intersecting pairs, keeps one input below a second.
 constexpr std::uint32_t kManyTriangles = 120;
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  (void)exercise_image(bytes, size, {});  // as it is
+  (void)exercise_image(bytes, size, {});  // unrepaired
   if (size < sizeof(ImageHeader)) {
     return 0;
   }

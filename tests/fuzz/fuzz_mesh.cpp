@@ -1,4 +1,4 @@
-// Any bytes as a mesh file: a mesh, or a message of one line, in bounded time and memory.
+// Arbitrary bytes as a mesh file: a mesh, or a message of one line, in bounded time and memory.
 //
 // The input is a line that names the format (stl, obj, off, ply), then the file.
 #include <string>
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string input(reinterpret_cast<const char*>(bytes), size);
   const std::string format = input.substr(0, input.find('\n'));
   const std::string file = input.size() > 4 ? input.substr(4) : std::string();
-  // read_file() takes no empty files.
+  // read_file() accepts no empty files.
   if ((format != "stl" && format != "obj" && format != "off" && format != "ply") || file.empty()) {
     return 0;
   }

@@ -1,6 +1,5 @@
-// Any bytes as a saved position: resume() refuses it, or the query ends.
-//
-// Within as many visits as there are pairs of nodes, whatever position it started from.
+// Arbitrary bytes as a saved cursor: resume() refuses it, or the query ends, within as many visits
+// as there are pairs of nodes.
 #include <array>
 #include <type_traits>
 #include <vector>

@@ -1,9 +1,9 @@
-// Any bytes as a robot's image: refused, or a guard and a motion of the robot read nothing else and
-// end (support/arms/exercise_robot.hpp).
+// Arbitrary bytes as a robot's image: refused, or a guard and a motion of the robot read nothing
+// else and end (support/arms/exercise_robot.hpp).
 //
-// The input is an image; what stands after its end makes the joints' values. What follows from the
-// rest is repaired first, which chance would not do: magic, version, sizes, checksums, the
-// hash, cells, and what pairs say of the joints between their links.
+// The input is an image; bytes after its end make joint values. Dependent fields are repaired
+// first, since chance would not find them: magic, version, sizes, checksums, the hash, cells, and
+// the pairs' joints in between.
 #include <vector>
 
 #include "flashbvh/detail/lattice/image_parts.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Where the next one begins; the input's end if it is cut off.
+/// Repairs a mesh; returns the offset of the next one, or the input's end if it is cut off.
 std::size_t mend_mesh(Bytes& bytes, std::size_t at, const RobotImageHeader& robot) {
   ImageHeader header;
   if (bytes.size() - at < sizeof header) {
@@ -41,7 +41,7 @@ std::size_t mend_mesh(Bytes& bytes, std::size_t at, const RobotImageHeader& robo
   return at + header.byte_count;
 }
 
-/// In a robot whose arrays are there; whatever is in them.
+/// Repairs a pair of a robot whose arrays exist, with any contents.
 void mend_pair(const Robot& robot, RobotPair& pair) {
   const std::uint8_t links[2] = {pair.a, pair.b};
   std::uint8_t counts[2] = {0, 0};
@@ -68,7 +68,7 @@ void mend_pair(const Robot& robot, RobotPair& pair) {
   pair.reach = reach;
 }
 
-/// The header's counts are kept; a robot that they leave no room for is not repaired.
+/// Keeps the header's counts; a robot whose counts do not fit is not repaired.
 void mend_pairs(Bytes& bytes, RobotImageHeader& header) {
   Robot robot{};
   robot.joints = reinterpret_cast<const RobotJoint*>(&bytes[sizeof header]);
@@ -87,7 +87,7 @@ void mend_pairs(Bytes& bytes, RobotImageHeader& header) {
   }
 }
 
-/// The image's part of the input, repaired where its header allows.
+/// The image's part of the input, repaired as far as its header allows.
 Bytes mended(const std::uint8_t* input, std::size_t size) {
   Bytes bytes(input, input + size);
   RobotImageHeader header;
@@ -116,7 +116,7 @@ RobotVerdict exercise(const Bytes& image, Input rest) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const Bytes whole(bytes, bytes + size);
-  RobotVerdict verdict = exercise(whole, Input(bytes, size));  // as it is
+  RobotVerdict verdict = exercise(whole, Input(bytes, size));  // unrepaired
   require(verdict.wrong == nullptr, verdict.wrong);
   if (size < sizeof(RobotImageHeader)) {
     return 0;

@@ -1,8 +1,8 @@
-// Any bytes as a text that the tool reads in addition to meshes: read, or refused with a message
-// that says where.
+// Arbitrary bytes as one of the tool's text formats other than meshes: read, or refused with a
+// message that names the place.
 //
-// The input is a line that names the kind (urdf, srdf, limits, poses, values: a trajectory), then
-// the file.
+// The input is a line with the kind (urdf, srdf, limits, poses, values: a trajectory), then the
+// file.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -41,7 +41,7 @@ class MemoryFile {
   int handle_;
 };
 
-/// Two joints, one of which turns on and on; three links, two of them with shapes.
+/// Two joints, one of them without limits; three links, two of them with primitives.
 const char* const kArm = R"(<robot name="arm"><link name="base"><collision><geometry>
 <sphere radius="0.1"/></geometry></collision></link><link name="middle"/><link name="hand"><collision>
 <geometry><box size="0.1 0.2 0.3"/></geometry></collision></link>
@@ -64,7 +64,7 @@ void check(const Model& model) {
   }
 }
 
-/// Both links disabled, or no longer: as the SRDF is changed, so it is read.
+/// Disables the pair, or enables a disabled one; the changed SRDF must read as changed.
 void change(const std::string& path, bool is_disabled) {
   SrdfChanges changes;
   if (is_disabled) {

@@ -1,6 +1,5 @@
-// PROGRAM PATH...: what libFuzzer does first, where there is none: each file, and every file of
-// each folder, once, then cut off at some lengths and with some bytes changed, the same ones each
-// time.
+// PROGRAM PATH...: replaces libFuzzer's first pass: runs each file, and every file of each folder,
+// then its truncated copies and copies with some bytes changed, always in the same way.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -17,7 +16,7 @@ namespace {
 constexpr int kChanged = 60;  // copies of a file
 
 void run(const std::vector<std::uint8_t>& bytes) {
-  // A block of its own: the address sanitizer sees each access after it.
+  // A separate block, so that the address sanitizer detects each access after it.
   const std::unique_ptr<std::uint8_t[]> exact(new std::uint8_t[bytes.size()]);
   std::copy(bytes.begin(), bytes.end(), exact.get());
   (void)LLVMFuzzerTestOneInput(exact.get(), bytes.size());

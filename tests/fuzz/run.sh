@@ -1,14 +1,13 @@
 #!/bin/sh
-# Fuzzes what reads bytes, under libFuzzer with the address and undefined-behaviour sanitizers:
+# Fuzzes the readers, under libFuzzer with the address and undefined-behaviour sanitizers:
 #     tests/fuzz/run.sh 600                        each program for 600 seconds
-#     tests/fuzz/run.sh --executions 100000000     so many inputs in all, however long; with JOBS=4 four
-#                                                  processes of each program, one program after the other;
-#                                                  files of text and meshes of 300 bytes at most
-#     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones;
-#                                                  with FLASHBVH_THOROUGH alone: it is building that takes long
-# PROGRAMS="mesh text" has these alone. Needs clang and libclang-rt-14-dev. What it finds lies in
-# build/fuzz/found; put it into corpus/ with the fix. Exits with 77 if there is no libFuzzer, or where
-# it is left out.
+#     tests/fuzz/run.sh --executions 100000000     this number of inputs in all, without a time limit; JOBS=4 runs
+#                                                  four processes of each program, one program after the other;
+#                                                  files of text and meshes have at most 300 bytes
+#     tests/fuzz/run.sh short                      each for a fixed number of inputs, always the same ones; only
+#                                                  with FLASHBVH_THOROUGH, because building takes long
+# PROGRAMS="mesh text" selects programs. Needs clang and libclang-rt-14-dev. Findings are stored in build/fuzz/found;
+# add each to corpus/ with its fix. Exits with 77 if there is no libFuzzer, or if it is skipped.
 set -eu
 cd "$(dirname "$0")/../.."
 long=${1:?how many seconds, --executions N, or short}
@@ -33,14 +32,14 @@ cmake --preset fuzz >build/fuzz.log 2>&1 &&
 }
 
 mkdir -p build/fuzz/found
-# Where memory came from is worth a fifth of the inputs: an input that was found says it again.
+# Stacks of allocations would cost a fifth of the inputs; replaying a finding shows them.
 export ASAN_OPTIONS="malloc_context_size=2:quarantine_size_mb=32${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 for program in $programs; do
   seeds=build/fuzz/seeds/$program
   rm -rf "$seeds"
   mkdir -p "$seeds"
   cp tests/fuzz/corpus/$program/* "$seeds"
-  # `share`: of 1,000 inputs; the more expensive an input, the fewer. `most`: bytes, where inputs are many.
+  # `share`: of 1,000 inputs; expensive inputs get fewer. `most`: the largest size in bytes in runs of many inputs.
   most=3000
   case $program in
     image) runs=2500 share=10 && cp tests/golden/*.fbvh "$seeds" ;;

@@ -35,12 +35,12 @@ std::string text_of(const Pairs& pairs) {
   return text + "\n";
 }
 
-/// As answers.txt has them: there a rule has one name for both layouts.
+/// Names as in answers.txt: a traversal has one name for both layouts.
 constexpr const char* kTraversals[] = {"leaf",         "stackless",         "ranked",
                                        "volume-stack", "alternating-stack", "ranked-stack"};
 
-/// One query by one traversal. Pairs are written if they are not those written last: never but
-/// for the first.
+/// The answer of one query by one traversal. Writes the pairs if they differ from the last ones, so
+/// only for the first traversal.
 template <class Query>
 std::string answer_of(const char* traversal, Query& query, std::string& last_pairs) {
   Pairs pairs;
@@ -78,7 +78,7 @@ std::string answer(const Tree& a, const Tree& b, const Pose& pose) {
   return text;
 }
 
-/// Nothing if the two are not of this kind.
+/// Empty if the two images are not of this kind.
 template <class Tree>
 std::string answers_between(const KeptImage& a, const KeptImage& b) {
   Opened<Tree> opened_a;

@@ -32,7 +32,7 @@ BakedImage baked(const char* mesh_name, const bake::LatticeMesh& mesh, const Rec
   return {name, bake::image_of(bake::lay_out<Index, layout>(tree, mesh), recipe.levels)};
 }
 
-/// Off its frame's origin, so that a rotation has to take the origin in.
+/// A ring off its frame's origin, so that a rotation has to include the origin.
 bake::LatticeMesh ring() {
   bake::LatticeMesh mesh = torus(6, 4, 700, 300);
   mesh.origin = {40, -25, 7};
@@ -65,7 +65,7 @@ std::vector<BakedImage> bake_golden_images() {
   constexpr Layout pre = Layout::pre_indexed;
   constexpr Layout post = Layout::post_indexed;
   return {
-      baked<Narrow, post>("ring", ring(), {Builder::sah, 1, 4}),  // what bake does unasked
+      baked<Narrow, post>("ring", ring(), {Builder::sah, 1, 4}),  // bake's defaults
       baked<Narrow, post>("knot", knot(), {Builder::median, 4, 2, true}),
       baked<Narrow, post>("lone", lone(), {Builder::sah, 1, 4}),
       baked<Narrow, pre>("ring", ring(), {Builder::median, 1, 2}),

@@ -1,5 +1,5 @@
-// Every damage that one bit or a lost end can do to golden images: refused; and if the checksum is
-// made to match, refused or harmless.
+// Golden images with each single bit changed, or truncated: refused; with a repaired checksum,
+// refused or harmless.
 #include "flashbvh/image.hpp"
 #include "golden/exercise.hpp"
 #include "golden/golden.hpp"
@@ -19,7 +19,7 @@ void flip(std::vector<unsigned char>& bytes, std::size_t bit) {
   bytes[bit / 8] = static_cast<unsigned char>(bytes[bit / 8] ^ (1u << (bit % 8)));
 }
 
-/// Large enough to have every part, small enough for every bit.
+/// Large enough to have every part, small enough to test every bit.
 constexpr std::size_t kMostExhaustive = 1000;
 
 }  // namespace
@@ -85,5 +85,5 @@ TEST_CASE("every flipped bit of a golden image with a checksum that matches is h
       flip(bytes, bit);
     }
   }
-  CHECK(opened > 0);  // a triangle's id, an origin, a coordinate inside its box may change
+  CHECK(opened > 0);  // a changed id, origin, or coordinate inside its box can be valid
 }

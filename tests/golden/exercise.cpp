@@ -28,7 +28,7 @@ const char* exercise(const Tree& a, const Tree& b, const Pose& pose) {
       ++reported;
       return true;
     };
-    // Once with a stop on the way.
+    // Once with a suspension.
     Status status = query.run(most / 512, sink).status;
     status = status == Status::suspended ? query.run(most, sink).status : status;
     const QueryStats& counts = query.stats();

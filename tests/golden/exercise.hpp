@@ -1,7 +1,6 @@
-// What must hold of any bytes: they are refused, or every query on them reads nothing else and
-// ends.
+// Any bytes must be refused, or every query on them reads nothing else and ends.
 //
-// The bytes are opened in a heap block of exactly their size, so that the address sanitizer sees
+// The bytes are opened in a heap block of exactly their size, so that the address sanitizer detects
 // each access beyond them. A query ends within as many visits as there are pairs of nodes: all
 // traversals but `leaf` visit a pair at most once, and `leaf` visits pairs of a leaf and a node.
 #pragma once
@@ -14,20 +13,20 @@
 
 namespace flashbvh::test {
 
-/// Nothing wrong: nullptr; else what.
+/// `wrong`: nullptr, or a description of the failure.
 struct Verdict {
   bool opened = false;
   const char* wrong = nullptr;
 };
 
-/// Opens `size` bytes as an image of each kind. On what opens, every traversal runs in every pose,
-/// against itself and against a golden image, both ways.
+/// Opens `size` bytes as an image of each kind. If it opens, every traversal runs in every pose,
+/// against itself and against a golden image, in both orders.
 Verdict exercise_image(const void* bytes, std::size_t size, const std::vector<Pose>& poses);
 
-/// Sets the checksum of an image to what it must be, if there is a header to hold it.
+/// Corrects the checksum of an image, if the bytes have a header.
 void repair_crc(void* bytes, std::size_t size);
 
-/// Translated, rotated, far away; and poses that are errors.
+/// Poses translated, rotated, far away; and poses that are errors.
 std::vector<Pose> telling_poses();
 
 }  // namespace flashbvh::test

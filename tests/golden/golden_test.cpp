@@ -1,5 +1,5 @@
-// Golden images: what was baked once is baked again to the byte, opens, and answers as it did, on
-// the host and on every core.
+// Golden images bake again to equal bytes, open, and answer as recorded, on the host and on every
+// core.
 #include "golden/golden.hpp"
 #include "flashbvh/image.hpp"
 #include "support/test.hpp"
@@ -13,7 +13,7 @@ const KeptImage* kept_image(const std::string& name) {
   return found == end ? nullptr : found;
 }
 
-/// The line, counted from 1, where two texts begin to differ.
+/// The first line, counted from 1, in which two texts differ.
 std::size_t line_of_difference(const std::string& text, const std::string& other) {
   const auto end = std::mismatch(text.begin(), text.end(), other.begin(), other.end()).first;
   return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));

@@ -1,4 +1,4 @@
-# The golden images as a library, and what queries on any image must keep to.
+# The golden images as a library, and the common checks of queries on any image.
 include_guard(GLOBAL)
 set(embedded ${CMAKE_CURRENT_BINARY_DIR}/kept_images.cpp)
 file(GLOB kept CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.fbvh)

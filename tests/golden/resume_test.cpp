@@ -1,4 +1,4 @@
-// A walk goes on from any position that resume() lets pass, and ends: all of them are tried.
+// A walk resumes from any cursor that resume() accepts, and ends: tests all cursors.
 #include <catch2/catch.hpp>
 
 #include "golden/golden.hpp"
@@ -13,7 +13,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-/// No walk is longer than one on which everything overlaps.
+/// Makes walks as long as possible.
 struct AlwaysOverlap {
   bool operator()(const PackedBox&, const PackedBox&) const { return true; }
 };
@@ -23,12 +23,12 @@ bool ends(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
           typename Traversal::Cursor cursor, bool after) {
   const auto most = static_cast<std::uint32_t>(a.node_count) * b.node_count;
   const auto go_on = [](std::uint32_t, std::uint32_t, const Progress&) { return true; };
-  // One more than there are pairs: the way out after the last one is no visit.
+  // One more than the number of pairs: leaving the last pair is no visit.
   return walk_from<Traversal>(a, b, AlwaysOverlap(), cursor, go_on, most + 1, after).end ==
          State::done;
 }
 
-/// How many positions were tried; 0 if a walk from one does not end.
+/// The number of tested cursors; 0 if a walk from one does not end.
 template <class Traversal>
 std::uint32_t try_positions(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
   using Cursor = typename Traversal::Cursor;
@@ -53,7 +53,7 @@ std::uint32_t try_positions(const typename Traversal::Tree& a, const typename Tr
   return tried;
 }
 
-/// Whether positions that a walk has may be resumed; of `ranked`, whether no others may.
+/// Whether a walk's own cursors can be resumed; for `ranked`, whether no others can.
 template <class Traversal>
 bool accepts_positions_of_walk(const typename Traversal::Tree& a,
                                const typename Traversal::Tree& b) {
@@ -65,7 +65,7 @@ bool accepts_positions_of_walk(const typename Traversal::Tree& a,
   bool accepted = true;
   do {
     ++walked;
-    // A walk that begins at no leaf of A finds the first one by itself.
+    // A walk that does not begin at a leaf of A finds the first one by itself.
     const bool at_begin = walked == 1 && !Traversal::kStartsAtRoots;
     accepted = accepted && (at_begin || Traversal::can_visit(a, b, cursor));
   } while (walk_from<Traversal>(a, b, AlwaysOverlap(), cursor, go_on, 1).end != State::done);
