@@ -1,4 +1,4 @@
-// Images opened in place on every board: what is written opens, whatever is damaged is refused.
+// Images opened in place on every board: written images open, damaged images are refused.
 #include <string.h>
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 const int kRounds = rounds(40, 1000);
 
-/// An image of a small tree, by a writer of its own.
+/// An image of a small tree, by a separate writer.
 class Image {
  public:
   template <class Tree>
@@ -102,7 +102,7 @@ struct Baked {
   digest::SmallMesh mesh;
   digest::SmallTree<Tree::kLayout> tree;
 
-  /// At most `most` triangles.
+  /// Trees of at most `most` triangles.
   explicit Baked(Random& random, uint16_t most) {
     digest::make_mesh(random, digest::kScales[1], mesh);
     mesh.triangle_count = mesh.triangle_count < most ? mesh.triangle_count : most;
@@ -110,7 +110,7 @@ struct Baked {
   }
 };
 
-/// Whether two trees hold the same numbers.
+/// Whether two trees contain equal numbers.
 template <class Tree>
 bool same(const Tree& a, const Tree& b) {
   return a.node_count == b.node_count && a.leaf_count == b.leaf_count &&
@@ -153,7 +153,7 @@ TEST_CASE("small trees: each way an image can be no image has its own status") {
     REQUIRE(open_image(image.bytes(), size, tree) == Status::image_truncated);
   }
   CHECK(image.open<PreMeshWithLevels>() == Status::image_kind);
-  image.flip(0);  // of the magic
+  image.flip(0);  // in the magic
   CHECK(image.open<MeshWithLevels>() == Status::image_not_flashbvh);
   image.flip(0);
   image.flip(8 * offsetof(ImageHeader, version));
@@ -198,7 +198,7 @@ TEST_CASE("small trees: a query ends on whatever opens after a flipped bit, chec
     }
     image.flip(bit);
   }
-  CHECK(opened > 0);  // an origin or a coordinate inside its box may change
+  CHECK(opened > 0);  // a changed origin, or coordinate inside its box, can be valid
 }
 
 TEST_CASE("small trees: the checksum is CRC-32 as everyone computes it") {

@@ -1,5 +1,5 @@
-// Opening an image on the target: its stack, and its instructions, which grow with its size and
-// with nothing else, whatever the tree's shape.
+// Opening an image on the target: its stack, and its instructions, which must grow linearly with
+// its size, whatever the tree's form.
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -20,9 +20,9 @@ namespace {
 
 /// Bytes, from the call of open_image() down.
 constexpr std::uint32_t kMostStack = 400;
-/// Instructions of the check without the checksum, by which it may grow when the image doubles.
+/// The growth of the check's instructions, without the checksum, when the image doubles.
 constexpr double kMostGrowth = 2.05;
-/// Of a node and all that belongs to it: a leaf of one triangle or a node above.
+/// Instructions per node with all its data: a leaf of one triangle, or an inner node.
 constexpr double kMostPerNode = 400;
 
 bake::BuildTree sah_of(const bake::LatticeMesh& mesh) {

@@ -1,4 +1,4 @@
-// Images: what is written opens, and whatever breaks a rule of the format is refused.
+// Images: written images open; an image that breaks a rule of the format is refused.
 #include <functional>
 
 #include "bake/image_bytes.hpp"
@@ -24,7 +24,7 @@ Baked<layout> baked_shape(Random& random, std::uint32_t triangles) {
   return bake::lay_out<std::uint16_t, layout>(any_tree(random, mesh), mesh);
 }
 
-/// An image whose bytes can be changed.
+/// An image with changeable bytes.
 struct Image {
   std::vector<std::uint32_t> words;
 
@@ -42,14 +42,14 @@ struct Image {
   }
 };
 
-/// The status of a tree from which one thing was changed, with everything else in order.
+/// The status of a valid tree after one change.
 template <Layout layout, class Change>
 Status status_after(Baked<layout> baked, Change change) {
   change(baked);
   return Image{image_of(baked, true)}.template open<BasicMeshWithLevels<std::uint16_t, layout>>();
 }
 
-/// The same of an image without levels.
+/// The status of an image without levels, after one change.
 template <class Change>
 Status status_without_levels(Baked<kPost> baked, Change change) {
   change(baked);
@@ -84,7 +84,7 @@ Baked<layout> small_tree() {
   return bake::lay_out<std::uint16_t, layout>(tree, mesh);
 }
 
-/// An image whose `count` says 65,536 more than there are, with room for them.
+/// An image whose `count` is too large by 65,536, with memory for the additional elements.
 Image with_more(std::uint32_t ImageHeader::*count) {
   const auto baked = small_tree<kPost>();
   const Image small{image_of(baked, true)};
@@ -155,7 +155,7 @@ TEST_CASE("wide images open as wide trees") {
   CHECK(pre.open<MeshWithLevels32>() == Status::image_kind);
 }
 
-/// What breaks one rule of the arrays.
+/// Changes that each break one rule of the arrays.
 template <Layout layout>
 std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last) {
   const auto stray = [](const Vertex& v) {
@@ -196,14 +196,14 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last)
       [](auto& t) { t.shell_vertices[0] = static_cast<std::uint16_t>(t.vertices.size()); },
       [](auto& t) { t.shell_vertices.push_back(t.shell_vertices.back()); },
       [](auto& t) { t.shell_vertices[1] = 0; },
-      // Vertices that no triangle has: no box shows them.
+      // Vertices of no triangle, which no box covers.
       stray({16384, 0, 0}),
       stray({0, -16384, 0}),
       stray({0, 0, INT16_MIN}),
   };
 }
 
-/// What breaks one rule of the levels.
+/// Changes that each break one rule of the levels.
 template <Layout layout>
 std::vector<std::function<void(Baked<layout>&)>> broken_levels(std::size_t last) {
   return {
@@ -213,7 +213,7 @@ std::vector<std::function<void(Baked<layout>&)>> broken_levels(std::size_t last)
   };
 }
 
-/// What breaks one rule of the header.
+/// Changes that each break one rule of the header.
 template <Layout layout>
 std::vector<std::function<void(Baked<layout>&)>> broken_headers() {
   return {

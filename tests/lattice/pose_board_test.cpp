@@ -1,4 +1,4 @@
-// Poses: what counts as a rotation, composing, inverting, and every status.
+// Poses: accepted rotations, composition, inversion, and every status.
 #include "flashbvh/pose.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,12 +27,12 @@ Rotation scaled(Rotation rotation, std::int32_t by) {
   return rotation;
 }
 
-/// What a component of the translation is, in 1/65,536 of a cell.
+/// A component of the translation, in 1/65,536 cell.
 std::int64_t fine_translation(const Pose& pose, int axis) {
   return std::int64_t{pose.translation(axis)} * 65536 + pose.fraction(axis);
 }
 
-/// R p + t in 1/65,536 of a cell, from the pose's own numbers; p in the same unit, below 2^31.
+/// R p + t in 1/65,536 cell, from the pose's own numbers; p in this unit, below 2^31.
 std::int64_t transformed(const Pose& pose, const std::int64_t (&p)[3], int axis) {
   std::int64_t sum = 0;
   for (int i = 0; i < 3; ++i) {
@@ -89,7 +89,7 @@ TEST_CASE("a matrix that is no rotation within the tolerance is refused, not rep
   for (int round = 0; round < 300; ++round) {
     CAPTURE(round);
     const Rotation rotation = rotation_of(any_quaternion(random));
-    // The squared length of a column is off by twice what the entries are.
+    // Scaling all entries changes a column's squared length by twice as much.
     const std::int32_t tolerated = kOne + kRotationTolerance / 2 - (kOne >> 16);
     const std::int32_t excessive = kOne + kRotationTolerance / 2 + (kOne >> 16);
     REQUIRE(Pose::rigid(scaled(rotation, tolerated).entry, kNowhere).status() == Status::done);
@@ -100,7 +100,7 @@ TEST_CASE("a matrix that is no rotation within the tolerance is refused, not rep
     REQUIRE(Pose::rigid(scaled(rotation, kOne - (excessive - kOne)).entry, kNowhere).status() ==
             Status::not_a_rotation);
     REQUIRE(Pose::rigid(scaled(rotation, -kOne).entry, kNowhere).status() ==
-            Status::not_a_rotation);  // mirrors
+            Status::not_a_rotation);  // a mirror image
   }
   const std::int32_t zero[3][3] = {};
   CHECK(Pose::rigid(zero, kNowhere).status() == Status::not_a_rotation);
@@ -162,7 +162,7 @@ TEST_CASE("composed does first the one, then the other") {
     const std::int64_t between[3] = {transformed(inner, p, 0), transformed(inner, p, 1),
                                      transformed(inner, p, 2)};
     for (int axis = 0; axis < 3; ++axis) {
-      // Three matrices, each entry rounded to 2^-22: 16,383 cells times nine halves of that.
+      // Three matrices, with entries rounded to 2^-22: 16,383 cells times nine halves of that.
       REQUIRE(std::llabs(transformed(both, p, axis) - transformed(outer, between, axis)) <
               65536 / 32);
     }
@@ -188,7 +188,7 @@ TEST_CASE("an inverse leads back, and to the relative pose of two objects in a w
       REQUIRE(std::llabs(fine_translation(relative, i) - fine_translation(b, i)) < 65536 / 16);
     }
   }
-  // Exact where there is nothing to round.
+  // Exact if there is nothing to round.
   const Pose rotation = Pose::rigid(rotation_of({1, 1, 1, 1}).entry, {1, 2, 3}, {-32768, 5, 0});
   const Pose back = Pose::composed(rotation, rotation.inverse());
   CHECK(back.is_translation());
@@ -278,6 +278,6 @@ TEST_CASE("a chain of rotations is refused only if it is none, however long it i
     chain = Pose::composed(chain, Pose::rigid(rotation_of(any_quaternion(random)).entry, kNowhere));
     REQUIRE(chain.status() == Status::done);
   }
-  // What it is, and not the sum of all bounds, which is above 50,000.
+  // The actual defect, not the sum of all bounds, which exceeds 50,000.
   CHECK(chain.matrix().defect < 4096);
 }

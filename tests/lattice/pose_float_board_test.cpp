@@ -1,4 +1,4 @@
-// Poses from floats: their rounding, and what is refused.
+// Poses from floats: their rounding, and refusals.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -38,7 +38,7 @@ FloatMatrix floats_of(const Rotation& rotation) {
   return floats;
 }
 
-/// The same numbers in the fixed point, by arithmetic in double, which holds them exactly.
+/// The numbers in fixed point, computed in double, which holds them exactly.
 Rotation fixed_of(const FloatMatrix& floats) {
   Rotation rotation{};
   for (int i = 0; i < 3; ++i) {
@@ -66,8 +66,8 @@ UnitQuaternion scaled(const Quaternion& q, double length) {
           static_cast<float>(y * scale), static_cast<float>(z * scale)};
 }
 
-/// How far the pose's rotation is from that of the quaternion, with nothing rounded but doubles; in
-/// the fixed point of a rotation.
+/// The difference between the pose's rotation and the quaternion's, computed in doubles, in a
+/// rotation's fixed point.
 double distance(const Pose& pose, const UnitQuaternion& q) {
   const double w = static_cast<double>(q.w), x = static_cast<double>(q.x);
   const double y = static_cast<double>(q.y), z = static_cast<double>(q.z);
@@ -86,7 +86,7 @@ double distance(const Pose& pose, const UnitQuaternion& q) {
   return most;
 }
 
-/// What a pose keeps: half of 2^-22, and the 2^-27 of a quaternion.
+/// A pose's rounding: half of 2^-22, and the 2^-27 of a quaternion.
 constexpr double kRounding = 128 + 8;
 
 }  // namespace
@@ -124,8 +124,7 @@ TEST_CASE("quaternions of the rotations of a cube give their matrices to the las
       }
       CAPTURE(q.w, q.x, q.y, q.z);
       const Pose wanted = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
-      // Parts of a length of 1.7 are no floats; of thirds, the pose's own rounding may go either
-      // way.
+      // Parts of a length of 1.7 are no floats; for thirds, the pose may round either way.
       const int parts = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
       const Pose pose = pose_of(scaled(q, 1), kOrigin, 1);
       REQUIRE(pose.status() == Status::done);
@@ -142,7 +141,7 @@ TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
   for (int round = 0; round < 500; ++round) {
     CAPTURE(round);
     const Quaternion q = any_quaternion(random);
-    // Squared, 2^-10 is 9.77e-4.
+    // The squared length is off by 2^-10, or 9.77e-4.
     for (const double length : {1.0, 1 + 4.8e-4, 1 - 4.8e-4}) {
       CAPTURE(length);
       const UnitQuaternion unit = scaled(q, length);
@@ -160,7 +159,7 @@ TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
 TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell") {
   Random random = test_random();
   for (int round = 0; round < 2000; ++round) {
-    // Any size, down to where the product is nothing.
+    // Any size, down to products that round to zero.
     const float length = std::ldexp(static_cast<float>(random.between(-16777215, 16777215)),
                                     random.between(-70, 10));
     const float scale =

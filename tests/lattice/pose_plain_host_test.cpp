@@ -1,6 +1,6 @@
-// Poses as this machine makes them, with vectors perhaps, against the plain form that
-// microcontrollers have: every bit. The plain form is compiled here, under another name, and the
-// library's is called by its C interface.
+// Poses computed on this machine, possibly with vectors, against the microcontrollers' plain form,
+// bit by bit. This file compiles the plain form under another name, and calls the library's form by
+// its C interface.
 #define FLASHBVH_PORTABLE
 #define flashbvh plain
 #include "lattice/pose.cpp"  // NOLINT(bugprone-suspicious-include)
@@ -30,7 +30,7 @@ using Limits = std::numeric_limits<float>;
 
 static_assert(sizeof(flashbvh_pose) >= sizeof(Pose));
 
-/// What the library's pose has in its bytes, under the plain name.
+/// The bytes of the library's pose, under the plain name.
 Pose renamed(const flashbvh_pose& pose) {
   Pose same = Pose::translated(0, 0, 0);
   std::memcpy(static_cast<void*>(&same), &pose, sizeof same);
@@ -57,7 +57,7 @@ void check_same(const flashbvh_pose& by_library, const Pose& wanted) {
   }
 }
 
-/// Numbers at which a form may differ: none, limits, subnormal ones, and halves between two
+/// Numbers at which forms may differ: not a number, limits, subnormals, and halves between two
 /// results.
 float any_odd_number(Random& random) {
   constexpr float odd[] = {0.0f,
@@ -84,7 +84,7 @@ float any_odd_number(Random& random) {
   switch (random.below(4)) {
     case 0:
       return odd[random.below(sizeof odd / sizeof *odd)];
-    case 1:  // next to one
+    case 1:  // next to one of them
       return std::nextafter(odd[random.below(sizeof odd / sizeof *odd)],
                             random.below(2) == 0 ? Limits::max() : Limits::lowest());
     case 2: {  // any bits
@@ -93,14 +93,14 @@ float any_odd_number(Random& random) {
       std::memcpy(&value, &bits, sizeof value);
       return value;
     }
-    default:  // halves, and next to them, of each size
+    default:  // halves and their neighbours, of each size
       return std::ldexp(static_cast<float>(2 * random.between(-999, 999) + 1),
                         random.between(-60, 0)) +
              std::ldexp(static_cast<float>(random.between(-1, 1)), random.between(-60, -20));
   }
 }
 
-/// Rounding any way, and subnormal numbers flushed to zero or not, while this lives.
+/// Sets a rounding mode, and whether subnormals flush to zero, during its lifetime.
 class FpuMode {
  public:
 #if defined(__SSE2__)
@@ -125,7 +125,7 @@ struct Numbers {
   float cells_per_unit;
 };
 
-/// A pose that is mostly one, with some odd numbers.
+/// A mostly valid pose, with some odd numbers.
 Numbers any_numbers(Random& random) {
   const auto rotation = plain::test::rotation_of(plain::test::any_quaternion(random));
   Numbers numbers{};
@@ -134,7 +134,7 @@ Numbers any_numbers(Random& random) {
     const float entry = static_cast<float>(rotation.entry[i / 3][i % 3]) / plain::kRotationOne;
     numbers.rotation[i] = is_turned ? entry : i % 4 == 0 ? 1.0f : 0.0f;
   }
-  if (random.below(4) == 0) {  // near the tolerance, a mirror, or bits that round away
+  if (random.below(4) == 0) {  // near the tolerance, mirrored, or with bits that round away
     float& entry = numbers.rotation[random.below(9)];
     entry = random.below(4) == 0 ? -entry
                                  : entry + std::ldexp(static_cast<float>(random.between(-99, 99)),
@@ -154,7 +154,7 @@ Numbers any_numbers(Random& random) {
     numbers.translation[odd - 9] = any_odd_number(random);
   } else if (odd == 12) {
     numbers.cells_per_unit = any_odd_number(random);
-  } else if (odd <= 14) {  // subnormal numbers that count: of the length, or of the unit
+  } else if (odd <= 14) {  // relevant subnormals: of the length, or of the unit
     const float small = Limits::denorm_min() * static_cast<float>(random.between(1, 1 << 22));
     const float large = std::ldexp(1.0f, random.between(80, 127));
     numbers.translation[0] = odd == 13 ? small : large;

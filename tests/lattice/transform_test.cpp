@@ -1,5 +1,5 @@
-// What a query makes of a pose: transformed vertices, the tests of boxes that must not lose them,
-// and a reported pair, transformed again.
+// A query's use of a pose: transformed vertices, box tests that must not miss them, and reported
+// pairs transformed again.
 #include "bake/baked_tree.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/query.hpp"
@@ -28,7 +28,7 @@ bake::LatticeMesh ring() {
   return mesh;
 }
 
-/// How many pairs the query reports; each is transformed again as the query has it, inside a sink.
+/// The number of reported pairs; the sink transforms each again like the query.
 std::uint32_t check_pairs(const Mesh& a, const Mesh& b, const Pose& pose) {
   PairQuery query(a, b, pose);
   std::uint32_t pairs = 0;
@@ -75,14 +75,14 @@ TEST_CASE("no box test rejects boxes with a transformed vertex of one in the oth
             std::abs(transformed.z) > 16383) {
           continue;
         }
-        // The smallest box of A that the vertex touches: the vertex itself.
+        // The smallest box of A that touches the vertex is the vertex itself.
         const Vertex at = {static_cast<std::int16_t>(transformed.x),
                            static_cast<std::int16_t>(transformed.y),
                            static_cast<std::int16_t>(transformed.z)};
         const PackedBox box_a = pack({at, at});
         RotatedBoxTest overlap(transform);
         REQUIRE(overlap(box_a, box_b));
-        REQUIRE(overlap(box_a, box_b));  // from what it kept
+        REQUIRE(overlap(box_a, box_b));  // from the kept box
       }
     }
   });
@@ -94,7 +94,7 @@ TEST_CASE("a transformed vertex is within 0.51 cells of where the pose's numbers
     const Pose pose = any_rigid_pose(random, 16383);
     for (const Vertex& v : mesh.vertices) {
       for (int axis = 0; axis < 3; ++axis) {
-        // 30 fraction bits.
+        // With 30 fraction bits.
         const std::int64_t exact =
             std::int64_t{pose.rotation(axis, 0)} * v.x +
             std::int64_t{pose.rotation(axis, 1)} * v.y +
@@ -111,7 +111,7 @@ TEST_CASE("a transformed vertex is within 0.51 cells of where the pose's numbers
 TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
   int overlapping = 0;
   for_rounds(3000, 4, [&](Random& random, int) {
-    // About z: x goes to y, y to -x.
+    // Turns about z: x goes to y, y to -x.
     const std::int32_t cells[3] = {random.between(-40, 40), random.between(-40, 40),
                                    random.between(-40, 40)};
     const Pose pose = Pose::rigid(rotation_of({1, 0, 0, 1}).entry, cells);

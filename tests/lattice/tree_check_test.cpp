@@ -1,6 +1,6 @@
-// The check of a tree's contents against the trees themselves: of all arrays that differ from a
-// tree's in up to four places, exactly those that are a tree's pass. Arrays lie in heap blocks of
-// their size, so the address sanitizer sees any other read of the check.
+// The check of a tree's contents: of all arrays that differ from a tree's in up to four places,
+// exactly those of a tree pass. Arrays lie in heap blocks of their size, so that the address
+// sanitizer detects any other read.
 #include <set>
 
 #include "bake/baked_tree.hpp"
@@ -17,10 +17,10 @@ using Baked = bake::BakedTree<std::uint16_t, layout>;
 
 constexpr std::uint16_t kLeaf = Node<std::uint16_t>::kLeafFlag;
 
-/// Places changed at once; a board under QEMU has not the time for all.
+/// The number of places changed at once; a board under QEMU is too slow for all.
 constexpr int kDepth = sizeof(void*) > 4 ? 4 : 3;
 
-/// What makes the shape of a tree: of each node its link, level, parent or right child level, and
+/// The fields that define a tree's form: each node's link, level, parent or right child level, and
 /// whether it is a leaf.
 using Fields = std::vector<std::uint16_t>;
 constexpr std::size_t kFieldsPerNode = 4;
@@ -45,8 +45,8 @@ const bake::LatticeMesh& mesh_of_equal_triangles() {
   return mesh;
 }
 
-/// Each tree of `count` nodes: node i > 0 is the last child so far of parents[i], an ancestor or
-/// the node i - 1 itself.
+/// All trees of `count` nodes: node i > 0 is so far the last child of parents[i], an ancestor of
+/// node i - 1 or this node.
 template <class Use>
 void for_each_tree(std::size_t count, std::vector<std::uint32_t>& parents, Use use) {
   if (parents.size() == count) {
@@ -96,7 +96,7 @@ bool passes(const Baked<layout>& baked, bool levels = true) {
   return check_tree(view, shape) == Status::done;
 }
 
-/// The tree with other fields; leaves and their triangles are numbered as they come, ranks are 1.
+/// The tree with other fields; numbers leaves and their triangles in order; ranks are 1.
 template <Layout layout>
 bool passes(Baked<layout>& baked, const Fields& fields, bool levels) {
   baked.leaf_count = 0;
@@ -120,8 +120,8 @@ bool is_of_levels(std::size_t field) {
   return field % kFieldsPerNode == 1 || field % kFieldsPerNode == 2;
 }
 
-/// Gives `depth` of the fields from `first` on every other value there could be; leaves the levels
-/// alone by default.
+/// Sets up to `depth` of the fields from `first` on to every other possible value; by default
+/// leaves levels unchanged.
 template <class Use>
 void for_each_change(Fields& fields, std::size_t first, int depth, bool levels, const Use& use) {
   use(fields);
@@ -145,7 +145,7 @@ void for_each_change(Fields& fields, std::size_t first, int depth, bool levels, 
   }
 }
 
-/// Without levels, equal links and kinds are equal trees.
+/// Without levels, trees with equal links and kinds are equal.
 Fields without_levels(Fields fields) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     fields[i] = is_of_levels(i) ? std::uint16_t{0} : fields[i];

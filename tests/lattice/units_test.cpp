@@ -33,7 +33,7 @@ std::int64_t any_fine(Random& random) {
 
 TEST_CASE("lengths: a product that a double holds is rounded to a float once, however small") {
   for_rounds(20000, [&](Random& random, int) {
-    // 14 digits and 39.
+    // A number of 14 bits and one of 39.
     const double cell =
         std::ldexp(random.between(1 << 13, (1 << 14) - 1), random.between(-190, 80));
     const std::int64_t fine = any_fine(random);
@@ -48,9 +48,9 @@ TEST_CASE("lengths: the ends of the range") {
   CHECK(std::isinf(length_of(256, 1e39)));
   CHECK(length_of(-256, 1e39) == -std::numeric_limits<float>::infinity());
   CHECK(length_of(256, 0x1.FFFFFEp127) == std::numeric_limits<float>::max());
-  CHECK(std::isinf(length_of(256, 0x1.FFFFFFp127)));  // half way to the next
+  CHECK(std::isinf(length_of(256, 0x1.FFFFFFp127)));  // half way to the next float
   CHECK(length_of(256, 0x1p-149) == std::numeric_limits<float>::denorm_min());
-  CHECK(length_of(128, 0x1p-149) == 0);  // a tie goes to the even one
+  CHECK(length_of(128, 0x1p-149) == 0);  // a tie rounds to even
   CHECK(length_of(129, 0x1p-149) == std::numeric_limits<float>::denorm_min());
   CHECK(length_of(256, 0x1.0000010000001p0) == 0x1.000002p0f);
   CHECK(length_of(256, 0x1.000001p0) == 1);
@@ -97,7 +97,7 @@ TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
     const std::int64_t rounded = whole + (rest > half || (rest == half && whole % 2 != 0) ? 1 : 0);
     REQUIRE(millionths_of(fine, bits_of(one_to_two)) == (fine < 0 ? -rounded : rounded));
 
-    // Of larger cells, up to what 63 bits hold and beyond.
+    // Larger cells, up to the range of 63 bits and beyond.
     const int power = static_cast<int>(random.below(12));
     const Wide scaled = (millions << power) + (Wide{1} << 59);
     const Wide large = (scaled >> 60) -
@@ -106,9 +106,9 @@ TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
     REQUIRE(millionths_of(fine, bits_of(std::ldexp(one_to_two, power))) ==
             (fine < 0 ? -most : most));
 
-    // The floats next to it are on either side of half way.
+    // The adjacent floats lie on either side of half way.
     const float per_unit = cells_per_unit(bits_of(one_to_two));
-    const auto tens = static_cast<std::uint64_t>(std::ldexp(per_unit, 24));  // 24 digits, of 25
+    const auto tens = static_cast<std::uint64_t>(std::ldexp(per_unit, 24));  // 24 bits, of 25
     const Wide inverse = Wide{1} << (52 + 25);
     REQUIRE(Wide{2 * tens - 1} * digits <= inverse);
     REQUIRE(Wide{2 * tens + 1} * digits >= inverse);
@@ -139,7 +139,7 @@ TEST_CASE("lengths: a contact a metre off both frames' origins, in millimetres")
     }();
     Mesh at_origin_b = b;
     std::memcpy(at_origin_b.origin, at_origin_a.origin, sizeof at_origin_b.origin);
-    // The same place: B a ring's radius from A.
+    // An equivalent pose: B a ring's radius from A.
     const Pose pose = Pose::translated(metre + metre + 1000, -2 * metre, metre);
     const Pose near_pose = Pose::translated(1000, 0, 0);
     PairQuery query(a, b, pose);

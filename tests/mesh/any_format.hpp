@@ -1,4 +1,4 @@
-// One triangle as text, in each format that has one.
+// One triangle as text, in each text format.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace flashbvh::test {
 
-/// Of doubles.
+/// A header for doubles.
 inline const std::string kPlyHeader =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
     "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
@@ -28,7 +28,7 @@ inline const std::array<TextFormat, 4> kTextFormats = {
      {"off", tool::read_off, "OFF\n3 1 0\n", "7 0 0\n0 7 0\n3 0 1 2\n"},
      {"ply", tool::read_ply, kPlyHeader, "7 0 0\n0 7 0\n3 0 1 2\n"}}};
 
-/// What a reader says of a file that it refuses; empty if it reads it.
+/// The message of a reader that refuses a file; empty if it reads the file.
 template <class Read>
 std::string refusal(Read read, const std::string& bytes) {
   try {

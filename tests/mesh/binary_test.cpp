@@ -1,4 +1,4 @@
-// Binary files: their numbers as they are, of each type and in both orders of bytes.
+// Binary files: unchanged numbers of each type, in both byte orders.
 #include <filesystem>
 #include <fstream>
 
@@ -141,7 +141,7 @@ TEST_CASE("what assimp reads of coordinates that are floats is what our own read
   for (int i = 0; i < 450; ++i) {
     floats.push_back((static_cast<float>(random.below(4096)) - 2048) / 64);
     const std::string text =
-        std::to_string(static_cast<double>(floats.back()));  // six digits: exact
+        std::to_string(static_cast<double>(floats.back()));  // six decimals: exact
     obj += (i % 3 == 0 ? "v " : " ") + text + (i % 3 == 2 ? "\n" : "");
     off += text + (i % 3 == 2 ? "\n" : " ");
   }

@@ -1,4 +1,4 @@
-// The finest cell: the mesh fits it, and no more than rounding takes is left of the lattice.
+// The finest cell: the mesh fits, and fills the lattice up to a rounding.
 #include "bake/quantise.hpp"
 #include "flashbvh/image.hpp"
 #include "support/test.hpp"
@@ -32,7 +32,7 @@ TEST_CASE("a mesh fits its finest cell, which its width fills but for what round
 TEST_CASE("the whole width of the lattice is used where rounding allows it") {
   CHECK(bake::finest_cell(mesh_between(0, kWidth)) == 1);
   CHECK(bake::finest_cell(mesh_between(-26, 26)) == 52 / kWidth);
-  // Both ends halfway between cells: each is rounded away from the other.
+  // Both ends are halfway between cells and round away from each other.
   const bake::SourceMesh halves = mesh_between(-0.5, kWidth - 0.5);
   CHECK(!bake::fits(halves, 1));
   CHECK(bake::finest_cell(halves) <= 1 + 1e-14);

@@ -1,4 +1,4 @@
-// A reader in a process of its own: whatever it does, the caller gets a mesh or a message.
+// A reader in its own process: whatever it does, the caller gets a mesh or a message.
 #include <unistd.h>
 #include <csignal>
 #include <stdexcept>
@@ -25,7 +25,7 @@ FileMesh two_bodies() {
   return mesh;
 }
 
-/// What the caller hears of a reader that does this.
+/// The caller's message for this reader.
 std::string said_of(const std::function<FileMesh()>& read) {
   return refusal([&](const std::string&,
                      const std::string& file) { return guarded_import(read, file, kLimits); },

@@ -1,5 +1,4 @@
-// Polygons cut into triangles: the same ones as by the rule itself, applied to every corner each
-// time.
+// Triangulated polygons: equal to applying the rule to every corner each time.
 #include "mesh/polygon.hpp"
 #include "support/test.hpp"
 
@@ -27,8 +26,8 @@ bool is_ear(const std::vector<Corner3>& corners, const std::vector<std::uint32_t
   return ear;
 }
 
-/// The first ear from the second corner on, the first corner last; the second corner if there is
-/// none. For polygons in the plane z = 0 that run counter-clockwise.
+/// Cuts the first ear from the second corner on, with the first corner last; the second corner if
+/// there is none. For counter-clockwise polygons in the plane z = 0.
 Triangles triangulate_slowly(const std::vector<Corner3>& corners) {
   std::vector<std::uint32_t> left;
   for (std::uint32_t i = 0; i < corners.size(); ++i) {
@@ -77,7 +76,7 @@ TEST_CASE("polygons, simple or crossing, are cut as by testing every corner each
     if (area < 0) {
       std::reverse(corners.begin(), corners.end());
     } else if (!(area > 0)) {
-      continue;  // seen from no side in particular
+      continue;  // has no front side
     }
     CAPTURE(i, kind, count);
     REQUIRE(tool::triangulate(corners) == triangulate_slowly(corners));
@@ -114,7 +113,8 @@ TEST_CASE("what lies in the long triangles of a star is found among few corners"
     const double radius = i % 2 == 0 ? 1 : 0.5;
     star.push_back({radius * std::cos(turn), radius * std::sin(turn)});
   }
-  // A fan from the end of the first ray, as it is cut: thin triangles between the rays of one side.
+  // A fan from the end of the first ray, as the cut makes it: thin triangles between one side's
+  // rays.
   tool::CornerTree tree(star);
   const std::uint32_t kLast = kCount / 8;
   bool all_empty = true;

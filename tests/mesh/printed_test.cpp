@@ -1,4 +1,4 @@
-// Numbers by <cstdio>: the same texts, read as the same numbers, as by <charconv>.
+// Numbers printed by <cstdio>: equal texts to <charconv>'s, which read as equal numbers.
 #include <cmath>
 #include <cstring>
 #include <limits>

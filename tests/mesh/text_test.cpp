@@ -1,5 +1,5 @@
-// Text files: the nearest double in every format, what is malformed is refused with its place, and
-// which triangles are of which body.
+// Text files: the nearest double in every format, refusals of malformed files with the place, and
+// each triangle's body.
 #include "mesh/any_format.hpp"
 #include "support/test.hpp"
 
@@ -14,7 +14,8 @@ double first_coordinate(const TextFormat& format, const std::string& word) {
       .mesh.vertices.at(0)[0];
 }
 
-/// To the sign of zero. The C library's conversion is another one, and rounds to nearest.
+/// Compares bits, including the sign of zero. The C library's conversion is independent, and rounds
+/// to nearest.
 bool reads_as(const TextFormat& format, const std::string& word, double wanted) {
   const double found = first_coordinate(format, word);
   return std::memcmp(&found, &wanted, sizeof found) == 0;
@@ -23,13 +24,13 @@ bool reads_as(const TextFormat& format, const std::string& word, double wanted) 
 const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string kMend = "; export the mesh again";
 
-/// The triangle, with one thing in its header or body replaced.
+/// The triangle, with one part of its header or body replaced.
 std::string ply_with(const std::string& what, const std::string& by) {
   std::string text = kPlyHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   return text.replace(text.find(what), what.size(), by);
 }
 
-/// `said` stands between "file" and the advice to export the mesh again.
+/// `said`: the message between "file" and the advice to export the mesh again.
 struct BadPly {
   std::string what;
   std::string by;
@@ -40,7 +41,7 @@ const std::string kList = "uchar int vertex_indices";
 const std::string kNoList = ": has faces without one list of integers 'vertex_indices'";
 
 const BadPly kBadPlies[] = {
-    // The shape must be whole and without a second meaning.
+    // The format must be complete and unambiguous.
     {"double x", "double w", ": has vertices without a number 'x'"},
     {"double y", "double w", ": has vertices without a number 'y'"},
     {"double z", "double w", ": has vertices without a number 'z'"},
@@ -56,7 +57,7 @@ const BadPly kBadPlies[] = {
     {"format ascii 1.0\n", "", ":8: the header ends without a 'format'"},
     {"element face 1\nproperty list " + kList + "\n", "",
      ": has no polygons ('vertex' and 'face')"},
-    // Each number must be of its type.
+    // Each number must fit its type.
     {"3 0 1 2", "3 0 1.5 2", ": face 0 of 1: '1.5' is no int"},
     {"3 0 1 2", "3 0 1 2.0", ": face 0 of 1: '2.0' is no int"},
     {"3 0 1 2", "3.0 0 1 2", ": face 0 of 1: '3.0' is no uchar"},
@@ -88,7 +89,7 @@ TEST_CASE("a number of a text is the nearest double, in every format") {
       "5000000.3", "0.1000000000000000055511151231257827", "123456789012345678901234567890",
       "18446744073709551616", "18446744073709551617", "36893488147419103232",
       "00000000000000000000000000000000000001.5",
-      // Halfway between two doubles, and a little to either side.
+      // Halfway between two doubles, and slightly to either side.
       "9007199254740993", "9007199254740995", "9007199254740992.99999999999999999999",
       "9007199254740993.00000000000000000001", "1.00000000000000011102230246251565404",
       "1.00000000000000011102230246251565405", "1.00000000000000011102230246251565403",
@@ -206,7 +207,7 @@ TEST_CASE("ASCII STL: a body is a solid, by its name as it is written; empty one
   REQUIRE(meshes.size() == 3);
   CHECK(meshes[0].triangles.size() == 2);
   CHECK(meshes[0].vertices.size() == 6);
-  CHECK(meshes[1].vertices.size() == 3);  // one of the first body's triangles, of its own here
+  CHECK(meshes[1].vertices.size() == 3);  // includes one of the first body's triangles, separately
   CHECK(meshes[2].vertices.at(0) == tool::Position{0, 0, 2});
 }
 

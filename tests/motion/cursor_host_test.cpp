@@ -1,4 +1,4 @@
-// Any bytes for a first contact's cursor are refused or lead to an end.
+// A first contact's cursor of any bytes is refused, or its query ends.
 #include "flashbvh/first_contact.hpp"
 #include "support/any_motion.hpp"
 #include "support/test.hpp"
@@ -7,7 +7,7 @@ namespace {
 
 using Cursor = FirstContact::Cursor;
 
-/// Of a query that has done some work.
+/// The cursor of a query that has done some work.
 Cursor any_cursor(Random& random, FirstContact query) {
   (void)query.run(1 + random.below(2000));
   return query.cursor();
@@ -25,7 +25,7 @@ Cursor corrupted(Random& random, const Cursor& cursor) {
   return made;
 }
 
-/// Times and phases that could be.
+/// A cursor with possible times and phases.
 Cursor plausible(Random& random, Cursor cursor) {
   cursor.status = Status::suspended;
   cursor.phase = static_cast<ContactPhase>(random.below(4));
@@ -57,7 +57,7 @@ TEST_CASE("first contacts: any numbers for a cursor are refused or lead to an en
       FirstContact query = fresh;
       if (query.resume(i % 2 == 0 ? corrupted(random, known) : plausible(random, known)) !=
           Status::suspended) {
-        REQUIRE(query.status() == Status::suspended);  // as it was
+        REQUIRE(query.status() == Status::suspended);  // unchanged
         ++refused;
         continue;
       }

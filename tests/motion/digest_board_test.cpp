@@ -1,4 +1,4 @@
-// One number for many motions, which every core and every compiler must get.
+// One number for many motions, equal on every core and with every compiler.
 #include <catch2/catch.hpp>
 #include <initializer_list>
 
@@ -28,7 +28,7 @@ constexpr uint32_t kMovesAtMost = 3;
   return move;
 }
 
-// A mesh and another tree of it; static, since the smallest core has no such stack.
+// A mesh and another tree of it; static, since the smallest core's stack is too small.
 digest::SmallMesh mesh;
 
 struct Scene {
@@ -43,7 +43,8 @@ struct Scene {
   }
 };
 
-/// In slices, whose number is every core's, too; each `close` passed.
+/// Adds the contacts in slices; the number of slices must be equal on all cores. Passes each
+/// `close`.
 [[gnu::noinline]] void add_contacts(FirstContact& query, uint32_t slice, digest::Hash& hash,
                                     int (&outcomes)[3]) {
   for (;;) {

@@ -1,4 +1,4 @@
-// Any numbers for a motion are refused or lead to an end: at the limits of each range.
+// Motions of any numbers are refused or end: at the limits of each range.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 #include "support/any_motion.hpp"
@@ -6,7 +6,7 @@
 
 namespace {
 
-/// Small, near a power of two, or any.
+/// A number that is small, near a power of two, or random.
 int32_t extreme(Random& random) {
   const auto power = static_cast<int32_t>(1u << random.below(31));
   const int32_t near = power - 1 + random.between(-1, 1);
@@ -22,7 +22,7 @@ int32_t extreme(Random& random) {
   }
 }
 
-/// Of a mesh, or of a pose: mostly in range.
+/// A coordinate of a mesh or a pose, mostly in range.
 int32_t any_cells(Random& random) {
   return random.below(3) != 0 ? random.between(-300, 300) : extreme(random) >> random.below(14);
 }

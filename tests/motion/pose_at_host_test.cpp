@@ -1,4 +1,4 @@
-// Where a motion has its body, against Rodrigues' formula in doubles; and what motions are refused.
+// Poses along a motion, against Rodrigues' formula in doubles; and refused motions.
 #include "flashbvh/first_contact.hpp"
 #include "support/any_motion.hpp"
 #include "support/test.hpp"
@@ -62,6 +62,6 @@ TEST_CASE("motions between poses: straight, and the shorter way round to the end
       REQUIRE(apart(exact.at(time, FloatVector{0, 0, 0}), plus(begin, time, way)) < 1e-3);
     }
     const FloatVector corner = {1000, 1000, 1000};
-    REQUIRE(apart(exact.at(1, corner), placed(to, corner)) < 0.2);  // of five decimals: 2^-13
+    REQUIRE(apart(exact.at(1, corner), placed(to, corner)) < 0.2);  // five decimals: 2^-13
   });
 }

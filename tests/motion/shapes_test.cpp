@@ -1,4 +1,4 @@
-// Shapes that sweep, against closed forms: when a ball, a capsule or a box meets what it moves to.
+// Sweeping shapes against closed forms: the time at which a ball, a capsule or a box meets a body.
 #include "flashbvh/first_contact.hpp"
 #include "flashbvh/shape.hpp"
 #include "support/motion_scene.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Has the cell of all shapes.
+/// A mesh with the cell of all shapes.
 Mesh some_mesh() {
   static Random random(1);
   static const Body body(random, random_mesh(random, 1, 5, 5));
@@ -20,7 +20,7 @@ const Mesh& wall() {  // at x >= 0
   return box.mesh();
 }
 
-/// `speed`: in cells a motion, where they meet; `radius` in cells.
+/// `speed`: at contact, in cells per motion; `radius` in cells.
 void check_meets(const Mesh& a, const Mesh& b, const BodyMotion& motion, std::uint32_t radius,
                  double time, double speed) {
   FirstContact query(a, b, motion, radius * 256);
@@ -46,7 +46,7 @@ BodyMotion straight(const Point& from, const Point& way) {
   return Translation{from, way}.motion();
 }
 
-/// About the z axis through `at`, with a pitch, in cells.
+/// Turns about the z axis through `at`, with a pitch, in cells.
 Move turning(double turns, const Point& at = {0, 0, 0}, int32_t pitch = 0) {
   return {{at.x * kFrameCell, at.y * kFrameCell, at.z * kFrameCell},
           {0, 0, kRotationOne},
@@ -85,7 +85,7 @@ TEST_CASE("a ball meets another where their middles are two radii apart") {
 TEST_CASE("a ball on an arm meets a wall that it turns to") {
   const PointShape point(some_mesh(), {0, 100, 0});  // the arm's axis is at x = -80
   for (const std::uint32_t radius : {0u, 5u, 30u}) {
-    for (const double turns : {-0.5, -1.0, -7.0}) {  // clockwise: to the wall
+    for (const double turns : {-0.5, -1.0, -7.0}) {  // clockwise: towards the wall
       const Move move = turning(turns, {-80, 0, 0});
       const BodyMotion motion(Pose::translated(-80, 0, 0), &move, 1);
       const double angle = std::asin((80.0 - radius) / 100);
@@ -101,7 +101,7 @@ TEST_CASE("a ball on an arm meets a wall that it turns to") {
 TEST_CASE("a capsule meets a wall with the end that is ahead") {
   const SegmentShape segment(some_mesh(), {0, -50, 0}, {0, 50, 0});
   check_meets(wall(), segment.mesh(), straight({-200, 0, 0}, {400, 0, 0}), 10, 190.0 / 400, 400);
-  const Move move = turning(-0.25, {-30, 0, 0});  // its upper end comes down to the wall
+  const Move move = turning(-0.25, {-30, 0, 0});  // its upper end turns down to the wall
   const double angle = std::asin(20.0 / 50);
   check_meets(wall(), segment.mesh(), BodyMotion(Pose::translated(-30, 0, 0), &move, 1), 10,
               angle / (kPi / 2), kPi / 2 * 50 * std::cos(angle));
@@ -131,7 +131,7 @@ TEST_CASE("a box slides along a wall, rests on it, or meets it with an edge") {
 }
 
 TEST_CASE("a motion that ends next to its way is tested where it ends") {
-  // Longer by 6 parts in 10^5 at its end, which still counts as a rotation: by six cells.
+  // Stretched by 6 parts in 10^5 at its end, which still counts as a rotation: by six cells.
   constexpr int32_t far = 100'000;
   const SegmentShape segment(some_mesh(), {far - 100, 0, 0}, {far, 0, 0});
   const BoxShape box(some_mesh(), {far + 4, -5, -5}, {far + 12, 5, 5});

@@ -1,12 +1,12 @@
-// First contacts in slices: the same answers, also in another object after each, and behind those
-// that are passed.
+// First contacts in slices: equal answers, also in a new object for each slice, and after passed
+// contacts.
 #include "flashbvh/first_contact.hpp"
 #include "support/any_motion.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-/// Also with wider indices.
+/// Compares answers, also with wider indices.
 template <class Answer>
 bool are_same(const FirstContactAnswer& u, const Answer& v) {
   return u.status == v.status && u.outcome == v.outcome && u.from == v.from && u.to == v.to &&
@@ -22,7 +22,7 @@ struct Pair {
   FirstContact query() const { return {a, b, motion, within}; }
 };
 
-/// All outcomes, each `close` passed; work 0: any. `anew`: in another object after each run.
+/// All outcomes, passing each `close`; work 0: random slices. `anew`: in a new object for each run.
 std::vector<FirstContactAnswer> in_slices(Random& random, const Pair& pair, std::uint32_t work,
                                           bool anew) {
   std::vector<FirstContactAnswer> answers;

@@ -1,5 +1,5 @@
-// First contacts of bodies that travel straight, against exact linear programs of all pairs of
-// triangles. FLASHBVH_MOTIONS tries as many and prints what it found.
+// First contacts of translated bodies, against exact linear programs for all pairs of triangles.
+// FLASHBVH_MOTIONS sets the number of motions, and prints the results.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 #include "support/motion_scene.hpp"
@@ -21,9 +21,9 @@ long motions() {
 
 struct Found {
   long of[3] = {};     ///< by outcome
-  long late = 0;       ///< touch before they are said to
-  long missed = 0;     ///< touch where they are said to be free
-  double longest = 0;  ///< interval, in cells
+  long late = 0;       ///< contacts before the reported time
+  long missed = 0;     ///< contacts in motions reported free
+  double longest = 0;  ///< the longest interval, in cells
 };
 
 class Checked {
@@ -61,7 +61,7 @@ class Checked {
   }
 
  private:
-  /// Before a time, or at it.
+  /// Whether the bodies touch before a time, or at it.
   bool touches_before(std::uint32_t time, bool or_at) const {
     const Pose here = Pose::translated(0, 0, 0);
     for (std::uint32_t j = 0; j < scene_.b.source.triangles.size(); ++j) {

@@ -1,5 +1,5 @@
-// First contacts of bodies that turn, against bodies placed by doubles: at each step of the oracle
-// they are so far apart that they can't touch before the next.
+// First contacts of turning bodies, against bodies placed in doubles: at each step of the oracle,
+// their distance prevents contact before the next step.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 #include "support/any_motion.hpp"
@@ -47,7 +47,7 @@ class Checked {
   }
 
  private:
-  /// Of the exact bodies, less what they are to keep.
+  /// The distance of the exact bodies, less the distance that they must keep.
   double distance_at(double time) const {
     return distance_of(float_a_, exact_.at(time, float_b_)) - within_ / 256.0;
   }
@@ -64,7 +64,7 @@ class Checked {
     REQUIRE((until == 0 || distance_at(end) > 0));
   }
 
-  /// Of bodies that are 0.9 cells apart, those that the pose rounds don't touch.
+  /// Checks that bodies 0.9 cells apart do not touch when the pose rounds them.
   void check_rounded(double time, double apart) const {
     if (apart > 0.9 && apart < 3) {
       REQUIRE_FALSE(touch_at(static_cast<std::uint32_t>(time * kEnd)));
@@ -84,7 +84,7 @@ class Checked {
     return least;
   }
 
-  /// The way of the corner that moves most, at least.
+  /// A lower bound of the travel of the corner that moves most.
   double moved_most(std::uint32_t from, std::uint32_t to) const {
     double most = 0;
     for (const FloatTriangle& t : float_b_) {
@@ -102,7 +102,7 @@ class Checked {
     return most;
   }
 
-  /// How far the moves' way ends from the motion's end.
+  /// The distance between the end of the moves and the motion's end pose.
   double off_at_end() const {
     double most = 0;
     for (const FloatTriangle& t : float_b_) {

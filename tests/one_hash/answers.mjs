@@ -1,5 +1,5 @@
-// The hash of sequence.cpp, of the npm package: in node and, by one_hash.py, in a browser.
-// `library`: the package; read(name): bytes of what one_hash writes.
+// The hash of sequence.cpp, computed by the npm package: in node and, by one_hash.py, in a browser.
+// `library`: the package; read(name): the bytes of a file that one_hash writes.
 const BLOCK = 1000, ALL_WORK = 0xfffffffe, WORK = 150;
 const KINDS = [
   (library, a, b, poses) => [library.intersects(a, b, poses)],
@@ -16,7 +16,7 @@ const KINDS = [
 const words_of = pairs => new Uint32Array(pairs.buffer);
 const columns_of = points => [0, 1, 2].map(axis => points.filter((_, i) => i % 3 === axis));
 
-// FNV-1a, a word at a time: a row of all columns after the other.
+// FNV-1a by words, row after row of all columns.
 let hash = 2166136261;
 const add = columns => {
   for (let i = 0; i < columns[0].length; ++i) {

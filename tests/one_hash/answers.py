@@ -1,4 +1,4 @@
-"""answers.py FOLDER: the hash of sequence.cpp, of the Python package; FOLDER: what one_hash writes."""
+"""answers.py FOLDER: the hash of sequence.cpp, by the Python package; FOLDER: the files that one_hash writes."""
 import sys
 from pathlib import Path
 
@@ -11,7 +11,7 @@ NO_PAIR = 0xFFFF
 
 
 def fine(lengths, cell):
-    """In 1/256 cell, as columns of words."""
+    """The lengths in 1/256 cell, as columns of words."""
     steps = np.rint(lengths / cell * 256).astype(np.int64) & 0xFFFFFFFF
     return steps.reshape(len(steps), -1)
 
@@ -36,7 +36,7 @@ def first_pairs(a, b, poses):
 
 
 def periods(robot, values):
-    """The first period primes, as flashbvh.Guard.check() does."""
+    """The first period primes, like flashbvh.Guard.check()."""
     checked = flashbvh.Guard(robot).check(values, work=WORK)
     pairs = np.where(checked.pairs < 0, NO_PAIR, checked.pairs)
     return [checked.verdicts[:, None], pairs[:, None], fine(checked.distances, robot.cell), checked.work[:, None]]

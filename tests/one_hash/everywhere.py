@@ -1,6 +1,6 @@
-"""everywhere.py QUERIES PERIODS PROGRAM PACKAGE [PYTHON MODULE]: the hash of so many by the program one_hash, by the npm
-package in node and Chromium, by the Python package; fails if they differ. What is not here is left out: PACKAGE may be
-empty."""
+"""everywhere.py QUERIES PERIODS PROGRAM PACKAGE [PYTHON MODULE]: compares the hash of these counts by the program
+one_hash, by the npm package in node and Chromium, and by the Python package; fails if they differ. Skips missing
+programs; PACKAGE may be empty."""
 import functools
 import http.server
 import os

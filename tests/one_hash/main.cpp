@@ -1,9 +1,8 @@
-// one_hash                              prints the hash of kQueries queries and kPeriods periods;
-// ends with 0 if it is the
-//                                       one that every core and every language must get
-// one_hash QUERIES PERIODS FOLDER       prints that of so many, for which FOLDER gets what
-// answers.* read: images, poses
-//                                       and joint values
+// one_hash    prints the hash of kQueries queries and kPeriods periods; exits with 0 if it is the
+// one
+//             of every core and every language
+// one_hash QUERIES PERIODS FOLDER    prints the hash of these counts; writes the input of answers.*
+//             to FOLDER: images, poses and joint values
 #include "sequence.hpp"
 #include "support/print.hpp"
 

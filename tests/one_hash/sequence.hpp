@@ -1,6 +1,5 @@
-// Queries and guard periods that answer alike wherever flashbvh runs: one definition of the inputs
-// and of the hash. Inputs are floats made of integers, so that each language can read them as they
-// are.
+// Queries and guard periods with equal answers wherever flashbvh runs: one definition of the inputs
+// and of the hash. Inputs are floats made of integers, so each language reads them unchanged.
 #pragma once
 
 #include <stdint.h>
@@ -13,17 +12,17 @@ namespace one_hash {
 using flashbvh::test::Random;
 
 constexpr uint64_t kSeed = 0x6F6E6568617368u;
-/// Queries change their kind, of `Kind`, after so many; after all kinds they change their meshes.
+/// The number of queries of one `Kind`; after all kinds, the meshes change.
 constexpr uint32_t kBlock = 1000;
 enum class Kind : uint8_t { intersects, distance, first_pair };
 constexpr uint32_t kKinds = 3;
 constexpr uint32_t kMeshes = 3;
-/// Of the first period, as much as is counted, and of those that follow.
+/// The budgets of the first period, the largest that is a limit, and of those that follow.
 constexpr uint32_t kAllWork = UINT32_MAX - 1;
 constexpr uint32_t kWork = 150;
 constexpr uint32_t kVariables = 4;
 
-/// FNV-1a, a word at a time.
+/// FNV-1a by words.
 class Hash {
  public:
   void add(uint32_t word) { value_ = (value_ ^ word) * 16777619u; }
@@ -33,7 +32,7 @@ class Hash {
   uint32_t value_ = 2166136261u;
 };
 
-/// Where B lies in A's frame.
+/// The frame of B in A's frame.
 struct PoseFloats {
   float rotation[3][3];  ///< row by row
   float translation[3];  ///< mm
@@ -60,8 +59,7 @@ class Poses {
   Random random_{kSeed};
 };
 
-/// Joint values of the arm, in radians: they wander between limits, which lie a little beyond the
-/// arm's.
+/// Joint values of the arm, in radians: they wander between limits slightly beyond the arm's.
 struct ValueFloats {
   float radians[kVariables];
 };
@@ -95,10 +93,10 @@ class Trajectory {
   int32_t velocity_[kVariables] = {};
 };
 
-/// Of so many queries, then of so many periods.
+/// The hash of this number of queries, then of periods.
 uint32_t hash_of(uint32_t queries, uint32_t periods);
 
-/// What has to be given to others: baked images.
+/// The baked images, for other programs.
 struct Image {
   const char* name;
   const uint32_t* words;

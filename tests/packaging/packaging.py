@@ -1,7 +1,7 @@
-"""packaging.py WAY: flashbvh in the build of a firmware project (consumer/), in a folder of its own.
+"""packaging.py WAY: flashbvh in the build of a firmware project (consumer/), in its own folder.
 
-WAY names a function below. From the environment: FLASHBVH, the tool; ROOT, the repository; FOLDER, where the
-ways have their folders; CMAKE.
+WAY names a function below. Environment: FLASHBVH, the tool; ROOT, the repository; FOLDER, the parent of the ways'
+folders; CMAKE.
 """
 import os
 import re
@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT, FOLDER, FLASHBVH, CMAKE = (os.environ[name] for name in ("ROOT", "FOLDER", "FLASHBVH", "CMAKE"))
 HERE = Path(__file__).resolve().parent
 GENERATORS = "Ninja", "Unix Makefiles"
-# No package but the compiler's: nothing looks for what these options forbid.
+# No package but the compiler's: the build must not look for these.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
         ("assimp", "CLI11", "nlohmann_json", "Catch2", "sdformat12", "urdfdom", "yaml-cpp")]
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
@@ -31,7 +31,7 @@ def hold(good, otherwise):
 
 
 def run(*command):
-    """Whether it ends well; its output is in `log`."""
+    """Whether it succeeds; its output is in `log`."""
     global log
     done = subprocess.run(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           errors="replace")
@@ -48,7 +48,7 @@ def configure(build, *options, **more):
 
 
 def refuses(said, *options, **more):
-    """CMake fails, and says this."""
+    """CMake fails with this message."""
     shutil.rmtree("wrong", ignore_errors=True)
     hold(not cmake("wrong", *options, **more), f"accepted: {options}")
     hold(re.search(said, " ".join(log.split())), f"no '{said}'")
@@ -64,7 +64,7 @@ def bakes(folder, why, baked="parts"):
 
 
 def rests(folder, why="nothing changed", baked="parts"):
-    """The build has no reason to call the tool."""
+    """The build does not call the tool."""
     build(folder)
     hold(f"Baking {baked}" not in log, f"baked without a reason: {why}")
 
@@ -96,7 +96,7 @@ def package_in(prefix):
 
 
 def enter_cross_environment():
-    """The compiler of a cross build in the environment; whether there is one."""
+    """Sets the compiler of a cross build in the environment; returns whether there is one."""
     Path("toolchain.cmake").write_text("set(CMAKE_SYSTEM_NAME Generic)\nset(CMAKE_SYSTEM_PROCESSOR arm)\n"
                                        "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\n")
     is_arm = shutil.which("arm-none-eabi-g++") is not None
@@ -110,7 +110,7 @@ def enter_cross_environment():
 
 
 def leave_unoptimised():
-    """The program is compiled in less than half the time; that it is built and bakes is what counts."""
+    """Compiles the program unoptimised, in less than half the time; only its build and bakes matter."""
     launcher = Path("launcher").absolute()
     launcher.write_text(f'#!/bin/sh\nexec {os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")} "$@" -O0\n')
     launcher.chmod(0o755)
@@ -125,8 +125,8 @@ def for_the_target(program):
 
 
 def add_subdirectory():
-    """add_subdirectory() and flashbvh_add_mesh(): bakes when a mesh, an option or the tool changes, and not
-    otherwise, with Ninja and with make."""
+    """add_subdirectory() and flashbvh_add_mesh(): bakes only when a mesh, an option or the tool changes, with Ninja and
+    with make."""
     tool = own_tool()
     for generator in GENERATORS:
         configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", "-DOPTIONS=CELL;0.01", *BARE,
@@ -150,7 +150,7 @@ def add_subdirectory():
         answers("built/consumer")
         hold(not Path("built/parts/peg.fbvh").exists(), "an image that was not requested")
         shutil.rmtree("built")
-    # What is wrong is said by its name.
+    # Each error is named.
     refuses(r"flashbvh_add_mesh\(parts\): give SOURCES mesh... and options with their values; not understood: CEL;1",
             *WITH_TOOL, "-DOPTIONS=CEL;1")
     refuses("not understood: CELL", *WITH_TOOL, "-DOPTIONS=CELL")
@@ -159,8 +159,8 @@ def add_subdirectory():
 
 
 def robot():
-    """flashbvh_add_robot(): bakes when the URDF, one of its meshes, an option or the tool changes, and not
-    otherwise, with Ninja and with make."""
+    """flashbvh_add_robot(): bakes only when the URDF, one of its meshes, an option or the tool changes, with Ninja and
+    with make."""
     tool = own_tool()
     for generator in GENERATORS:
         configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", "-DROBOT=STOP;0.001;WARN;0.002", *BARE,
@@ -184,7 +184,7 @@ def robot():
         bakes("built", "the tool changed", "arm")
         answers("built/guard")
         shutil.rmtree("built")
-    # What is wrong is said by its name.
+    # Each error is named.
     words = (r"flashbvh_add_robot\(arm\): give URDF file and options with their values, PACKAGE as name=folder, PAIR "
              "as link,link=length, ZONE as joint=length; not understood:")
     refuses(f"{words} CEL;1", *WITH_TOOL, "-DROBOT=CEL;1")
@@ -197,12 +197,12 @@ def robot():
 
 
 def cells():
-    """Meshes that are queried together need one cell: what links two libraries of meshes does not configure
-    unless they are given the same, and the message says what to do."""
+    """Meshes that are queried together need one cell: a program that links two libraries of meshes with different cells
+    fails to configure, and the message gives the fix."""
     shutil.copy("firmware/peg.obj", "firmware/tool.obj")
 
     def of(options, more):
-        """Of the first library and the second."""
+        """The options of the first library and the second."""
         shutil.rmtree("built", ignore_errors=True)
         return [*WITH_TOOL, *BARE, f"-DOPTIONS={options}", f"-DMORE={more}"]
 
@@ -215,7 +215,7 @@ def cells():
     configure("built", *of("OWN_CELL", "CELL;0.01"))
     build("built")
     answers("built/consumer")
-    # A compiler of C takes them, too.
+    # A C compiler accepts them, too.
     edit("firmware/CMakeLists.txt", ("LANGUAGES CXX", "LANGUAGES C CXX"))
     configure("built", *of("CELL;0.01", "CELL;0.01;FORMAT;c"))
     build("built")
@@ -234,8 +234,8 @@ def fetch_content():
 
 
 def cross():
-    """A cross build with its compiler, flags and toolchain file in the environment: they reach the library and
-    the baked code, not the tool, which is built for this machine in the same project."""
+    """A cross build with its compiler, flags and toolchain file in the environment: they apply to the library and the
+    baked code, not to the tool, which the project builds for this machine."""
     enter_cross_environment()
     leave_unoptimised()
     configure("built", *IN_SOURCES, "-DOPTIONS=CELL;0.01")
@@ -250,12 +250,12 @@ def cross():
 
 
 def find_package():
-    """An installed package: natively with its libraries and its tool; in a cross build it compiles the libraries
-    for the target. It may be moved, and names no place on the machine that built it."""
+    """An installed package: natively with its libraries and its tool; in a cross build it compiles the libraries for
+    the target. It can be moved, and contains no path of the machine that built it."""
     made = Path("made").absolute()
     hold(run(CMAKE, "--install", f"{FOLDER}/cross/built/flashbvh-host", "--prefix", made), "install")
     prefix = made.rename(made.parent / "moved here")
-    # A path that begins there; "${folder}/project" is no sign of a checkout in /project.
+    # A path that begins there; "${folder}/project" does not refer to a checkout in /project.
     place = rf"(^|[^A-Za-z0-9_.}}/-])({re.escape(ROOT)}|{re.escape(FOLDER)})(/|[^A-Za-z0-9_.-]|$)"
     for folder in prefix / "include", prefix / "share", *prefix.glob("lib*/cmake"):
         for file in filter(Path.is_file, folder.rglob("*")):
@@ -290,8 +290,8 @@ def install_library():
 
 
 def machine_target():
-    """The machine's flags reach firmware by a target alone, as Zephyr's do: FLASHBVH_LINK brings them to the
-    library and the baked meshes, from its sources and from a package."""
+    """The machine's flags reach firmware only by a target, like Zephyr's: FLASHBVH_LINK passes them to the library and
+    the baked meshes, from sources and from a package."""
     is_arm = enter_cross_environment()
     os.environ.update(CXXFLAGS="", CFLAGS="")
     flags = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16" if is_arm else "-DFOR_THE_TARGET"
@@ -315,8 +315,8 @@ def machine_target():
 
 
 def runtime_only():
-    """Firmware that links arrays baked before needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom,
-    yaml-cpp or Catch2, whichever way it gets the library."""
+    """Firmware that links prebaked arrays needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom, yaml-cpp or
+    Catch2, whichever way it includes the library."""
     hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "c"), "bake")
     install_library()
     hold(not Path("prefix/bin").exists(), "a program was installed")
@@ -326,17 +326,17 @@ def runtime_only():
         build(way)
         answers(f"{way}/consumer")
         hold(not Path(way, "flashbvh-host").exists(), "the tool was built")
-    # The package without the tool says what it needs to bake, and takes it.
+    # The package without the tool reports that it needs one to bake, and uses a given one.
     refuses("set FLASHBVH_HOST_TOOL to its path", at)
     configure("with_tool", at, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}")
     bakes("with_tool", "the first time")
     answers("with_tool/consumer")
-    # flashbvh's own build does look for them, and names the way out.
+    # flashbvh's own build does look for them, and its message names the option to avoid this.
     refuses("assimp not found: apt-get install .*FLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
 
 
 def enter(way):
-    """A folder of its own, with the firmware project in it. What is compiled there hardly runs."""
+    """A separate folder with the firmware project. Programs compiled there hardly run, so they are unoptimised."""
     work = Path(FOLDER, way)
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)

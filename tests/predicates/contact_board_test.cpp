@@ -15,12 +15,12 @@ namespace {
 Normal opposite(const Normal& n) {
   return {-n.x, -n.y, -n.z};
 }
-/// The last three orders wind the triangle the other way round.
+/// The normal for an order of corners; the last three orders reverse the winding.
 Normal wound(const Normal& n, int order) {
   return order < 3 ? n : opposite(n);
 }
 
-/// Whether all 36 orders of corners, each in both orders of arguments, give this contact.
+/// Whether all 36 orders of corners, each with both orders of arguments, give this contact.
 bool all_orders_give(const Contact& expected, const Triangle& a, const Triangle& b) {
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
@@ -42,7 +42,7 @@ struct Case {
   const char* name;
   Triangle a;
   Triangle b;
-  FinePoint ends[2];  ///< of the common part, in cells; between cells in their 256ths
+  FinePoint ends[2];  ///< of the intersection, in cells; for cases between cells, in 1/256 cell
 };
 
 constexpr Triangle kFloor = {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}};

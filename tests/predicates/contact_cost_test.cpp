@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPairs = 300;
 
-// RISC-V adds 64-bit numbers in more instructions.
+// RISC-V needs more instructions to add 64-bit numbers.
 #if defined(__riscv)
 constexpr std::uint32_t kMostOfTest = 600;
 constexpr std::uint32_t kMostGeneral = 2200;
@@ -31,7 +31,7 @@ constexpr std::uint32_t kMostGeneral = 2000;
 constexpr std::uint32_t kMostOthers = 9000;
 #endif
 
-/// The most over some hundred pairs of a kind; printed with the mean.
+/// The maximum over some hundred pairs of a kind; prints it with the mean.
 template <class Make, class Ask>
 void check_cost(const char* what, std::uint32_t most_allowed, Make make, Ask ask) {
   Random random = test_random();
@@ -61,7 +61,7 @@ void check_test(const TriangleKind& kind, std::uint32_t most) {
   });
 }
 
-/// Of pairs that intersect.
+/// For pairs that intersect.
 template <class Make>
 void check_contact(const char* kind, std::uint32_t most, Make make) {
   std::uint32_t stack = 0;
@@ -74,7 +74,7 @@ void check_contact(const char* kind, std::uint32_t most, Make make) {
     }
   };
   Contact contact;
-  // In its place, as a caller's variable is.
+  // Constructs it in place, like a caller's variable.
   const auto ask = [&](const TransformedPair& pair) {
     ::new (&contact) Contact(contact_of(pair.a, pair.b));
   };

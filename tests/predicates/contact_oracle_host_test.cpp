@@ -9,10 +9,10 @@ namespace {
 
 const uint32_t kPairs = rounds(4000u, 20000u);
 
-/// The stated bound, in hundredths of 1/256 cell.
+/// The documented bound, in hundredths of 1/256 cell.
 constexpr Wide kBound = 53;
 
-/// A contact and the exact common part; all in one frame.
+/// A contact and the exact intersection, in one frame.
 struct Judge {
   Triangle a;
   Triangle b;
@@ -27,7 +27,7 @@ struct Judge {
     return (axis == 0 ? p.x : axis == 1 ? p.y : p.z) - Wide{kFineOne} * along(a.corner[0], axis);
   }
 
-  /// Whether each coordinate of the end is within the bound of that of the corner.
+  /// Whether each coordinate of the end is within the bound of the corner's.
   bool is_near(int i, const Rational& corner) const {
     for (int axis = 0; axis < 3; ++axis) {
       const Wide off =
@@ -63,12 +63,12 @@ struct Judge {
     return most;
   }
 
-  /// Whether no two corners are farther apart along an axis than the ends, but for the bound.
+  /// Whether no two corners are farther apart along an axis than the ends, up to the bound.
   bool ends_are_farthest() const {
     for (const Rational& p : corners) {
       for (const Rational& q : corners) {
         for (std::size_t k = 0; k < 3; ++k) {
-          // Numerators below 2^71 would not multiply: in 1/2^16 of a step, rounded.
+          // Products of numerators below 2^71 would overflow: in 1/2^16 of 1/256 cell, rounded.
           const Wide one = Wide{1} << 16;
           const Wide between = p.at[k] * kFineOne * one / p.by - q.at[k] * kFineOne * one / q.by;
           if (100 * between > (100 * reach() + 2 * kBound) * one + 200) {
@@ -115,7 +115,7 @@ struct Judge {
   }
 };
 
-/// Whether the contact of two triangles is what the header says, if they intersect.
+/// Whether the contact of two triangles fulfils the header's promises, if they intersect.
 bool is_right(const Triangle& a, const Triangle& b) {
   const Judge judge(a, b);
   CAPTURE(judge.corners.size());

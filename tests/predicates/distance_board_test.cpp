@@ -1,5 +1,5 @@
-// Separation tests of triangles in 32 bits against the same in 64, at the largest distance that a
-// query takes; quotients of numbers of 128 bits, multiplied back by hand: the same on every core.
+// Separation tests of triangles in 32 bits against 64 bits, at a query's largest distance;
+// quotients of 128-bit numbers, multiplied back by hand: equal on every core.
 #include <stdint.h>
 
 #include <catch2/catch.hpp>
@@ -12,14 +12,14 @@
 namespace flashbvh::test {
 namespace {
 
-/// Twice as far as corners of one mesh are apart along an axis, and somewhat more.
+/// Slightly more than twice the largest distance of a mesh's corners along an axis.
 constexpr int32_t kFarthest = 70000;
 
 int64_t dot(const int64_t (&direction)[3], const Point& p) {
   return direction[0] * p.x + direction[1] * p.y + direction[2] * p.z;
 }
 
-/// By its definition: the direction between the middles, of 12 bits a component.
+/// The definition: the direction between the middles, of 12 bits per component.
 bool middles_separate_in_64_bits(const Triangle& a, const Triangle& b) {
   int64_t d[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
@@ -44,9 +44,9 @@ bool middles_separate_in_64_bits(const Triangle& a, const Triangle& b) {
 
 using detail::Int128;
 
-constexpr int kHalves = 16;  // of words of 16 bits: 256 bits
+constexpr int kHalves = 16;  // of 16-bit words: 256 bits
 
-/// By columns of 16 bits.
+/// A number in columns of 16 bits.
 struct Columns {
   uint32_t word[kHalves] = {};
 
@@ -89,7 +89,7 @@ bool is_quotient(const Int128& whole, const Int128& u, const Int128& v) {
   return !is_below(Columns(u), product) && is_below(Columns(u), next);
 }
 
-/// Of so many bits at most, the leading ones or the last ones all set, or none of them.
+/// A number of at most `bits` bits, with its leading or trailing bits all set, or random.
 Int128 any_number(Random& random, uint32_t bits) {
   const uint32_t kind = random.below(4);
   const uint64_t set = kind == 0 ? UINT64_MAX : 0;
@@ -136,7 +136,7 @@ TEST_CASE("quotients of 128 bits, multiplied back, are what was divided") {
       v = any_number(random, 64);
     }
     v = round % 90 == 0 || detail::is_zero(v) ? one : v;
-    u = round % 11 == 0 ? v : round % 13 == 0 ? v - one : u;  // 1, and just below it
+    u = round % 11 == 0 ? v : round % 13 == 0 ? v - one : u;  // quotients of 1, and just below
     CAPTURE(u.high, u.low, v.high, v.low);
     const Int128 whole = detail::quotient(u, v);
     REQUIRE(is_quotient(whole, u, v));
@@ -149,7 +149,7 @@ TEST_CASE("roots of 128 bits are the largest whose squares are not above") {
   Random random = test_random();
   for (int round = 0; round < 4000; ++round) {
     Int128 u = any_number(random, 1 + random.below(127));
-    // A square, and next to it.
+    // A square, and its neighbours.
     const uint64_t own = detail::square_root(u);
     const Int128 square = own <= INT64_MAX ? detail::full_product(static_cast<int64_t>(own),
                                                                   static_cast<int64_t>(own))
@@ -159,7 +159,7 @@ TEST_CASE("roots of 128 bits are the largest whose squares are not above") {
     CAPTURE(u.high, u.low);
     const uint64_t root = detail::square_root(u);
     REQUIRE(detail::long_root(u) == root);
-    // root^2 <= u < (root + 1)^2, by what is left of u.
+    // root^2 <= u < (root + 1)^2, by quotients of u.
     const Int128 whole = detail::quotient(u, {0, root == 0 ? 1 : root});
     REQUIRE((root == 0 || whole.high > 0 || whole.low >= root));
     const Int128 next = detail::quotient(u, {0, root + 1});

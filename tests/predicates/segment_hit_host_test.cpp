@@ -1,4 +1,4 @@
-// A segment and a triangle against exact rationals: all kinds, at all sizes.
+// A segment and a triangle against exact rationals: all kinds, in all sizes.
 #include "predicates/segment_hit.hpp"
 #include "support/oracles/rational.hpp"
 #include "support/points.hpp"
@@ -16,8 +16,8 @@ mpq_class rational(const SegmentShare& share) {
   return value;
 }
 
-/// 1 if the segment comes from where the triangle's corners turn counter-clockwise, -1 if they turn
-/// clockwise, 0 if it lies in the plane or there is none.
+/// 1 if the triangle's corners run counter-clockwise, seen from the segment's start, -1 if
+/// clockwise, 0 if the segment lies in the plane or there is none.
 int side_met(const Segment& segment, const Triangle& t) {
   const auto at = [](const Point& p, unsigned axis) {
     return number(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
@@ -34,7 +34,7 @@ int side_met(const Segment& segment, const Triangle& t) {
   return -sgn(slope);
 }
 
-/// What was seen, to know that all of it was.
+/// The kinds of results so far, to check that all occur.
 struct Seen {
   std::uint32_t hits = 0;
   std::uint32_t misses = 0;
@@ -59,7 +59,7 @@ void check_segment(const Segment& segment, const Triangle& t, Seen& seen) {
   REQUIRE(along.below > 0);
   REQUIRE(rational(along) == truth.first());
   REQUIRE(side == side_met(segment, t));
-  // Any order of corners, and a turned one.
+  // Any order of corners, and the reversed triangle.
   for (unsigned i = 0; i < 3; ++i) {
     const Triangle same = {{t.corner[i], t.corner[(i + 1) % 3], t.corner[(i + 2) % 3]}};
     const Triangle turned = {{t.corner[i], t.corner[(i + 2) % 3], t.corner[(i + 1) % 3]}};
@@ -76,7 +76,7 @@ Point point_between(const Point& u, const Point& v, std::int32_t share) {
   return {u.x + share * (v.x - u.x), u.y + share * (v.y - u.y), u.z + share * (v.z - u.z)};
 }
 
-/// Whether the part of a segment from its start to `end`, a share of it, has a point of a box.
+/// Whether the part of a segment from its start to `end`, a share of it, meets a box.
 bool meets_box(const Segment& segment, const mpq_class& end, const Box& box) {
   const std::int32_t from[3] = {segment.from.x, segment.from.y, segment.from.z};
   const std::int32_t to[3] = {segment.to.x, segment.to.y, segment.to.z};
@@ -111,7 +111,7 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
   for_rounds(20'000, [&](Random& random, int round) {
     const std::int32_t reach = round % 2 == 0 ? 4 : 40;
     const Segment segment = {any_point(random, reach), any_point(random, reach)};
-    const Point near = any_point(random, 4);  // to the segment's middle
+    const Point near = any_point(random, 4);  // offset from the segment's middle
     const Point p = {(segment.from.x + segment.to.x) / 2 + near.x,
                      (segment.from.y + segment.to.y) / 2 + near.y,
                      (segment.from.z + segment.to.z) / 2 + near.z};
@@ -125,7 +125,7 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
     const bool meets = meets_box(segment, 1, box);
     REQUIRE(boxes.may_meet(pack(box)) == meets);
     ++(meets ? met : missed);
-    // Shortened it may meet boxes that are a few cells behind its end.
+    // A shortened segment may meet boxes a few cells behind its end.
     const std::int64_t below = 1 + random.below(8);
     const std::int64_t above = random.below(static_cast<std::uint32_t>(below) + 1);
     boxes.shorten({above, below});
@@ -139,7 +139,7 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
 
 TEST_CASE("a segment first meets a triangle where exact rationals say") {
   Seen seen;
-  // On few cells everything coincides.
+  // On few cells, everything coincides.
   const auto tries = rounds(8000u, 40'000u);
   for_rounds(tries, [&](Random& random, std::uint32_t) {
     const std::int32_t reach = 1 + static_cast<std::int32_t>(random.below(3));
@@ -156,7 +156,7 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
     const auto reach = static_cast<std::int32_t>(1 + random.below(kMaxCoordinate));
     const Triangle t = any_triangle(random, reach);
     const Point from = any_point(random, round % 2 == 0 ? reach : kMaxRayCoordinate / 2 - 40'000);
-    // Through a corner, or the middle of an edge; twice as far, or just there, or just short of it.
+    // Through a corner, or the middle of an edge; twice as far, exactly there, or just short of it.
     const Point& u = t.corner[random.below(3)];
     const Point& v = t.corner[random.below(3)];
     const Point to = {u.x + v.x - from.x, u.y + v.y - from.y, u.z + v.z - from.z};
@@ -169,7 +169,7 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
     // In the plane, from next to an edge.
     check_segment({point_between(u, v, -1), t.corner[random.below(3)]}, t, seen);
     check_segment({point_between(u, v, -1), point_between(v, t.corner[0], 2)}, t, seen);
-    // Without area.
+    // Triangles without area.
     check_segment({from, u}, {{u, v, u}}, seen);
     check_segment({from, to}, {{u, point_between(u, v, -1), v}}, seen);
     check_segment({point_between(u, v, -1), v}, {{u, v, v}}, seen);

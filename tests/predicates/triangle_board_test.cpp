@@ -1,5 +1,5 @@
-// The triangle test against known answers, against its own symmetries and, on the host, against an
-// oracle that proves each answer.
+// The triangle test against known answers, its own symmetries and, on the host, an oracle that
+// proves each answer.
 #include "flashbvh/detail/predicates/triangle.hpp"
 
 #include <stddef.h>
@@ -14,7 +14,7 @@
 namespace flashbvh::test {
 namespace {
 
-/// Whether all 36 orders of corners, each in both orders of arguments, give the expected answer.
+/// Whether all 36 orders of corners, each with both orders of arguments, give the expected answer.
 bool all_orders_answer(bool expected, const Triangle& a, const Triangle& b) {
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
@@ -147,7 +147,7 @@ void check_cases(const Case (&cases)[kCount]) {
 
 constexpr int32_t kSizes[] = {1, 2, 3, 5, 24, 1000, 32767, 32768, 65535, detail::kMaxDifference};
 
-/// Any kind of pair; `touching` says whether it has a common point by construction.
+/// A pair of any kind; `touching`: whether it has a common point by construction.
 TransformedPair random_pair(Random& random, bool& touching) {
   const int32_t size = kSizes[random.below(sizeof kSizes / sizeof kSizes[0])];
   const uint32_t kind = random.below(6);
@@ -168,7 +168,7 @@ TransformedPair random_pair(Random& random, bool& touching) {
   return pair;
 }
 
-/// The pair with its lowest coordinates (highest where `up`) at the end of 32 bits.
+/// The pair with its lowest coordinates (highest if `up`) at the end of 32 bits.
 TransformedPair at_the_end(const TransformedPair& pair, bool up) {
   Point end = pair.a.corner[0];
   for (int32_t Point::*axis : kPointAxes) {
@@ -279,7 +279,7 @@ TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][
   for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
     bool touching = false;
     TransformedPair pair = random_pair(random, touching);
-    // Every other pair is shaken by one cell: from touching to nearly touching.
+    // A shift of every other pair by one cell makes touching pairs nearly touching.
     int32_t Point::*const axis = random.below(2) != 0 ? &Point::x : &Point::z;
     Point& corner = pair.b.corner[random.below(3)];
     corner.*axis -= random.below(2) != 0 && corner.*axis > 0 ? 1 : 0;

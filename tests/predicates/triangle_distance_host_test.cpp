@@ -45,7 +45,7 @@ RationalVector point_at(const Triangle& t, const PlaceInTriangle& place) {
   return {at(p.x, q.x, r.x), at(p.y, q.y, r.y), at(p.z, q.z, r.z)};
 }
 
-/// Squared, and one part in 2^40 from it.
+/// A squared distance, accurate to one part in 2^40.
 Fraction fraction_of(const mpq_class& value) {
   const auto wide = [](const mpz_class& number) -> Int128 {
     const mpz_class high = number >> 64;
@@ -55,21 +55,21 @@ Fraction fraction_of(const mpq_class& value) {
   return {wide(value.get_num()), wide(value.get_den())};
 }
 
-/// The tests that separate triangles never separate nearer ones.
+/// Checks that the separation tests never separate nearer triangles.
 struct Separations {
   std::uint32_t directions = 0;
   std::uint32_t planes = 0;
   std::uint32_t pairs = 0;
-  long close = 0;            ///< moved nearer by less than 1/1,000 cell
+  long close = 0;            ///< cases less than 1/1,000 cell nearer
   std::uint32_t others = 0;  ///< separated by another pair's planes
-  Direction first;           ///< another pair's, as queries keep it
+  Direction first;           ///< another pair's, like a query's
   SupportPlanes planes_before;
-  mpq_class distance_before = 0;  ///< squared: of the planes' own pair
+  mpq_class distance_before = 0;  ///< squared, of the planes' own pair
 
   void check(const Triangle& a, const Triangle& b, const Features& features,
              const mpq_class& truth) {
     const mpz_class whole = truth.get_num() / truth.get_den();
-    const std::int64_t limit = whole.get_si();  // the truth is below one more
+    const std::int64_t limit = whole.get_si();  // the truth is less than 1 above it
     REQUIRE_FALSE(directions_separate(a, b, limit, first));
     REQUIRE_FALSE(planes_separate(a, b, limit));
     const std::int64_t less = limit - limit / 64 - 1;
@@ -83,7 +83,7 @@ struct Separations {
       ++pairs;
       const SupportPlanes own(a, b, features);
       REQUIRE(own.separates(a, b));
-      // Once B is moved back along the direction by any amount.
+      // Not after B moves back along the direction, by any amount.
       const PackedVector d = own.direction();
       const auto back = [](std::int32_t along) {
         return along > 4000 ? -1 : along < -4000 ? 1 : 0;
@@ -97,8 +97,8 @@ struct Separations {
   }
 };
 
-/// B moved by whole cells, as near to normal to the direction as these come: the planes separate
-/// exactly where it went no nearer. Returns how often it went so little that high parts are equal.
+/// Moves B by whole cells, nearly normal to the direction: the planes must separate exactly if B
+/// gets no nearer. Returns how often B gets nearer by so little that high parts are equal.
 long check_planes(Random& random, const Triangle& a, const Triangle& b, const Features& features,
                   const RationalVector& apart, bool is_far) {
   SupportPlanes own(a, b, features);
@@ -123,7 +123,7 @@ long check_planes(Random& random, const Triangle& a, const Triangle& b, const Fe
   return close;
 }
 
-/// At exactly the distance and next to it, if a query can have it; else as near to it as can be.
+/// Tests the exact distance and its neighbours, or the nearest that a query can have.
 void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) {
   const mpz_class most_above = (mpz_class(1) << 46) - 1;
   const mpz_class most_below = (mpz_class(1) << 17) - 1;
@@ -131,7 +131,7 @@ void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) 
   if (below > most_below) {
     below = most_below;
   }
-  // The denominator is the largest that is a multiple, so that its steps are small.
+  // The denominator is the largest multiple, so that its steps are small.
   below *= most_below / below;
   mpz_class above = truth.get_num() * below / truth.get_den();  // rounded down
   for (int beside = -1; beside <= 1; ++beside) {
@@ -143,7 +143,7 @@ void check_within(const Triangle& a, const Triangle& b, const mpq_class& truth) 
   }
 }
 
-/// The nearest places are as far apart as is said; from A's to B's.
+/// Checks the distance of the nearest points; returns the vector from A's to B's.
 RationalVector check_places(const Triangle& a, const Triangle& b, const Features& features,
                             const mpq_class& truth) {
   PlaceInTriangle of_a{};
@@ -176,7 +176,7 @@ void check(Random& random, const Triangle& a, const Triangle& b, std::set<Featur
     const RationalVector apart = check_places(a, b, features, truth);
     REQUIRE(rational_of(squared_between(a, b, features)) == truth);
     separations.close += check_planes(random, a, b, features, apart, false);
-    // At exactly the distance, and next to it.
+    // The exact distance, and its neighbour.
     const Fraction exact = fraction_of(truth);
     Fraction same = exact;
     REQUIRE_FALSE(is_nearer(a, b, same, other));
@@ -190,7 +190,7 @@ void check(Random& random, const Triangle& a, const Triangle& b, std::set<Featur
   check_within(a, b, truth);
 }
 
-/// What is odd about a pair: flat in some way, sharing what it can share.
+/// Makes a pair degenerate: flat in some way, or with shared parts.
 void adapt(Random& random, unsigned kind, Triangle& a, Triangle& b) {
   switch (kind) {
     case 1:  // segments
@@ -278,7 +278,7 @@ TEST_CASE("no order of corners changes a distance") {
 
 TEST_CASE("every small pair of triangles in a plane and next to it") {
   Random random = test_random();
-  // Corners in a box of 2 x 2 x 1 cells, all triples: what is tied, flat and touching.
+  // All triples of corners in a box of 2 x 2 x 1 cells: ties, flat and touching triangles.
   std::vector<Triangle> all;
   std::vector<Point> points;
   for (int i = 0; i < 8; ++i) {
@@ -383,7 +383,7 @@ TEST_CASE("fractions are compared exactly, however near they are") {
     CAPTURE(round);
     const mpq_class x(any(random.below(107)), any(random.below(71)));
     mpq_class y(any(random.below(107)), any(random.below(71)));
-    if (round % 2 == 0) {  // a neighbour
+    if (round % 2 == 0) {  // a neighbouring quotient
       y = mpq_class(x.get_num() + (round % 3 == 0 ? 1 : 0), x.get_den() + (round % 5 == 0 ? 1 : 0));
     }
     const int order = cmp(x, y);

@@ -1,4 +1,4 @@
-"""A robot of the tests: an arm of boxes on a column, whose forearm folds back; its fingers follow each other."""
+"""A robot of the tests: an arm of boxes on a column, whose forearm folds back; its fingers mimic each other."""
 
 
 def link(name, size, at="0 0 0"):

@@ -1,4 +1,4 @@
-"""CollisionManager, against queries of all pairs and against boxes by formula."""
+"""CollisionManager against queries of all pairs, and against formulas for boxes."""
 import unittest
 from types import SimpleNamespace
 

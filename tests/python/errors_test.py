@@ -1,4 +1,4 @@
-"""Refusals: a wrong argument is named, a refusal of the program has its own message."""
+"""Refusals: messages name a wrong argument; a refusal of the program has its own message."""
 import unittest
 
 import numpy as np

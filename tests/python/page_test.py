@@ -1,4 +1,4 @@
-"""The programs of lib/docs/python.md run, one after the other, and find what they say."""
+"""The programs of lib/docs/python.md run in order, with the documented results."""
 import os
 import re
 import unittest

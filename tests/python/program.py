@@ -9,7 +9,7 @@ FLASHBVH = os.environ["FLASHBVH"]
 
 
 def run(*arguments, exits=(0,)):
-    """Returns what it prints; the exit code must be one of these."""
+    """Returns its output; the exit code must be one of `exits`."""
     done = subprocess.run([FLASHBVH, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode not in exits:
         raise AssertionError(f"flashbvh {' '.join(map(str, arguments))}: {done.returncode}: {done.stderr}")
@@ -17,12 +17,12 @@ def run(*arguments, exits=(0,)):
 
 
 def lines(*arguments, exits=(0,)):
-    """A JSON object a line."""
+    """Its JSON objects, one per line."""
     return [json.loads(line) for line in run(*arguments, "--json", exits=exits).splitlines()]
 
 
 def message(*arguments):
-    """Returns its message; it must refuse."""
+    """Returns its error message; the program must refuse."""
     done = subprocess.run([FLASHBVH, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode != 2:
         raise AssertionError(f"exit code {done.returncode}")

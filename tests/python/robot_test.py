@@ -114,7 +114,7 @@ class RobotTest(Scene):
 class GuardTest(Scene):
     def test_a_trajectory_as_the_program(self):
         rows = trajectory(3000)
-        rows[:2, 1] = 3.5  # what is refused does not prime
+        rows[:2, 1] = 3.5  # refused values do not prime
         for work in (flashbvh.ALL_WORK, 40):
             checked = flashbvh.Guard(self.robot).check(rows, work)
             lines = self.replayed(rows, "--work", work)

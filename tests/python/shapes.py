@@ -3,14 +3,14 @@ import numpy as np
 
 
 def box(x, y, z):
-    """About the origin, its sides twice these; 12 triangles that face outwards."""
+    """A box about the origin with sides 2x, 2y and 2z; 12 triangles that face outwards."""
     vertices = np.array([[x if i & 1 else -x, y if i & 2 else -y, z if i & 4 else -z] for i in range(8)], float)
     quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     return vertices, np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
 
 
 def torus(around, across, ring, tube):
-    """About the z axis, 2 * around * across triangles."""
+    """A torus about the z axis, of 2 * around * across triangles."""
     vertices = [[(ring + tube * np.cos(v)) * np.cos(u), (ring + tube * np.cos(v)) * np.sin(u), tube * np.sin(v)]
                 for u in 2 * np.pi * np.arange(around) / around for v in 2 * np.pi * np.arange(across) / across]
 

@@ -1,4 +1,4 @@
-"""The package and an example of its use pass `mypy --strict`; wrong uses don't; all that is public has docstrings."""
+"""The package and an example of its use pass `mypy --strict`; wrong uses do not; all public names have docstrings."""
 import inspect
 import os
 import subprocess

@@ -1,5 +1,5 @@
-// answers_test.mjs PACKAGE INPUTS FLASHBVH: the npm package's answers are those of the program, and what it can't use
-// it refuses. INPUTS: a program that writes images, poses and joint values (tests/one_hash).
+// answers_test.mjs PACKAGE INPUTS FLASHBVH: the npm package answers like the program, and refuses
+// invalid arguments. INPUTS: a program that writes images, poses and joint values (tests/one_hash).
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -24,7 +24,7 @@ const write = (name, lines, head = []) => {
   writeFileSync(join(work, name), [...head, ...lines].map(line => `${line}\n`).join(""));
   return join(work, name);
 };
-// A JSON object a line of what the program prints; it ends with 0, or with 1 where something is found.
+// The program's JSON objects, one per line; it exits with 0, or with 1 on a finding.
 const program = (...options) => {
   const { status, stdout, stderr } = spawnSync(flashbvh, [...options, "--json"], { cwd: work, encoding: "utf8", maxBuffer: 1e8 });
   assert(status === 0 || status === 1 || status === 3, stderr);

@@ -1,4 +1,4 @@
-// Compiled by tests/release/npm_library.sh: what the types let through, and what they do not.
+// Compiled by tests/release/npm_library.sh: uses that the types accept, and uses that they refuse.
 import { Mesh, Poses, closerThan, distance, firstPair, inside, intersects, nearestHit, solidsIntersect }
   from "flashbvh-library";
 import { ALL_WORK, Guard, NO_PAIR, Robot, Verdict, statusName } from "flashbvh-library/robot";

@@ -1,4 +1,4 @@
-// Ends with 0 if the arm may turn away and must stop where it meets its base.
+// Exits with 0 if the arm may turn away and must stop where it meets its base.
 #include <flashbvh/robot/guard.hpp>
 #include <flashbvh/robot/image.hpp>
 #include <flashbvh/robot/robot_float.hpp>

@@ -1,4 +1,4 @@
-// Ends with 0 if the peg touches nothing above the plate and touches it below.
+// Exits with 0 if the peg touches nothing above the plate and touches it below.
 #include <flashbvh/flashbvh.hpp>
 #include <flashbvh/image.hpp>
 
