@@ -1,6 +1,5 @@
 // one_hash    prints the hash of kQueries queries and kPeriods periods; exits with 0 if it is the
-// one
-//             of every core and every language
+//             hash of every core and every language
 // one_hash QUERIES PERIODS FOLDER    prints the hash of these counts; writes the input of answers.*
 //             to FOLDER: images, poses and joint values
 #include "sequence.hpp"

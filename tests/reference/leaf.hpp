@@ -1,8 +1,8 @@
 // Algorithm 1, the leaf algorithm: each leaf of A against the whole of B.
 //
-// Invariant: the leaves of A before `a` are done; for leaf `a`, so is what lies before `b` in B's
-// order from left to right.
-// Either layout. The escape index of a post-indexed last child is found by climbing.
+// Invariant: the leaves of A before `a` are done; for leaf `a`, so are B's nodes before `b`, from
+// left to right.
+// Either layout. Climbing finds the escape index of a post-indexed last child.
 #pragma once
 
 #include <stdint.h>
@@ -12,7 +12,7 @@
 
 namespace flashbvh {
 
-/// The order, for Query.
+/// The traversal, for Query.
 template <class TreeType>
 class Leaf {
   using Index = typename TreeType::Index;
@@ -21,7 +21,7 @@ class Leaf {
  public:
   using Tree = TreeType;
   using OfTranslations = Leaf;
-  /// `a`: how many of A's nodes are passed, from left to right; `b`: the node of B.
+  /// `a`: the number of A's nodes that are passed, from left to right; `b`: the node of B.
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = false;
   static constexpr bool kStackless = true;
@@ -55,7 +55,7 @@ class Leaf {
     return true;
   }
 
-  /// Its walk is all in B's subtrees below leaves of A.
+  /// The whole walk runs in B's subtrees below leaves of A.
   detail::Side leaf() const { return detail::Side::a; }
   uint32_t leaf_root() const { return b_; }
   uint32_t leaf_node() const { return leaf_root(); }
@@ -70,7 +70,7 @@ class Leaf {
     return to_leaf();
   }
 
-  /// A walk that is over keeps no place: it is never gone on with.
+  /// A finished walk stores no place, since it is never resumed.
   void store(Cursor& cursor, bool ended) const {
     if (!ended) {
       cursor = {static_cast<Index>(passed_), static_cast<Index>(b_)};
@@ -95,7 +95,7 @@ class Leaf {
     return tree.nodes[node].link;
   }
 
-  /// To the first leaf of A that is not passed.
+  /// Moves to the first leaf of A that is not passed.
   bool to_leaf() {
     while (passed_ < tree_a_.node_count && !node_a().is_leaf()) {
       ++passed_;

@@ -1,9 +1,9 @@
-// What the paper's alternating rule needs in addition to a tree: levels, and the way up a chain of
-// last children. A reference, no part of the library.
+// The data that the paper's alternating rule needs in addition to a tree: levels, and the path up a
+// chain of last children. A reference, no part of the library.
 //
-// The paper's functions of a node (sections 3, 7 and 8): Level, RCL (right child level: how many
-// last children lie straight above a node, itself included; the root counts as a left child),
-// Escape, and LevelUp(i, x), the ancestor x levels above i along last children.
+// The paper's functions of a node (sections 3, 7 and 8): Level; RCL (right child level: the number
+// of last children in the chain from a node upwards, itself included; the root counts as a left
+// child); Escape; and LevelUp(i, x), the ancestor x levels above i along last children.
 #pragma once
 
 #include <stddef.h>
@@ -28,7 +28,7 @@ struct BasicMeshWithLevels<IndexType, Layout::pre_indexed>
   uint32_t level(uint32_t node) const { return levels[node]; }
   /// The paper's Escape.
   uint32_t escape(uint32_t node) const { return this->nodes[node].link; }
-  /// Takes a node to its escape index; 0 if that is the end node.
+  /// Replaces a node by its escape index; returns 0 if this is the end node.
   uint32_t escape_from(uint32_t& node, uint32_t /*rcl*/) const {
     node = escape(node);
     return this->node_count - node;
@@ -63,7 +63,8 @@ struct BasicMeshWithLevels<IndexType, Layout::post_indexed>
   uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; }
   /// The link of the first left child above the node.
   uint32_t escape(uint32_t node) const { return this->nodes[node - rcl(node)].link; }
-  /// Takes a node, whose RCL is known, to its escape index; 0 if that is the end node: the root's.
+  /// Replaces a node of known RCL by its escape index; returns 0 if this is the end node: the
+  /// root's.
   uint32_t escape_from(uint32_t& node, uint32_t rcl) const {
     const uint32_t left_child = node - rcl;
     node = this->nodes[left_child].link;
@@ -95,7 +96,7 @@ Status check_tree(BasicMeshWithLevels<Index, layout> mesh, TreeShape& shape) {
 
 }  // namespace detail
 
-/// As of a mesh without levels; `image_kind` of an image that has none.
+/// Opens as for a mesh without levels; `image_kind` for an image without levels.
 template <class Index, Layout layout>
 Status open_image(const void* bytes, size_t size, BasicMeshWithLevels<Index, layout>& mesh) {
   BasicMesh<Index, layout> opened;
@@ -113,7 +114,7 @@ Status open_image(const void* bytes, size_t size, BasicMeshWithLevels<Index, lay
   return Status::done;
 }
 
-/// As view_unchecked(), of an image that the build has baked with levels.
+/// As view_unchecked(), for an image baked with levels.
 template <class MeshType>
 MeshType view_with_levels(const void* image) {
   using Index = typename MeshType::Index;

@@ -8,8 +8,8 @@
 
 namespace flashbvh {
 
-/// Opens an image as open_image() does, with or without levels. If it has none they are made in
-/// `made`, levels first, then right child levels, which then outlives the mesh.
+/// Opens an image as open_image() does, with or without levels. Missing levels are computed into
+/// `made`, levels first, then right child levels; `made` must outlive the mesh.
 template <class Index, Layout layout>
 Status open_levelled(const void* bytes, std::size_t size, BasicMeshWithLevels<Index, layout>& mesh,
                      std::vector<Index>& made) {
@@ -22,7 +22,7 @@ Status open_levelled(const void* bytes, std::size_t size, BasicMeshWithLevels<In
     const std::size_t count = tree.node_count;
     made.assign(2 * count, 0);
     for (std::size_t i = 1; i < count; ++i) {
-      const bool is_last = tree.nodes[i].link >= i;  // then it follows its parent
+      const bool is_last = tree.nodes[i].link >= i;  // if true, it follows its parent
       const std::size_t from = is_last ? i - 1 : tree.nodes[i].link;
       made[i] = static_cast<Index>(made[from] + (is_last ? 1 : 0));
       made[count + i] = static_cast<Index>(is_last ? made[count + from] + 1 : 0);

@@ -1,17 +1,17 @@
-// Orders with a stack of pairs. A rule says into which tree to descend:
+// Traversals with a stack of pairs. A rule chooses the tree to descend into:
 //     VolumeStack        algorithm 2: into the box of larger volume
 //     AlternatingStack   algorithm 3, on trees with levels
 //     RankedStack        the rule of ranked.hpp: its reference, and its competitor in the benchmark
 //
-// Invariant: the stack holds exactly the pairs that are still to be visited, the next one on top.
+// Invariant: the stack holds exactly the pairs that remain to be visited, the next one on top.
 //
-// The array is the caller's, of stack_entries(a, b) entries. It cannot overflow: when (a, b) is
-// popped, what remains are the later siblings of the nodes on the two paths from the roots, and
-// Tree::stack_need counts the most of them that a path can have. The length is checked all the same
-// before a query starts (Status::stack_too_small).
+// The caller provides the array, of stack_entries(a, b) entries. It cannot overflow: when (a, b) is
+// popped, the remaining entries are the later siblings of the nodes on the two paths from the
+// roots, and Tree::stack_need is the largest number of them on a path. A query still checks the
+// length before it starts (Status::stack_too_small).
 //
-// Tuned as ranked.hpp is: node addresses in registers, pairs of indices on the stack, and the one
-// later sibling that a binary node has is pushed without a loop.
+// Tuned like ranked.hpp: node addresses in registers, pairs of indices on the stack, and the only
+// later sibling in a binary tree is pushed without a loop.
 #pragma once
 
 #include <stddef.h>
@@ -26,7 +26,7 @@ namespace flashbvh {
 template <class Index>
 using StackEntry = detail::PairCursor<Index>;
 
-/// The entries that a stack order on two meshes with these stack needs can fill.
+/// The entries that a stack traversal on two meshes with these stack needs can fill.
 constexpr uint32_t stack_entries(uint32_t stack_need_a, uint32_t stack_need_b) {
   return stack_need_a + stack_need_b + 1;
 }
@@ -41,8 +41,8 @@ void reverse_entries(Entry* first, Entry* end) {
   }
 }
 
-/// A stack of pairs in the caller's array, at the start of a walk: the roots and nothing else.
-/// Making one writes them: an array and what was made of it serve one query.
+/// A stack of pairs in the caller's array, at the start of a walk: only the roots. The constructor
+/// writes them, so an array and its stack serve one query.
 template <class Index>
 class PairStack {
  public:
@@ -60,8 +60,8 @@ class PairStack {
   bool fits(const Tree& a, const Tree& b) const {
     return capacity_ >= stack_entries(a.stack_need, b.stack_need);
   }
-  /// Where a walk is below a leaf, whose pair is on top: which node is the leaf, and which node of
-  /// the other tree is due.
+  /// The state of a walk below a leaf, whose pair is on top: the side of the leaf, and the next
+  /// node of the other tree.
   struct Below {
     detail::Side leaf = detail::Side::none;
     Index node = 0;
@@ -71,7 +71,7 @@ class PairStack {
 
   uint32_t size() const { return static_cast<uint32_t>(top_ - entries_); }
   const Entry* entries() const { return entries_; }
-  /// After the entry on top.
+  /// The address after the top entry.
   Entry* top() const { return top_; }
   void set_top(Entry* top) { top_ = top; }
 
@@ -82,7 +82,7 @@ class PairStack {
   Below below_;
 };
 
-/// `Rule::into(a, i, b, j)`: the tree to descend into from the nodes i and j; none of two leaves.
+/// `Rule::into(a, i, b, j)`: the tree to descend into from the nodes i and j; none for two leaves.
 template <class TreeType, class Rule>
 class StackOrder {
   using Index = typename TreeType::Index;
@@ -99,7 +99,7 @@ class StackOrder {
 
   static Entry nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor.top()[-1]; }
 
-  /// The pair on top of the stack is kept out of it while the walk runs.
+  /// During the walk, the top pair is kept outside the stack.
   StackOrder(const Tree& a, const Tree& b, const Cursor& cursor)
       : tree_a_(a),
         tree_b_(b),
@@ -163,7 +163,7 @@ class StackOrder {
   }
 
  private:
-  // As Tree's functions of these names, by addresses.
+  // Tree's functions of these names, by addresses.
   static const NodeType* first_child(const NodeType* root, const NodeType* node) {
     return Tree::kLayout == Layout::pre_indexed ? node + 1 : root + node[1].link;
   }
@@ -171,7 +171,7 @@ class StackOrder {
     return Tree::kLayout == Layout::pre_indexed ? child->link == parent->link : child == parent + 1;
   }
 
-  /// Goes to the first child of `node` and pushes the others, the last one first. `own` and
+  /// Moves to the first child of `node` and pushes the others, the last one first. `own` and
   /// `other`: the members of an entry for this tree and for the other one.
   template <Index Entry::*own, Index Entry::*other>
   static Entry* push_siblings(const NodeType* root, const NodeType*& node, ptrdiff_t other_node,
@@ -214,10 +214,10 @@ class StackOrder {
   Entry* top_;
   const NodeType* a_;
   const NodeType* b_;
-  typename Cursor::Below below_;  ///< as the walk began
+  typename Cursor::Below below_;  ///< at the walk's start
 };
 
-/// For a rule that compares two internal nodes: at a leaf there is no choice.
+/// The side for a rule that compares two inner nodes: at a leaf there is no choice.
 template <class Node, class PrefersA>
 detail::Side side_of(const Node* a, const Node* b, const PrefersA& prefers_a) {
   if (!a->is_leaf() && (b->is_leaf() || prefers_a())) {
@@ -226,12 +226,13 @@ detail::Side side_of(const Node* a, const Node* b, const PrefersA& prefers_a) {
   return b->is_leaf() ? detail::Side::none : detail::Side::b;
 }
 
-/// In cells cubed, below 2^45.
+/// The volume in cells cubed, below 2^45.
 constexpr uint64_t volume(const PackedBox& box) {
   return uint64_t{detail::extent_x(box)} * detail::extent_y(box) * detail::extent_z(box);
 }
 
-/// Into the larger box, into A on ties: the paper's line 9 is into B if the volume of A is less.
+/// Descends into the larger box, into A on ties: by the paper's line 9, into B if A has less
+/// volume.
 struct VolumeRule {
   template <class Tree, class Node>
   static detail::Side into(const Tree&, const Node* a, const Tree&, const Node* b) {
@@ -239,9 +240,9 @@ struct VolumeRule {
   }
 };
 
-/// Into the node of lower level, into B on ties; if one of them is a leaf, into the other (section
-/// 8.1). Invariant (property 6.1): while both nodes are internal, level(a) = level(b) or level(a) =
-/// level(b) - 1.
+/// Descends into the node of lower level, into B on ties; if one is a leaf, into the other (section
+/// 8.1). Invariant (property 6.1): while both nodes are inner ones, level(a) = level(b) or
+/// level(a) = level(b) - 1.
 struct AlternatingRule {
   template <class TreeWithLevels, class Node>
   static detail::Side into(const TreeWithLevels& tree_a, const Node* a,
@@ -253,7 +254,7 @@ struct AlternatingRule {
   }
 };
 
-/// Into the node of larger rank, into A on ties. Leaves have none above 0, inner nodes do.
+/// Descends into the node of larger rank, into A on ties. Leaves have rank 0, inner nodes more.
 struct RankRule {
   template <class Tree, class Node>
   static detail::Side into(const Tree&, const Node* a, const Tree&, const Node* b) {

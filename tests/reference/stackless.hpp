@@ -1,18 +1,19 @@
 // Algorithm 4, the stackless algorithm, with the extensions of section 8: unbalanced trees of
-// different heights, any number of children. The order is that of algorithm 3 (alternating_stack).
+// different heights, any number of children. It visits pairs in the order of algorithm 3
+// (alternating_stack).
 //
-// Invariant: the pair that lies below (a, b) on algorithm 3's stack is a function of (a, b): of the
-// two levels, whether each node is a left child (one with a next sibling, or the root), and the
-// right child levels. `next` is that function, case by case as in section 7.1.
+// Invariant: the pair below (a, b) on algorithm 3's stack is a function of (a, b): of the two
+// levels, of whether each node is a left child (one with a next sibling, or the root), and of the
+// right child levels. `next` computes this function, case by case as in section 7.1.
 //
-// Section 8.1: while one node is a leaf the walk of the other's subtree is the leaf algorithm;
-// there the levels differ by more than the eight cases know. Going up along last children until
-// they are again as far apart as when the leaf was reached leads back to the eight cases.
+// Section 8.1: while one node is a leaf, the walk of the other's subtree is the leaf algorithm;
+// there, the levels differ by more than in the eight cases. Climbing along last children until the
+// levels differ as they did at the leaf leads back to the eight cases.
 //
 // Section 8.3: on post-indexed trees, whose last children lie right after their parents,
 // LevelUp(i, x) = i - x; on pre-indexed ones it climbs from parent to parent (mesh.hpp).
 //
-// The walk is over when a node is the imaginary end node, the root's escape index.
+// The walk ends when a node is the imaginary end node, the root's escape index.
 #pragma once
 
 #include <stdint.h>
@@ -22,7 +23,7 @@
 
 namespace flashbvh {
 
-/// The order, for Query.
+/// The traversal, for Query.
 template <class TreeWithLevels>
 class AlternatingStackless {
   using Index = typename TreeWithLevels::Index;
@@ -36,7 +37,7 @@ class AlternatingStackless {
   static constexpr bool kBelowLeaves = false;
 
   static Cursor nodes(const Tree&, const Tree&, const Cursor& cursor) { return cursor; }
-  /// Levels are further apart than the alternating rule makes them only under a leaf.
+  /// Only below a leaf do levels differ by more than the alternating rule makes them.
   static bool can_visit(const Tree& a, const Tree& b, const Cursor& cursor) {
     const uint32_t level_a = a.level(cursor.a);
     const uint32_t level_b = b.level(cursor.b);
@@ -84,11 +85,11 @@ class AlternatingStackless {
     }
   }
 
-  /// To the element below this one on algorithm 3's stack. False if there is none: then a node is
-  /// its tree's end node.
+  /// Moves to the element below this one on algorithm 3's stack. Returns false if there is none:
+  /// then a node is its tree's end node.
   bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; }
 
-  /// The tree descended into last says which node was a leaf before the other one.
+  /// The last descent's tree shows which node was a leaf first.
   detail::Side leaf() const {
     return lead_ < 0            ? node_a().is_leaf() ? detail::Side::a : detail::Side::none
            : node_b().is_leaf() ? detail::Side::b
@@ -106,8 +107,8 @@ class AlternatingStackless {
   }
 
  private:
-  /// Level(a) = Level(b) + lead: A was descended into last. The lead is 0 outside B's leaves.
-  /// 0 at the end.
+  /// Level(a) = Level(b) + lead: the last descent was into A. The lead is 0 outside B's leaves.
+  /// Returns 0 at the end.
   uint32_t next_of_a() {
     const auto lead = static_cast<uint32_t>(lead_);
     const uint32_t rcl_a = tree_a_.rcl(a_);
@@ -126,7 +127,7 @@ class AlternatingStackless {
     return tree_b_.escape_from(b_, rcl_b);
   }
 
-  /// Level(a) = Level(b) - lag: B was descended into last. The lag is 1 outside A's leaves.
+  /// Level(a) = Level(b) - lag: the last descent was into B. The lag is 1 outside A's leaves.
   uint32_t next_of_b() {
     const auto lag = static_cast<uint32_t>(-lead_);
     const uint32_t rcl_b = tree_b_.rcl(b_);
@@ -149,7 +150,7 @@ class AlternatingStackless {
   const Tree& tree_b_;
   uint32_t a_;
   uint32_t b_;
-  int32_t lead_;  ///< Level(a) - Level(b), which follows from the pair
+  int32_t lead_;  ///< Level(a) - Level(b), a function of the pair
 };
 
 /// On pre-indexed trees.

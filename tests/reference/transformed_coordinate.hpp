@@ -1,5 +1,5 @@
-// Where a pose puts a vertex, by the definition in lib/docs/derivations.md and by nothing of the
-// library's own arithmetic.
+// The coordinates that a pose gives a vertex, by the definition in lib/docs/derivations.md, without
+// the library's own arithmetic.
 #pragma once
 
 #include <stdint.h>
@@ -15,7 +15,7 @@ constexpr int64_t floor_divide(int64_t value, int64_t by) {
 }
 
 /// Coordinate `axis` of a vertex of B in A's frame: floor(R p + o + 1/2), where R has 22 fraction
-/// bits, o has 14 and the sum of products is cut to 14. `origin`: B's.
+/// bits, o has 14, and the sum of products is rounded down to 14. `origin`: B's.
 inline int32_t transformed_coordinate(const int32_t* origin, const Vertex& v, const Pose& pose,
                                       int axis) {
   const int32_t p[3] = {v.x, v.y, v.z};

@@ -1,7 +1,6 @@
-// The traversals by their names: the one list of them, in the order of the paper's tables, ours
-// last.
+// The only list of the traversals and their names, in the order of the paper's tables, then ours.
 //
-// Nothing of C++'s library and no heap, so that firmware may use it.
+// Uses no C++ library and no heap, so that firmware can include it.
 #pragma once
 
 #include "flashbvh/detail/query/intersection.hpp"
@@ -13,19 +12,18 @@
 
 namespace flashbvh {
 
-/// The predicates of the paper's counts: leaves as shapes, and boxes alone.
+/// The predicates of the paper's counts: with leaf planes, and by boxes alone.
 using Intersection = detail::Intersection;
 using BoxIntersection = detail::BoxIntersection;
 
-/// `Traversal`: of a type of meshes, which are `Meshes`; it walks them in the layouts that are
-/// true.
+/// `Traversal` walks meshes of the type `Meshes`, in the layouts whose flag is true.
 template <template <class> class Traversal, template <class, Layout> class Meshes, bool pre,
           bool post>
 struct NamedTraversal {
   template <class Index, Layout layout>
   using On = Traversal<Meshes<Index, layout>>;
 
-  /// Where the paper has it; ours on ours.
+  /// The paper's layout; for our traversals, ours.
   static constexpr Layout kLayout = pre ? Layout::pre_indexed : Layout::post_indexed;
   static constexpr bool walks(Layout layout) {
     return (pre && layout == Layout::pre_indexed) || (post && layout == Layout::post_indexed);
@@ -34,7 +32,7 @@ struct NamedTraversal {
   const char* name;
 };
 
-/// Calls use(NamedTraversal<...>) for each.
+/// Calls use(NamedTraversal<...>) for each traversal.
 template <class Use>
 constexpr void for_each_traversal(Use&& use) {
   use(NamedTraversal<VolumeStack, BasicMesh, true, true>{"volume-stack"});
@@ -46,7 +44,7 @@ constexpr void for_each_traversal(Use&& use) {
   use(NamedTraversal<RankedStack, BasicMesh, false, true>{"ranked-stack"});
 }
 
-/// Of two meshes in this layout.
+/// The default traversal for two meshes in this layout.
 constexpr const char* default_traversal(Layout layout) {
   return layout == Layout::post_indexed ? "ranked" : "stackless";
 }

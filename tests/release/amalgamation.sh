@@ -1,10 +1,10 @@
 #!/bin/sh
-# The two files, compiled with all warnings by each compiler that is here, answer as the library does:
-# the digest, natively and on a Cortex-M4F, and a robot's guard. C's header is C99.
+# The two files, compiled with all warnings by each installed compiler, answer like the library: the digest, natively
+# and on a Cortex-M4F, and a robot's guard. C's header is C99.
 #     amalgamation.sh quick    by one compiler, on this machine
 . "$(dirname "$0")/common.sh"
 files=$PACKAGES/amalgamation
-# The digest uses names of detail/ that the two files do not show; all else is theirs.
+# The digest uses names of detail/ that the two files hide; everything else comes from them.
 digest="$ROOT/tests/digest/main.cpp $ROOT/tests/digest/digest.cpp $ROOT/tests/digest/small_mesh.cpp
   $ROOT/tests/digest/small_tree.cpp -I$files -I$ROOT/tests -idirafter $ROOT/lib/include"
 native=${CXX:-c++}

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The program for machines without Debian, as it is unpacked and installed: it runs with nothing else there, and commands
-# of the command line's tests end, print and write as the native program's do.
+# The program for machines without Debian, unpacked and installed: it runs with no other files, and commands of the
+# command line's tests exit, print and write like the native program's.
 . "$(dirname "$0")/common.sh"
 (cd "$PACKAGES/archives" && quietly sha256sum --check --strict SHA256SUMS)
 version=$("$FLASHBVH" --version | cut -d ' ' -f 2)
@@ -28,11 +28,11 @@ else # Debian's node comes without it
 fi
 [ "$(npm/bin/flashbvh --version)" = "flashbvh $version" ] || fail "npm's other version"
 
-# What differs by design (lib/docs/packages.md, "Where the programs differ"): readers left out, other words for a crash, a
-# glTF that other readers would look at, time.
+# Differences by design (lib/docs/packages.md, "Where the programs differ"): omitted readers, other words for a crash,
+# a glTF that other readers would accept, time.
 differs="reads no (MJCF|SDF)|its reader crashed|takes over 1024 MiB|Unsupported glTF version|no time was left"
 
-# compare NAME "PROGRAM" "DIFFERS" WORD...: the tests' cases of which these words are wanted.
+# compare NAME "PROGRAM" "DIFFERS" WORD...: compares the tests' cases that these words select.
 compare() {
   export COMPARED="$WORK/compared-$1" OTHER="$2" NATIVE="$FLASHBVH"
   name=$1 differs_too=$3
@@ -45,6 +45,6 @@ compare() {
   echo "$name: $alike commands alike, $(grep -vc '^same$' "$COMPARED") differ by design"
 }
 compare linux "$linux/flashbvh" "" scenes odd_meshes robot
-# Where memory has no gaps, a stride of 2^31 leads to other numbers of the file.
+# In memory without gaps, a stride of 2^31 leads to other numbers of the file.
 compare npm "$WORK/npm/bin/flashbvh" "|without area: 2 triangles" scenes odd_meshes robot
 compare windows "$wine $WORK/flashbvh-$version-windows-x86_64/flashbvh.exe" "" scenes robot

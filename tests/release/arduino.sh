@@ -1,18 +1,18 @@
 #!/bin/sh
-# The library for Arduino: its examples, built by arduino-builder with a core of the test's own, whose
-# Arduino.h has the macros of Arduino's, run in QEMU and say what the firmware they were made of says.
+# The library for Arduino: arduino-builder builds its examples with the test's own core, whose Arduino.h has the macros
+# of Arduino's. QEMU runs them, and they must print the output of the firmware from which they were made.
 . "$(dirname "$0")/common.sh"
 hardware=hardware/flashbvh/arm
 mkdir -p $hardware/cores/qemu libraries tools built cache
 cp "$ROOT"/tests/release/arduino/*.txt $hardware
 cp "$ROOT"/tests/release/arduino/Arduino.h "$ROOT"/tests/release/arduino/core.cpp $board_sources \
   "$ROOT"/ports/common/*.h "$ROOT"/ports/common/*.hpp "$ROOT"/ports/common/sections.ld $hardware/cores/qemu
-# An example brings its own text.hpp.
+# An example has its own text.hpp.
 mv $hardware/cores/qemu/text.hpp $hardware/cores/qemu/port_text.hpp
 sed -i 's/"text.hpp"/"port_text.hpp"/' $hardware/cores/qemu/*.cpp
 cp -r "$PACKAGES/arduino/flashbvh" libraries
 
-# runs EXAMPLE: its answer, against the regular expressions, line by line, in `expected`.
+# runs EXAMPLE: compares its output, line by line, with the regular expressions in `expected`.
 runs() {
   example=libraries/flashbvh/examples/$1/$1.ino
   quietly arduino-builder -compile -hardware /usr/share/arduino-builder -hardware "$PWD/hardware" \
@@ -37,13 +37,13 @@ shown Arduino >command
 PATH=$(dirname "$FLASHBVH"):$PATH quietly sh -e command
 [ -s MySketch/plate.fbvh.h ] && [ -s MySketch/peg.fbvh.c ] || fail "the page's command"
 
-# What the IDE lists and opens.
+# The files that the IDE lists and opens.
 version=$(sed -n 's/^version=//p' libraries/flashbvh/library.properties)
 [ -s "$PACKAGES/arduino/flashbvh-$version.zip" ] || fail "the archive's name"
 python3 -m zipfile -e "$PACKAGES"/arduino/flashbvh-*.zip unpacked
 diff -r unpacked/flashbvh "$PACKAGES/arduino/flashbvh" >log || fail "the archive holds something else"
 
-# From C it is C's interface; a core of older C++ fails with a message that says what it lacks.
+# In C it is the C interface; a core with older C++ fails with a message that names the missing version.
 echo '#include <flashbvh.h>' >include.c
 quietly cc -std=c99 -Ilibraries/flashbvh/src -c include.c
 ! c++ -std=c++14 -x c++ -Ilibraries/flashbvh/src -c include.c >log 2>&1 && grep -q "flashbvh is C++17" log ||

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""both.py ARGUMENT...: stands for the program in tests/cli/runner.py. Runs the program NATIVE, and OTHER in a copy of the
-folder as it was; adds a line to the file COMPARED: "same", or what differs of exit codes, output and files. Ends as
-NATIVE did. A named pipe is written to once, so with one in the folder NATIVE runs alone."""
+"""both.py ARGUMENT...: replaces the program in tests/cli/runner.py. Runs the program NATIVE, and OTHER in a copy of the
+original folder; adds a line to the file COMPARED: "same", or the differences of exit codes, output and files. Exits
+like NATIVE. A named pipe can be written only once, so if the folder has one, NATIVE runs alone."""
 import os
 import shlex
 import subprocess
@@ -11,7 +11,7 @@ from pathlib import Path
 
 
 def plain(text, folder):
-    """As Linux has lines and paths, which Wine shows as Windows does."""
+    """Wine's output with Linux's line ends and paths, instead of Windows'."""
     return (text.replace(b"\r\n", b"\n").replace(b"\\", b"/").replace(b"Z:/", b"/")
             .replace(os.fsencode(folder), os.fsencode(Path.cwd())))
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The Zephyr module and the ESP-IDF component: in a build that has the functions they call, the digest is
-# linked to them and run on a Cortex-M4F; the machine's flags reach every source.
+# The Zephyr module and the ESP-IDF component, in a build with the functions that they call: the digest links them and
+# runs on a Cortex-M4F; the machine's flags reach every source.
 . "$(dirname "$0")/common.sh"
 cp "$ROOT"/tests/release/firmware/* .
 sources=$(printf '%s;' "$ROOT"/tests/digest/*.cpp $board_sources)

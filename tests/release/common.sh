@@ -1,5 +1,5 @@
-# Sourced by every script. ROOT: the repository, PACKAGES: the folder that tools/release.sh made,
-# FLASHBVH: the host program, WORK: a folder for this script.
+# Sourced by every script. ROOT: the repository, PACKAGES: the folder that tools/release.sh made, FLASHBVH: the host
+# program, WORK: this script's folder.
 set -eu
 rm -rf "$WORK"
 mkdir -p "$WORK"
@@ -11,14 +11,14 @@ fail() {
   exit 1
 }
 
-# quietly COMMAND...: its output goes to a log, which is shown if it fails.
+# quietly COMMAND...: sends its output to a log, and shows the log if it fails.
 quietly() {
   "$@" >log 2>&1 || fail "$*"
 }
 
 warnings="-Wall -Wextra -Wconversion -Wshadow -Wdouble-promotion -Werror -Wno-sign-conversion"
 
-# A Cortex-M4F on which QEMU runs what a package was linked into: ports/boards/mps2-an386.
+# A Cortex-M4F on which QEMU runs programs with a linked package: ports/boards/mps2-an386.
 cpu="-mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
 machine="--specs=nano.specs -nostartfiles -ffunction-sections -fdata-sections -fno-exceptions -fno-rtti"
 machine="$machine -fno-threadsafe-statics -Wl,--gc-sections -Wl,--no-warn-rwx-segments"
@@ -28,7 +28,7 @@ board_sources="$ROOT/ports/cortex-m/startup.cpp $ROOT/ports/common/start.cpp $RO
   $ROOT/ports/common/text.cpp"
 board_includes="-I$ROOT/ports/common -I$ROOT/ports/cortex-m"
 
-# shown SECTION: the lines that the page shows there as they are typed.
+# shown SECTION: prints the page's command lines of this section.
 shown() {
   sed -n "/^## $1\$/,/^## /s/^    //p" "$ROOT/lib/docs/packages.md" | sed 's/arm\.stl/plate.obj/; s/gripper\.obj/peg.obj/'
 }
@@ -37,7 +37,7 @@ on_board() {
   FLASHBVH_TIMEOUT=120 "$ROOT/ports/run" mps2-an386 "$1" >answer || fail "$1 ended with $?: $(cat answer)"
 }
 
-# same_digest PROGRAM [RUN]: it ends with 0 if the digest is the one that every core must get.
+# same_digest PROGRAM [RUN]: the program must exit with 0, that is, print the digest of every core.
 same_digest() {
   ${2:-} "$1" >answer || fail "another digest: $(cat answer)"
   grep -q "^3584 queries" answer || fail "no digest"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# firmware_examples/quick_start, copied out of the tree: make builds it and QEMU runs it. By stand-ins of the
-# Pico's SDK and of ESP-IDF its other builds run there, too.
-#     copied.sh quick    by make, of the amalgamation
+# firmware_examples/quick_start, copied out of the tree: make builds it and QEMU runs it. With replacements of the
+# Pico's SDK and of ESP-IDF, its other builds run there, too.
+#     copied.sh quick    only by make, with the amalgamation
 . "$(dirname "$0")/common.sh"
 { command -v arm-none-eabi-g++ && command -v qemu-system-arm && command -v make; } >log || exit 77
 PATH=$(dirname "$FLASHBVH"):$PATH
@@ -28,11 +28,11 @@ copy
 ! make_in_copy >log 2>&1 && grep -q "no flashbvh in FLASHBVH=../../flashbvh: name the folder" log || fail "no message"
 answers_by_make "$PACKAGES/amalgamation"
 
-# A changed mesh is baked again: of the plate a millimetre higher, the peg is not free.
+# A changed mesh is baked again: over a plate a millimetre higher, the peg is not free.
 sed -i 's/ 0$/ 1/' copied/plate.obj
 ! make_in_copy run "FLASHBVH=$PACKAGES/amalgamation" >log 2>&1 || fail "the plate that was"
 grep -qx "0.5 mm above the plate: touches" log || fail "not the plate as it is"
-# In C: the guide's program, whose status is 0 if it is right.
+# In C: the guide's program, which exits with 0 if its answers are right.
 rm copied/main.cpp copied/cortex_m4/build/main.*
 cp "$ROOT/tests/docs/guide.c" copied/main.c
 cp "$ROOT/firmware_examples/quick_start/plate.obj" copied

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Debian's packages: lintian has no error and no warning, and what autopkgtest would run in a system of its
-# own passes with the packages unpacked.
+# Debian's packages: lintian finds no error and no warning, and autopkgtest's commands, for a separate system, pass with
+# the packages unpacked.
 . "$(dirname "$0")/common.sh"
 quietly lintian --allow-root --fail-on error,warning "$PACKAGES"/debian/*.deb "$PACKAGES"/debian/*.dsc
 for package in libflashbvh-dev flashbvh; do
@@ -27,7 +27,7 @@ quietly cmake -G Ninja -S page -B page/built "-DCMAKE_PREFIX_PATH=$WORK/root/usr
 quietly cmake --build page/built
 page/built/firmware || fail "the page's lines"
 
-# Without the program the library serves, and says what it needs to bake.
+# Without the program, the library still works, and its message names what it needs to bake.
 dpkg-deb -x "$PACKAGES"/debian/libflashbvh-dev_*.deb alone
 cp -r tree/tests/packaging/consumer .
 ! cmake -S consumer -B wrong "-DCMAKE_PREFIX_PATH=$WORK/alone/usr" >log 2>&1 || fail "nothing to bake with"

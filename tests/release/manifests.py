@@ -1,8 +1,7 @@
-"""manifests.py PACKAGES PAGE    What each package says of itself keeps the rules of those who will read it:
-Arduino's library specification and arduino-lint, PlatformIO's and ESP-IDF's manifests, Zephyr's modules,
-CMSIS-Pack. The rules are written down here as facts, no tool of theirs is needed. What PAGE,
-lib/docs/packages.md, names is in the packages, and it takes at most ten lines for each.
-"""
+"""manifests.py PACKAGES PAGE    Each package's manifest keeps its readers' rules: Arduino's library specification and
+arduino-lint, PlatformIO's and ESP-IDF's manifests, Zephyr's modules, CMSIS-Pack. The rules are written here as facts,
+so the test needs none of their tools. The packages contain all that PAGE, lib/docs/packages.md, names, and PAGE has at
+most ten lines per package."""
 from __future__ import annotations
 
 import json
@@ -27,7 +26,7 @@ TEXT = {"type": "string", "minLength": 1}
 
 
 def an_object(properties: dict, required: str) -> dict:
-    """All properties, those in `required` wanted, and no other."""
+    """Requires the properties in `required`, allows the other ones, and no more."""
     return {"type": "object", "properties": properties, "required": required.split(),
             "additionalProperties": False}
 
@@ -38,7 +37,7 @@ ARDUINO = an_object({
     "version": {"type": "string", "pattern": SEMVER},
     "author": TEXT, "maintainer": TEXT,
     "sentence": {"type": "string", "minLength": 1, "pattern": r"^[A-Z].*\.$"},
-    # The IDE shows it after the sentence.
+    # The IDE shows this text after the sentence.
     "paragraph": TEXT,
     "category": {"enum": CATEGORIES},
     "url": {"type": "string", "pattern": URL},
@@ -75,7 +74,7 @@ ZEPHYR = {"type": "map", "mapping": {
     "build": {"required": True, "type": "map", "mapping": {
         "cmake": {"required": True, "type": "str"}, "kconfig": {"required": True, "type": "str"}}}}}
 
-# As much of Zephyr's own as the module's Kconfig depends on.
+# The part of Zephyr's Kconfig on which the module's depends.
 KCONFIG = """mainmenu "test"
 config CPP
 \tbool "C++"
@@ -190,7 +189,7 @@ def check_page(packages: Path, page: str) -> None:
         require(count <= 10, f"the page: {count} lines of {title}")
     named = re.findall(r"`((?:arduino|platformio|zephyr|esp-idf|cmsis|amalgamation|debian|python|npm|archives)(?:/[^`*]+)?)`", page)
     for name in named:
-        # Debian's are not made on every occasion.
+        # Debian's packages are not always made.
         is_made = (packages / name.split("/")[0]).exists()
         require((packages / name).exists() or not is_made, f"the page: no {name}")
     folders = {name.split("/")[0] for name in named}

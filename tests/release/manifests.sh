@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the packages say of themselves; none names a place of the machine that made it.
+# The packages' manifests; none contains a path of the machine that made it.
 . "$(dirname "$0")/common.sh"
 /usr/bin/python3 -c "import jsonschema, kconfiglib, pykwalify.core, yaml" && command -v xmllint || exit 77
 /usr/bin/python3 "$ROOT/tests/release/manifests.py" "$PACKAGES" "$ROOT/lib/docs/packages.md" || fail "manifests.py"

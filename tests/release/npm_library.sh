@@ -1,5 +1,5 @@
 #!/bin/sh
-# The npm package of the library as its users install it; its types by TypeScript, where npm gets that.
+# The npm package of the library as users install it; its types by TypeScript, if npm can download it.
 . "$(dirname "$0")/common.sh"
 command -v npm >/dev/null && command -v node >/dev/null || { echo "SKIPPED: no npm"; exit 77; }
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The Python package: its source archive, built and installed by pip without the repository, and Debian's package answer
-# as the tests want.
+# The Python package: its source archive, built and installed by pip without the repository, and Debian's package
+# pass the tests.
 . "$(dirname "$0")/common.sh"
 quietly /usr/bin/python3 -m pip install --no-build-isolation --no-deps --no-index --target "$WORK/pip" \
   "$PACKAGES"/python/flashbvh-*.tar.gz

@@ -6,8 +6,8 @@
 
 namespace flashbvh::test {
 
-/// Calls flipped() with each bit of the memory flipped in turn, and flips it back. Returns how many
-/// of the calls gave true.
+/// Calls flipped() with each bit of the memory flipped in turn, and flips it back. Returns the
+/// number of calls that returned true.
 template <class Flipped>
 uint32_t count_flips(void* memory, size_t size, const Flipped& flipped) {
   auto* const bytes = static_cast<unsigned char*>(memory);

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// How many flips ended with each status.
+/// The number of flips that ended with each status.
 using Counts = std::map<Status, std::uint32_t>;
 
 Status open(std::vector<std::uint32_t>& words, Mesh*) {

@@ -1,4 +1,4 @@
-// The known guard's verdicts are right: brute force over all pairs of triangles at each period's
+// The known guard's verdicts are right, by brute force over all pairs of triangles at each period's
 // end.
 #include "robot/known_guard.hpp"
 #include "flashbvh/robot/guard.hpp"
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Of the hand to the wall, in 1/256 cell, rounded down.
+/// The distance of the hand from the wall, in 1/256 cell, rounded down.
 std::uint32_t true_distance(const Robot& robot, const JointCoordinate* values) {
   JointCoordinate coordinates[2];
   Frame frames[2];

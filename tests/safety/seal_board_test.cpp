@@ -1,4 +1,4 @@
-// Sealed guards on each core: every flipped bit is found.
+// Sealed guards on each core: every flipped bit is detected.
 #include <catch2/catch.hpp>
 
 #include <initializer_list>
@@ -24,7 +24,7 @@ Robot robot = view_robot_unchecked(detail::kKnownRobot, meshes);
 State state;
 State stored;
 
-/// A guard after some periods; `work` of each.
+/// A guard after some periods; `work`: the budget of each.
 Guard moved_guard(uint32_t work) {
   memset(static_cast<void*>(&state), 0, sizeof state);
   Guard guard(robot, state);
@@ -35,7 +35,7 @@ Guard moved_guard(uint32_t work) {
   return guard;
 }
 
-/// Whether each flipped bit of the memory is found, and none before and after.
+/// Whether verify() detects each flipped bit of the memory, and finds none before and after.
 bool finds_all(const Guard& guard, const char* name, void* memory, uint32_t size) {
   const auto is_found = [&] { return guard.verify() == Status::guard_state_invalid; };
   const bool was_good = !is_found();

@@ -1,7 +1,7 @@
-// What a guard does after a flipped bit if verify() is not called.
+// The effects of a flipped bit on a guard if verify() is not called.
 //
-// A guard is on its way to a collision, its certificates in place. Each bit of its state is flipped
-// in turn; then the guard goes on, and each period that it permits is compared with brute force.
+// A guard moves towards a collision, with its certificates in place. Each bit of its state is
+// flipped in turn; then the guard continues, and brute force checks each period that it permits.
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
@@ -13,10 +13,10 @@
 
 namespace {
 
-constexpr int kPeriods = 100;         ///< of the whole way
-constexpr int kAhead[] = {2, 5, 12};  ///< the flip is so many periods before the collision
-constexpr int kLooked = 16;           ///< periods that are compared after the flip
-constexpr std::uint32_t kWork = 250;  ///< of a period
+constexpr int kPeriods = 100;         ///< of the whole motion
+constexpr int kAhead[] = {2, 5, 12};  ///< the number of periods between the flip and the collision
+constexpr int kLooked = 16;           ///< the number of periods checked after the flip
+constexpr std::uint32_t kWork = 250;  ///< per period
 
 #if defined(FLASHBVH_SANITIZE)
 constexpr bool kIsSanitized = true;
@@ -28,10 +28,10 @@ constexpr bool kIsSanitized = false;
 struct Field {
   const char* name;
   std::size_t size;
-  bool leads_out = false;  ///< has numbers of pairs or triangles, which may be none
+  bool leads_out = false;  ///< has numbers of pairs or triangles, which may be invalid
   std::uint32_t refused =
-      0;  ///< bits that resume() refuses: without it, a pair or a triangle that is none
-  std::uint32_t wrong = 0;  ///< bits after which a period was permitted in spite of a collision
+      0;  ///< bits that resume() refuses: without it, an invalid pair or triangle number
+  std::uint32_t wrong = 0;  ///< bits after which a period with a collision was permitted
 };
 
 std::vector<Field> fields_of(const Robot& robot, std::uint32_t between) {
@@ -62,7 +62,7 @@ std::vector<Field> fields_of(const Robot& robot, std::uint32_t between) {
   return fields;
 }
 
-/// A guard in memory of exactly its size, so that the address sanitizer sees what lies outside.
+/// A guard in memory of exactly its size, so that the address sanitizer detects accesses outside.
 struct GuardInMemory {
   explicit GuardInMemory(const FixedArm& arm) : robot(arm.robot()) {
     for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
@@ -79,9 +79,9 @@ struct GuardInMemory {
   std::vector<Field> fields;
 };
 
-/// Joint values from where all pairs are apart to where some are nearer than their stop distance.
+/// A motion from values with all pairs apart to values with some nearer than their stop distance.
 struct Way {
-  /// Whether the arm has one, found in some tries.
+  /// Whether some tries find such a motion for the arm.
   bool find(const FixedArm& arm, Random& random) {
     for (int i = 0; i < 200; ++i) {
       from = arm.any_values(random);
@@ -107,7 +107,7 @@ struct Way {
     }
     return values;
   }
-  /// Beyond all that placing rounds.
+  /// Whether a pair is too near by more than the error of placing.
   static bool is_too_near(const FixedArm& arm, const Values& values) {
     for (std::uint32_t i = 0; i < arm.robot().pair_count; ++i) {
       const RobotPair& pair = arm.robot().pairs[i];
@@ -124,7 +124,7 @@ struct Way {
   int collision = 0;
 };
 
-/// Whether a period from `begin` on is permitted though brute force sees a collision at its end.
+/// Whether a period from `begin` on is permitted in spite of a collision at its end.
 bool permits_collision(Guard& guard, const Way& way, const std::vector<bool>& is_hit, int begin) {
   bool is_wrong = false;
   for (int i = 0; i < kLooked; ++i) {
@@ -134,9 +134,10 @@ bool permits_collision(Guard& guard, const Way& way, const std::vector<bool>& is
   return is_wrong;
 }
 
-/// Flips each bit, so many periods `ahead` of the collision. With `resumes`, resume() then takes up
-/// the state, and makes poses again; without, the guard goes on, but for bits that resume() refuses
-/// as they lead out of the robot's arrays. Returns whether a measurement was suspended then.
+/// Flips each bit, `ahead` periods before the collision. With `resumes`, resume() restores the
+/// state and recomputes poses. Without, the guard continues, except after bits that resume()
+/// refuses because they lead out of the robot's arrays. Returns whether a measurement was suspended
+/// at the flip.
 bool flip_all(const FixedArm& arm, const Way& way, int ahead, bool resumes, GuardInMemory& memory) {
   const int begin = way.collision - ahead;
   Guard guard = memory.guard();
@@ -205,7 +206,7 @@ TEST_CASE("flipped bits without verify(): permitted collisions, counted; no cras
   Random random(test_seed());
   for (const bool resumes : {true, false}) {
     if (kIsSanitized && !resumes) {
-      continue;  // a pose that was not checked leads beyond the ranges of numbers
+      continue;  // an unchecked pose exceeds the ranges of numbers
     }
     std::vector<Field> all;
     int walks = 0;
@@ -278,7 +279,7 @@ TEST_CASE("a sealed state that was stored is verified and taken up by another gu
     CHECK(answer.status == Status::done);
     CHECK(are_same(later.update(next.data(), 50), answer));
     guard.forget();
-    CHECK(guard.verify() == Status::guard_state_invalid);  // changed since
+    CHECK(guard.verify() == Status::guard_state_invalid);  // changed since the seal
     memory.words[2 + random.below(20)] ^= 1u << random.below(32);
     other.words = memory.words;
     CHECK(later.verify() == Status::guard_state_invalid);

@@ -1,4 +1,4 @@
-// What `flashbvh bench` makes of the setups: visits over the paper's up to 50,944 faces, with
+// The results of `flashbvh bench` for the setups: visits over the paper's up to 50,944 faces, with
 // FLASHBVH_THOROUGH over all, up to 203,776; the best rule against all rules; tables.
 #include <map>
 
@@ -12,7 +12,7 @@ using tool::Leaves;
 
 namespace {
 
-/// QueryStats alone. Building the trees is nearly all that these tests take.
+/// The counts alone. Building the trees takes nearly all of these tests' time.
 const std::vector<tool::SetupResult>& results() {
   static tool::Objects objects;
   static const std::vector<tool::SetupResult> all = [] {
@@ -33,7 +33,7 @@ const QueryStats& counts_of(const tool::SetupResult& result, const char* row) {
 }
 
 using NodePair = std::pair<std::uint32_t, std::uint32_t>;
-/// Of each pair of internal nodes: whether to descend into A.
+/// For each pair of inner nodes, whether to descend into A.
 using Rule = std::map<NodePair, bool>;
 
 bool overlap(const Box& p, const Box& q) {
@@ -41,7 +41,7 @@ bool overlap(const Box& p, const Box& q) {
          q.upper.y >= p.lower.y && p.upper.z >= q.lower.z && q.upper.z >= p.lower.z;
 }
 
-/// By algorithm 2's walk, with this rule.
+/// The visits of algorithm 2's walk with this rule.
 std::uint64_t visits_of(const BuildTree& a, const BuildTree& b, const Rule& rule) {
   std::vector<NodePair> stack = {{0, 0}};
   std::uint64_t visits = 0;
@@ -67,7 +67,7 @@ std::uint64_t visits_of(const BuildTree& a, const BuildTree& b, const Rule& rule
   return visits;
 }
 
-/// All pairs about which a rule has to say something.
+/// All pairs for which a rule must choose.
 std::vector<NodePair> choices(const BuildTree& a, const BuildTree& b) {
   std::vector<NodePair> pairs;
   for (std::uint32_t i = 0; i < a.nodes.size(); ++i) {
@@ -156,7 +156,7 @@ TEST_CASE("ranked on the default tree: 0.60 of the paper's visits, 1.10 of the b
   }
   CAPTURE(stackless_intersecting, ranked_intersecting, all_ranked, all_best);
   CHECK(100 * ranked_intersecting <= 60 * stackless_intersecting);
-  if (test::is_thorough()) {  // what is promised is so of all setups together
+  if (test::is_thorough()) {  // the promise covers all setups together
     CHECK(100 * all_ranked <= 110 * all_best);
   }
 }

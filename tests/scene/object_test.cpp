@@ -12,12 +12,12 @@ using scene::Orientation;
 namespace {
 
 #if defined(FLASHBVH_ON_BOARD)
-constexpr std::uint32_t kSubdivisions = 1;  // a board has no room for the maps of more
+constexpr std::uint32_t kSubdivisions = 1;  // a board has no memory for the maps of more
 #else
 constexpr std::uint32_t kSubdivisions = scene::kMaxSubdivisions;
 #endif
 
-/// Each edge lies in exactly two triangles, which pass it in opposite directions.
+/// Whether each edge lies in exactly two triangles, which use it in opposite directions.
 bool is_watertight(const bake::LatticeMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const auto& [p, q, r] : mesh.triangles) {
@@ -35,7 +35,7 @@ bool is_watertight(const bake::LatticeMesh& mesh) {
   return true;
 }
 
-/// Six times the volume inside, in cells cubed; below 2^53 for every object here.
+/// Six times the enclosed volume, in cells cubed; below 2^53 for every object here.
 double six_volumes(const bake::LatticeMesh& mesh) {
   double sum = 0;
   for (const auto& triangle : mesh.triangles) {
@@ -49,7 +49,7 @@ double six_volumes(const bake::LatticeMesh& mesh) {
 }
 
 std::uint64_t hash_of(const bake::LatticeMesh& mesh) {
-  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a, a number at a time
+  std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a by numbers
   const auto mix = [&hash](std::uint32_t value) { hash = (hash ^ value) * 0x100000001B3u; };
   for (const Vertex& v : mesh.vertices) {
     mix(static_cast<std::uint16_t>(v.x));

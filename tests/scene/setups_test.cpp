@@ -1,5 +1,5 @@
-// The paper's setups of up to 796 faces: each shows what its table is about, and every traversal
-// makes the same visits on every core.
+// The paper's setups of up to 796 faces: each fits its table's subject, and every traversal makes
+// equal visits on every core.
 #include <string>
 
 #include "bake/baked_tree.hpp"
@@ -12,7 +12,7 @@ using scene::Setup;
 
 namespace {
 
-/// `flashbvh bench --repetitions-scale 1e-9 --rounds 1` prints these.
+/// The output of `flashbvh bench --repetitions-scale 1e-9 --rounds 1`.
 struct Expected {
   const char* name;
   std::uint32_t table;
@@ -56,7 +56,7 @@ bake::BakedTree<Index, layout> bake_object(const scene::PaperObject& object, boo
       by_default ? bake::build_default(mesh, 1) : bake::build_median(mesh, 1), mesh);
 }
 
-/// By boxes alone, as the paper's figures; on the paper's tree or the default one.
+/// Checks counts by boxes alone, like the paper's figures; on the paper's tree or the default one.
 template <class Traversal>
 void check_counts(const Setup& setup, std::uint32_t visits, const Expected& expected,
                   bool by_default = false) {
@@ -77,7 +77,7 @@ void check_counts(const Setup& setup, std::uint32_t visits, const Expected& expe
   CHECK(found == counts.triangle_pairs);
 }
 
-/// Whether the counts are those that the table is about.
+/// Whether the counts fit the table's subject.
 bool suits_table(const Expected& counts) {
   switch (counts.table) {
     case 3:  // separation: one visit decides

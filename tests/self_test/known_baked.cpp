@@ -1,4 +1,4 @@
-// The library's known meshes are what the tool bakes today.
+// The library's known meshes equal the tool's current bakes.
 #include "known.robot.h"
 #include "known_mesh.fbvh.h"
 #include "robot/known_robot.hpp"

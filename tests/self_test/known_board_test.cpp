@@ -1,4 +1,4 @@
-// Self-tests on each core: answers are the known ones, and regions are checked in slices.
+// Self-tests on each core: known answers, and regions checked in slices.
 #include <catch2/catch.hpp>
 
 #include <initializer_list>
@@ -14,7 +14,7 @@ constexpr size_t kAll = static_cast<size_t>(-1);
 
 uint8_t memory[3][37];
 
-/// Regions of the memory as it is.
+/// Regions of the current memory.
 struct Regions {
   Regions() {
     for (auto& bytes : memory) {

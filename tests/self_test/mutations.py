@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """mutations.py: breaks the library's arithmetic in many ways, one at a time, and fails unless a known-answer test
-finds each. By command; 2 minutes. The portable forms are compiled, as on cores without instructions of their own.
+detects each. Run by hand; 2 minutes. Compiles the portable forms, as for cores without special instructions.
 """
 import pathlib
 import shutil
@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 LIB = pathlib.Path(__file__).resolve().parents[2] / "lib"
-# A file of lib, a text that is there once, and what it becomes.
+# A file of lib, a text that occurs once in it, and its replacement.
 MUTATIONS = [
     ("include/flashbvh/detail/bounds/box.hpp", "below(low_half(both_z), zero + z)",
      "below(low_half(both_z), zero + z + 1)"),
@@ -51,7 +51,7 @@ TESTS = "pairs", "distances", "rays", "guard"
 
 
 def failures(folder):
-    """The known-answer tests that fail, of the library there."""
+    """The known-answer tests that fail with the library in `folder`."""
     sources = sorted(path for path in (folder / "src").glob("*/*.cpp") if path.parent.name != "c")
     source = folder / "all.cpp"
     source.write_text("".join(f'#include "{path}"\n' for path in sources) + PROGRAM)

@@ -1,4 +1,4 @@
-// The known answers are right: brute force over all pairs of triangles says the same.
+// The known answers are right, by brute force over all pairs of triangles.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "self_test/known_answers.hpp"

@@ -1,4 +1,5 @@
-// Coarser meshes: within their limit both ways, whole, with few triangles, the same each time.
+// Coarser meshes: within their limit in both directions, complete, with few triangles,
+// reproducible.
 #include "simplify/coarsening.hpp"
 
 #include "bake/quantise.hpp"

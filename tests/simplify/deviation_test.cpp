@@ -1,4 +1,4 @@
-// The certificate: never below what samples show, hardly above it.
+// The certificate: never below the samples, and hardly above them.
 #include "simplify/deviation.hpp"
 
 #include "simplify/zoo.hpp"
@@ -66,7 +66,7 @@ using simplify::NearestTriangle;
 
 namespace {
 
-/// Moved by up to `most` in each coordinate.
+/// The mesh with each coordinate moved by up to `most`.
 bake::SourceMesh shaken(bake::SourceMesh mesh, double most, Random& random) {
   for (auto& vertex : mesh.vertices) {
     for (double& coordinate : vertex) {
@@ -138,7 +138,7 @@ TEST_CASE("no sample is farther than the certificate says, and it says hardly mo
 }
 
 TEST_CASE("what is farther between its vertices than at them is seen") {
-  // A roof over a floor: the floor's vertices lie on it, its middle far below the ridge.
+  // A roof over a floor: the floor's vertices lie on the roof, its middle far below the ridge.
   const bake::SourceMesh roof = {
       {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 0, 4}, {5, 10, 4}},
       {{0, 4, 5}, {0, 5, 3}, {4, 1, 2}, {4, 2, 5}}};

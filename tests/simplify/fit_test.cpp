@@ -1,4 +1,4 @@
-// What fits flash: the least length that does.
+// Meshes that fit flash: by the least length that suffices.
 #include "simplify/fit.hpp"
 
 #include "bake/quantise.hpp"
@@ -10,7 +10,7 @@ using simplify::Fit;
 
 namespace {
 
-/// Smaller leaves take more.
+/// Smaller leaves need more bytes.
 double bytes_of(const std::vector<Coarsening>& meshes, std::uint32_t leaf_size) {
   std::size_t triangles = 0;
   for (const Coarsening& mesh : meshes) {
@@ -60,7 +60,7 @@ TEST_CASE("meshes become as much coarser as it takes, and no more") {
     for (const Coarsening& mesh : all) {
       CHECK(mesh.deviation().most <= found->length);
     }
-    // A shorter length by two steps, made at once, does not do.
+    // A length shorter by two steps, applied directly, does not suffice.
     std::vector<Coarsening> finer = meshes.all();
     simplify::coarsen_all(finer, found->length / 1.3);
     CHECK(bytes_of(finer, 5) > most * 0.97);

@@ -1,4 +1,4 @@
-// Meshes to make coarser, and samples of their surfaces.
+// Meshes to simplify, and samples of their surfaces.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace flashbvh::test {
 
 using simplify::Point;
 
-/// A grid of `across` x `along` quads, open at its ends or not.
+/// A grid of `across` x `along` quads, closed around or open.
 template <class At>
 bake::SourceMesh grid(std::uint32_t across, std::uint32_t along, bool is_round, const At& at) {
   const std::uint32_t columns = is_round ? across : across + 1;
@@ -45,14 +45,14 @@ inline bake::SourceMesh wavy_ring(std::uint32_t around, std::uint32_t across, do
   });
 }
 
-/// Open, 100 x 60, hilly.
+/// An open, hilly mesh of 100 x 60.
 inline bake::SourceMesh hills(std::uint32_t across, std::uint32_t along) {
   return grid(across, along, false, [](double u, double v) -> Point {
     return {100 * u, 60 * v, 3 * std::sin(9 * u) * std::cos(7 * v)};
   });
 }
 
-/// A closed box with `parts` x `parts` quads a side, whose vertices are shared.
+/// A closed box with `parts` x `parts` quads per side and shared vertices.
 inline bake::SourceMesh box(const Point& low, const Point& size, std::uint32_t parts) {
   bake::SourceMesh mesh;
   std::vector<std::uint32_t> index_of((parts + 1) * (parts + 1) * (parts + 1), UINT32_MAX);
@@ -96,7 +96,7 @@ inline void add(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
   }
 }
 
-/// Boxes of sides 20 down to 0.02, none near another.
+/// Boxes with sides from 20 down to 0.02, far from one another.
 inline bake::SourceMesh many_shells() {
   bake::SourceMesh mesh;
   double x = 0;
@@ -107,7 +107,7 @@ inline bake::SourceMesh many_shells() {
   return mesh;
 }
 
-/// Each triangle twice, and one out of three a third time, turned round.
+/// Each triangle twice, and one in three a third time, reversed.
 inline bake::SourceMesh repeated(const bake::SourceMesh& mesh) {
   bake::SourceMesh more = mesh;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -120,7 +120,7 @@ inline bake::SourceMesh repeated(const bake::SourceMesh& mesh) {
   return more;
 }
 
-/// Each triangle with vertices of its own: nothing hangs together until they are joined.
+/// Each triangle with its own vertices: nothing is connected until vertices are joined.
 inline bake::SourceMesh loose(const bake::SourceMesh& mesh) {
   bake::SourceMesh apart;
   for (const bake::TriangleCorners& corners : mesh.triangles) {
@@ -150,11 +150,11 @@ inline std::vector<Specimen> specimens() {
           {"a needle", {{{0, 0, 0}, {9, 0, 0}, {4, 0, 0}}, {{0, 1, 2}}}, false}};
 }
 
-/// A point of a mesh, triangles as likely as others.
+/// A random point of a mesh; all triangles are equally likely.
 inline Point sample(const bake::SourceMesh& mesh, Random& random) {
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   const bake::TriangleCorners& corners = mesh.triangles[random.below(count)];
-  // Corners and edges are where it matters: a quarter of the samples each.
+  // Corners and edges matter most: a quarter of the samples each.
   double s = random.below(4) == 0 ? 0 : random.below(1001) / 1000.0;
   double t = random.below(4) == 0 ? 0 : random.below(1001) / 1000.0;
   if (s + t > 1) {
@@ -169,8 +169,8 @@ inline Point sample(const bake::SourceMesh& mesh, Random& random) {
   return at;
 }
 
-/// To a mesh, by looking at each triangle: the feet of perpendiculars, in long double. Shares
-/// nothing with what it checks.
+/// The distance to a mesh by testing each triangle: the feet of perpendiculars, in long double.
+/// Shares no code with the tested functions.
 double distance_by_force(const Point& p, const bake::SourceMesh& mesh);
 
 }  // namespace flashbvh::test

@@ -1,4 +1,4 @@
-// The paper's definitions on baked trees of every shape. Those of its figures:
+// The paper's definitions on baked trees of every form. For the paper's figures:
 // definitions_board_test.cpp.
 #include "bake/baked_tree.hpp"
 #include "support/record.hpp"
@@ -15,13 +15,13 @@ constexpr Layout kPost = Layout::post_indexed;
 template <Layout layout>
 using Baked = bake::BakedTree<std::uint16_t, layout>;
 
-/// A mesh of `count` triangles; the definitions do not depend on where they lie.
+/// A mesh of `count` triangles; the definitions do not depend on their coordinates.
 bake::LatticeMesh any_mesh(std::uint32_t count) {
   Random random(1);
   return random_mesh(random, count, 100, 10);
 }
 
-/// Array position of each node of the BuildTree.
+/// The array index of each node of the BuildTree.
 template <Layout layout>
 std::vector<std::uint32_t> positions(const Baked<layout>& baked) {
   std::vector<std::uint32_t> position(baked.build_nodes.size());

@@ -1,4 +1,4 @@
-// The largest 16-bit tree there is: 65,535 nodes, triangles and vertices, so index 65,534 of each.
+// The largest possible 16-bit tree: 65,535 nodes, triangles and vertices, so index 65,534 of each.
 #include "bake/image_bytes.hpp"
 #include "flashbvh/image.hpp"
 #include "support/queries.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMost = 65535;
 
-/// A strip of triangles, vertex after vertex, over a 256 x 256 grid.
+/// A strip of triangles along the vertices of a 256 x 256 grid.
 bake::LatticeMesh largest_mesh() {
   Random random(3);
   bake::LatticeMesh mesh;
@@ -35,7 +35,7 @@ bake::LatticeMesh probe() {
   return mesh;
 }
 
-/// By every traversal that walks trees in this layout.
+/// Tests every traversal that supports this layout.
 template <class Tree>
 void check_pairs(const Tree& a, const Tree& b, const Pairs& truth) {
   const Pose pose = Pose::translated(0, 0, 0);

@@ -1,5 +1,5 @@
-// The order of a search for one pair, and what searches with it: against brute force, on trees that
-// fit every board, many of them chains deeper than the levels that are kept.
+// The traversal of a search for one pair, and the searches that use it: against brute force, on
+// trees that fit every board, many of them chains deeper than the stored levels.
 #include <catch2/catch.hpp>
 
 #include "flashbvh/collide.hpp"
@@ -16,7 +16,7 @@ const int kRounds = rounds(300, 2000);
 using Near = Query<detail::NearFirst<Mesh>>;
 using Hint = Witness<uint16_t>;
 
-/// All pairs, in runs of `work`; fails if one comes twice.
+/// All pairs, in runs of `work`; fails if a pair is reported twice.
 PairSet all_pairs(Near& query, uint32_t work) {
   PairSet found;
   bool twice = false;

@@ -1,4 +1,4 @@
-// The order of a search for one pair on trees of any shape, and what it saves.
+// The traversal of a search for one pair on trees of any form, and its savings.
 #include "flashbvh/collide.hpp"
 #include "support/any_mesh.hpp"
 #include "support/rotations.hpp"

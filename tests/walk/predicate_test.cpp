@@ -1,5 +1,5 @@
-// The walk takes other questions. Here: which pairs of triangles have boxes within a distance, as
-// a bound and a test of a few lines; orders, walk and query are the library's.
+// The walk supports other predicates. Here: pairs of triangles with boxes within a distance, by a
+// box test and a triangle test of a few lines; traversals, walk and query are the library's.
 #include "bake/baked_tree.hpp"
 #include "flashbvh/query.hpp"
 #include "reference/stackless.hpp"
@@ -27,7 +27,7 @@ std::int32_t box_gap(const Triangle& a, const Triangle& b) {
   return gap;
 }
 
-/// Boxes that are no further apart than `distance` along each axis.
+/// Passes boxes that are at most `distance` apart along each axis.
 struct NearBound {
   Point offset;
   std::int32_t distance;
@@ -42,8 +42,8 @@ struct NearBound {
   }
 };
 
-/// The same under a rotation: the sums begin further out, along B's axes by more than sqrt(3) times
-/// as much.
+/// The test under a rotation: the sums start with larger bounds, along B's axes by more than
+/// sqrt(3) times the distance.
 class GrownBoxTest {
  public:
   GrownBoxTest(const RotatedTransform& transform, std::int32_t distance)
@@ -91,7 +91,7 @@ struct WithinBoxDistance {
   }
 };
 
-/// By their ids, in order.
+/// Pairs by their ids, in order.
 template <class Mesh>
 Pairs brute_force(const Mesh& a, const Mesh& b, const Pose& pose, std::int32_t distance) {
   const Transform transform(pose, a, b, /*may_stop=*/false);
@@ -130,7 +130,7 @@ TEST_CASE("another question, boxes within a distance, is a bound and a test and 
         bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_a), mesh_a);
     const auto b =
         bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_b), mesh_b);
-    // Also where no sphere about one reaches the other.
+    // Also if no sphere about one mesh reaches the other.
     const std::int32_t farthest = round % 3 == 0 ? 1500 : 500;
     const std::int32_t cells[3] = {random.between(-farthest, farthest),
                                    random.between(-farthest, farthest), 0};

@@ -35,7 +35,7 @@ Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, QueryStats& 
   return report;
 }
 
-/// Whether two traversals report the same pairs in the same order, after as many visits.
+/// Checks that two traversals report equal pairs in equal order, after equally many visits.
 template <class One, class Other>
 void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
   QueryStats counts{};
@@ -135,7 +135,7 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
     const SmallScene<Layout::post_indexed> scene(random);
     const Mesh& a = scene.a.view();
     const Mesh& b = scene.b.view();
-    bool is_near = true;  // farther off, it is put where it intersects nothing
+    bool is_near = true;  // a far B is placed where it intersects nothing
     for (int axis = 0; axis < 3; ++axis) {
       const int32_t middle = transformed_coordinate(b.origin, {0, 0, 0}, scene.pose, axis);
       is_near =
@@ -162,7 +162,7 @@ TEST_CASE("small trees: each kind of misuse has its own status") {
   Pair found[1];
 
   PairQuery query(a, b, here);
-  CHECK(query.run(10, found, 0).status == Status::full);  // no room for a pair
+  CHECK(query.run(10, found, 0).status == Status::full);  // no memory for a pair
   CHECK(query.run(0, found).status == Status::suspended);
   CHECK(query.stats().visits == 0);
   (void)query.run(1, found);

@@ -1,5 +1,5 @@
-// What a caller may do with a query in addition to running it: read counts inside a sink, keep the
-// position of one that is done, and not give it what is gone before the first run.
+// Uses of a query in addition to running it: reading counts inside a sink, keeping the cursor of a
+// finished query, and refusing temporary arguments before the first run.
 #include <type_traits>
 
 #include "bake/baked_tree.hpp"
@@ -52,7 +52,7 @@ TEST_CASE("inside a sink stats() says what was done so far, not what was granted
                    })
               .status == Status::done);
   REQUIRE(inside.size() > 20);
-  // The same as where a run ends with its array full.
+  // Equal to the counts of a run that ends with a full array.
   PairQuery cut(a, b, pose);
   PairQuery::Pair found[1];
   for (const QueryStats& counts : inside) {

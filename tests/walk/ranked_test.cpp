@@ -1,5 +1,5 @@
-// `ranked` under ranks of every kind, not only those that baking gives: the walk must not depend on
-// what the ranks mean, only on their never growing from a parent to its child.
+// `ranked` under ranks of every kind, not only those of baking: the walk must not depend on the
+// ranks' meaning, but only on ranks that never grow from a parent to its child.
 #include "support/record.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
@@ -28,7 +28,7 @@ Trees any_trees(Random& random, std::uint32_t most) {
           brute_force(a, b, x, y, 0)};
 }
 
-/// Gives each internal node rank_of(node, rank of its parent).
+/// Sets the rank of each internal node to rank_of(node, rank of its parent).
 template <class RankOf>
 void set_ranks(Post& baked, RankOf rank_of) {
   const auto tree = baked.view();
@@ -125,7 +125,7 @@ TEST_CASE("the alternating rule is the special case of ranks that fall with the 
     if (trees.baked.a.depth > 60 || trees.baked.b.depth > 60) {
       return;
     }
-    // On one level B comes first: its rank lies above A's, and A's above that of B's next level.
+    // On each level B comes first: its rank lies above A's, and A's above that of B's next level.
     const auto by_level = [](const Post& baked, std::int32_t top) {
       return [&baked, top](std::uint32_t node, std::int32_t) {
         return top - 2 * static_cast<std::int32_t>(baked.levels[node]);

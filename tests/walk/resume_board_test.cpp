@@ -18,7 +18,7 @@ using Position = QueryCursor<uint16_t>;
 template <class Traversal>
 using Scene = SmallScene<Traversal::Tree::kLayout>;
 
-/// Where a query stands, if it has a cursor.
+/// The position of a query that has a cursor.
 template <class Query>
 Position slot_of(const Query& query) {
   if constexpr (kIsStack<typename Query::Cursor>) {
@@ -28,7 +28,7 @@ Position slot_of(const Query& query) {
   }
 }
 
-/// Whether a query got on: it stands elsewhere, or has made visits, or has no cursor.
+/// Whether a query made progress: it changed position, made visits, or has no cursor.
 template <class Query>
 bool got_on(const Query& query, const QueryStats& before, const Position& was) {
   const Position is = slot_of(query);
@@ -36,7 +36,7 @@ bool got_on(const Query& query, const QueryStats& before, const Position& was) {
          is.a != was.a || is.b != was.b || is.untested != was.untested || is.state != was.state;
 }
 
-/// In runs of `work` into an array of `capacity`, at most 4.
+/// Runs of `work` into an array of `capacity`, at most 4.
 template <class Traversal>
 Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t work, uint32_t capacity,
            QueryStats& counts) {
@@ -56,7 +56,7 @@ Report cut(const SmallScene<Traversal::Tree::kLayout>& scene, uint32_t work, uin
     REQUIRE((status != Status::full || step.count == capacity));
     const uint32_t visits = any.query.stats().visits - before.visits;
     REQUIRE((work == kNoLimit ? step.work == 0 : step.work <= work && visits <= step.work));
-    // It stops neither before its work is done, nor for ever.
+    // A run neither stops before its work is done nor makes no progress.
     REQUIRE((status != Status::suspended || step.work == work));
     REQUIRE((status != Status::suspended || got_on(any.query, before, was)));
   }

@@ -1,5 +1,5 @@
-// Queries on the same trees that take turns. Positions that are saved and carried over to another
-// query object: resume_board_test.cpp; all that can be one lead to an end: golden/resume_test.cpp.
+// Alternating queries on the same trees. For saved cursors resumed in another query object:
+// resume_board_test.cpp; for every possible cursor: golden/resume_test.cpp.
 #include <catch2/catch.hpp>
 
 #include "support/any_mesh.hpp"
@@ -24,7 +24,7 @@ TEST_CASE("two queries on the same trees may take turns, one interrupting the ot
     PairQuery outer(a, b, scene.pose);
     Pairs pairs_outer;
     Pairs pairs_inner;
-    // The inner one runs in the middle of the outer one's report, as an interrupt would.
+    // The inner query runs during the outer one's report, like an interrupt.
     PairQuery inner(a, b, other);
     const auto interrupt = [&] {
       (void)inner.run(2, [&](const PairQuery::Pair& pair) {

@@ -20,18 +20,18 @@ struct Scene {
   Pairs brute_force() const { return test::brute_force(mesh_a, mesh_b, pose); }
 };
 
-/// How large a scene is: coordinates, triangles, and the translation.
+/// The size of a scene: coordinates, triangles, and the translation.
 struct Scale {
   std::int32_t spread;
   std::int32_t size;
   std::int32_t reach;
-  bool is_translated = false;  ///< and not rotated, with origins far from each other
+  bool is_translated = false;  ///< not rotated, with distant origins
 };
 constexpr Scale kSmall = {30, 25, 20};
 constexpr Scale kTranslated = {30, 25, 20, true};
 constexpr Scale kNear = {300, 200, 250};
 constexpr Scale kLargest = {16383, 9000, 15000};
-constexpr Scale kTouching = {3, 2, 2};  ///< most pairs that intersect touch, or share a plane
+constexpr Scale kTouching = {3, 2, 2};  ///< most intersecting pairs touch or share a plane
 
 template <Layout layout>
 Scene<layout> any_scene(Random& random, std::uint32_t most, const Scale& scale) {
@@ -98,7 +98,7 @@ TEST_CASE("the path of rotations, all but the identity, answers as the path of t
     scene.pose = Pose::translated(t[0], t[1], t[2]);
     AnyQuery<Ranked<Mesh>> translated(scene);
     const Pairs expected = run_to_end(translated.query, kNoLimit, 10000);
-    // The smallest rotation that a pose keeps: far from what moves a vertex of so small a mesh.
+    // The smallest rotation that a pose keeps: far too small to move a vertex of this mesh.
     const std::int32_t almost[3][3] = {{one, 256, 0}, {-256, one, 0}, {0, 0, one}};
     scene.pose = Pose::rigid(almost, t);
     REQUIRE(!scene.pose.is_translation());
@@ -145,7 +145,7 @@ TEST_CASE(
           static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 0)),
           static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 1)),
           static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 2))};
-      // Half a cell on three axes, rotated: at most sqrt(3) / 2 along one; and half a cell again.
+      // Half a cell on three axes, rotated: at most sqrt(3) / 2 along one; plus another half cell.
       CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 0) - v.x) <= 1);
       CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 1) - v.y) <= 1);
       CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 2) - v.z) <= 1);
@@ -207,13 +207,13 @@ TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
   };
   int reached = 0;
   for_rounds(2000, 10, [&](Random& random, int) {
-    // A needle along an axis or a diagonal, its tip at the end of the lattice.
+    // A needle along an axis or a diagonal, with its tip at the end of the lattice.
     const auto end = [&random] { return static_cast<std::int16_t>(random.below(2) * 16383); };
     const Vertex tip = {16383, end(), end()};
     Scene<Layout::post_indexed> scene{{}, {}, {}, {}, any_rigid_pose(random, 47000)};
     scene.mesh_b.vertices = {{0, 0, 0}, {0, 1, 1}, tip};
     scene.mesh_b.triangles = {{0, 1, 2}};
-    // A is the point where the tip is transformed to, if it has one there.
+    // A is the tip's transformed point, if it lies on the lattice.
     std::int32_t at[3];
     bool on_lattice = true;
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,6 +1,6 @@
 // Properties 6.1 to 6.7 of algorithm 3, on stacks recorded before and after each iteration.
 //
-// The properties speak of full binary trees of equal height.
+// The properties apply to full binary trees of equal height.
 #include <map>
 
 #include "support/record.hpp"
@@ -33,7 +33,7 @@ Stack copy_of(const PairStack<std::uint16_t>& stack) {
   return copy;
 }
 
-/// Runs the library's traversal one visit at a time and looks at its stack.
+/// Runs the library's traversal one visit at a time and records its stack.
 Run run(Random random, std::uint32_t depth) {
   const auto mesh_a = random_mesh(random, 1u << depth, 40, 20);
   const auto mesh_b = random_mesh(random, 1u << depth, 40, 20);
@@ -76,12 +76,12 @@ bool is_left(const Baked<Layout::pre_indexed>& tree, std::uint32_t node) {
   return tree.view().rcl(node) == 0;
 }
 
-/// Where B's level is `levels` below A's and `is_kind(A is a left child, B is one)`, popping a pair
-/// leaves the stack that was below the pair of their parents, of A, of B or of both.
+/// If B's level is `levels` below A's and `is_kind(A is a left child, B is one)`, popping a pair
+/// leaves the stack below the pair in which A, B or both are replaced by their parents.
 template <class IsKind>
 void check_stack_of_parent(std::uint32_t levels, IsKind is_kind, bool up_a, bool up_b) {
   for_runs([&](const Run& run) {
-    std::map<NodePair, Stack> below;  // of each element when it was popped, which it is once
+    std::map<NodePair, Stack> below;  // at the pop of each element, which happens once
     for (const Iteration& iteration : run.iterations) {
       below[iteration.popped] = iteration.below;
     }

@@ -13,7 +13,7 @@ constexpr TreeSize kA = {9, 4, 3, 100, 250};
 constexpr TreeSize kB = {11, 2, 1, 40, 40};
 constexpr TreeSize kOneLeaf = {0, 0, 1, 1, 1};
 
-// What lib/docs/bounded_time.md says.
+// The example of lib/docs/bounded_time.md.
 constexpr TreeSize kOfPage = {10, 4, 2, 600, 1100};
 
 }  // namespace
@@ -22,8 +22,8 @@ TEST_CASE("bound: the most visits and the most work of a query") {
   STATIC_REQUIRE(most_visits(1, 1) == 1);
   STATIC_REQUIRE(most_visits(32768, 32768) == (uint64_t{1} << 31) - 1);
   STATIC_REQUIRE(most_work(kOneLeaf, kOneLeaf) == 3 + 32);
-  // 7,999 visits, all after a walk that went on, 2,666 of them to leaves taken as shapes of three
-  // triangles, 10,000 pairs of triangles; and a walk again after each 65,535.
+  // 7,999 visits, each after a resumed walk, 2,666 of them to leaves with planes, of three
+  // triangles, 10,000 pairs of triangles; and another walk after each 65,535.
   STATIC_REQUIRE(most_work(kA, kB) == 3 * 7999 + 2666 * 10 + 10000 * 32 + 5 * 32);
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("bound: the work within a number of instructions is the most that they
     REQUIRE(most_instructions(kCosts, kA, kB, work + 1) > instructions);
   }
   STATIC_REQUIRE(work_within(7554, kCosts, kA, kB) == 0);
-  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kA, kB) == UINT32_MAX - 1);  // still a limit
+  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kA, kB) == UINT32_MAX - 1);  // also a limit
 }
 
 TEST_CASE("bound: cycles are those of memory without wait states, and of each read of flash") {

@@ -1,4 +1,4 @@
-// Every traversal against every other and against brute force, on thousands of random trees.
+// Every traversal against every other one and against brute force, on thousands of random trees.
 #include <map>
 #include <string>
 #include <tuple>
@@ -35,13 +35,13 @@ Trees any_trees(Random& random, std::uint32_t count_a, std::uint32_t count_b) {
   return trees;
 }
 
-/// With a stack and without, by one rule all walk the same way.
+/// The rule of a traversal: with a stack or without, traversals of one rule visit the same pairs.
 std::string rule_of(const std::string& traversal) {
   const std::string rule = traversal.substr(0, traversal.find('-'));
   return rule == "stackless" ? "alternating" : rule;
 }
 
-/// The five traversals of the paper, and ours, on one pair of trees.
+/// Checks the paper's five traversals and ours on one pair of trees.
 void check_all(const Trees& trees) {
   const std::tuple pairs{
       bake_pair<Layout::pre_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b),

@@ -1,5 +1,5 @@
-// Runs cut by work: pairs, their order and counts stay the same, and each run does what it was
-// granted and a step more at most.
+// Runs cut by work: pairs, their order and counts do not change, and each run spends its budget and
+// at most a step more.
 #include "flashbvh/image.hpp"
 #include "flashbvh/time_bound.hpp"
 #include "support/any_mesh.hpp"
@@ -12,7 +12,7 @@ using namespace flashbvh::detail;
 
 namespace {
 
-/// Stops at each pair once and goes on, in the same query and from its position in another one.
+/// Stops once at each pair and resumes, in the query itself and from its cursor in another one.
 template <class Traversal>
 std::uint32_t check_counts(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                            const Pose& pose) {
@@ -95,7 +95,7 @@ TEST_CASE("however a query is cut into runs, its pairs, their order and counts s
 
 TEST_CASE("counts stay right over more work than one batch may take") {
   Random random = test_random(7);
-  // Triangles in no order: nearly all boxes but the leaves' overlap.
+  // Triangles in random order: nearly all boxes but the leaves' overlap.
   const auto mesh_a = random_mesh(random, 400, 3000, 40);
   const auto mesh_b = random_mesh(random, 400, 3000, 40);
   const AnyMesh any_a(random_tree(random, mesh_a, {2, 1, false}), mesh_a);
@@ -111,13 +111,13 @@ TEST_CASE("counts stay right over more work than one batch may take") {
     REQUIRE(same(cut.stats(), whole.stats()));
   }
   CHECK(whole.stats().visits > 65536);
-  // Each pair that may matter, but those of leaves, has two below it.
+  // Each overlapping pair, except pairs of leaves, has two below it.
   CHECK(whole.stats().visits == 1 + 2 * (whole.stats().overlaps - whole.stats().leaf_pairs));
 }
 
 namespace {
 
-/// Boxes, and tests that are counted.
+/// Box tests, and triangle tests that are counted.
 struct CountedTests {
   static constexpr bool kIntersects = false;
   template <class Mesh>
@@ -141,8 +141,7 @@ struct CountedTests {
   }
 };
 
-/// Whether a query in one run can have taken so much work, if its leaves have one to `most`
-/// triangles.
+/// Whether a query in one run can have spent this work, if its leaves have one to `most` triangles.
 bool is_work_of(const QueryStats& counts, std::uint32_t work, std::uint32_t most) {
   const std::uint32_t least = counts.visits + kTrianglePairWork * counts.leaf_pairs;
   const std::uint32_t others = counts.overlaps * (kShapeWork + most) + kGoOnWork * counts.visits;
@@ -187,7 +186,7 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
     }
     REQUIRE(pairs == expected);
     REQUIRE(same(query.stats(), whole.stats()));
-    // Each run may have overdrawn by a step, and saves no work.
+    // Each run may have overdrawn by a step, but saves no work.
     const TreeSize size_a = size_of(a);
     const TreeSize size_b = size_of(b);
     REQUIRE(spent <= most_work(size_a, size_b) + runs * largest_step(size_a, size_b));
@@ -207,7 +206,7 @@ TEST_CASE("work is visits, shapes and pairs of triangles") {
     const RunResult step = query.run(kGranted, found.data(), 1000);
     REQUIRE(step.status == Status::done);
     REQUIRE(is_work_of(query.stats(), step.work, most));
-    if (most == 1) {  // and by boxes alone there are no shapes
+    if (most == 1) {  // by boxes alone there are no leaf planes
       Query<Ranked<Mesh>, BoxIntersection> boxes(a, b, scene.pose);
       const std::uint32_t work = boxes.run(kGranted, found.data(), 1000).work;
       const QueryStats& counts = boxes.stats();

@@ -1,5 +1,5 @@
-// What every sketch has in front of it: the serial monitor, and the macros of Arduino's cores,
-// among which a library's names have to live.
+// The header of every sketch: the serial monitor, and the macros of Arduino's cores, with which a
+// library's names must not collide.
 #pragma once
 
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-// One turn of the loop is enough for a test.
+// A single pass of the loop is enough for a test.
 #include <Arduino.h>
 
 #include "port_text.hpp"

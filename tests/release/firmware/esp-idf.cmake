@@ -1,5 +1,5 @@
-# ESP-IDF's, after its documents. A component is read twice: in script mode for what it requires, where
-# only idf_component_register() may be called, and in the build.
+# ESP-IDF's functions, by its documents. It reads a component twice: in script mode for the requirements, where only
+# idf_component_register() may be called, and in the build.
 if(CMAKE_SCRIPT_MODE_FILE)
   set(CMAKE_BUILD_EARLY_EXPANSION ON)
   macro(idf_component_register)

@@ -1,5 +1,5 @@
-# Zephyr's, after its documents: zephyr_interface holds what everything is compiled with, an include
-# folder that a module adds among it; zephyr_library_sources() adds to the library named last.
+# Zephyr's functions, by its documents: zephyr_interface holds the options of all sources, including the include
+# folder of a module; zephyr_library_sources() adds to the library named last.
 add_library(zephyr_interface INTERFACE)
 target_link_libraries(zephyr_interface INTERFACE machine)
 add_library(packaged INTERFACE)

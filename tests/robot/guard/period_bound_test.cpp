@@ -45,7 +45,7 @@ TEST_CASE("bound: the work within a period is the most that the instructions are
     REQUIRE(most_instructions(kCosts, kSize, work + 1) > instructions);
   }
   STATIC_REQUIRE(work_within(most_instructions(kCosts, kSize, 1) - 1, kCosts, kSize) == 0);
-  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kSize) == UINT32_MAX - 1);  // a limit all the same
+  STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kSize) == UINT32_MAX - 1);  // also a limit
 }
 
 TEST_CASE(

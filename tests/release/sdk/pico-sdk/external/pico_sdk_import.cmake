@@ -1,4 +1,4 @@
-# The Pico's SDK, after its documents. Linked to SOURCES, which start a program in QEMU.
+# The Pico's SDK, by its documents. Links SOURCES, which start a program in QEMU.
 function(pico_sdk_init)
   add_library(pico_stdlib INTERFACE)
   target_sources(pico_stdlib INTERFACE $ENV{PICO_SDK_PATH}/stdlib.cpp ${SOURCES})

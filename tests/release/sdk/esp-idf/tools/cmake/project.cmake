@@ -1,5 +1,5 @@
-# ESP-IDF's project(), after its documents: the components, and what calls app_main(). Linked to SOURCES, which
-# start a program in QEMU.
+# ESP-IDF's project(), by its documents: the components, and the code that calls app_main(). Links SOURCES, which start
+# a program in QEMU.
 macro(project name)
   _project(${name} C CXX)
   add_library(machine INTERFACE)
