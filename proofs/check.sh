@@ -1,8 +1,8 @@
 #!/bin/sh
-# check.sh LIB OUT [NAME...]   Checks the proofs, or those of these names, of the code in LIB, in OUT.
+# check.sh LIB OUT [NAME...]   Checks the proofs, or those with these names, of the code in LIB, in the folder OUT.
 #
-# A file of Coq says with `Print Assumptions` what it proves. A file of gappa proves one claim, which
-# its first line says. One of cvc5 has after each check-sat a comment with the expected result, and its meaning:
+# A Coq file prints its theorems with `Print Assumptions`. A gappa file proves one claim, stated in its first line. A
+# cvc5 file has, after each check-sat, a comment with the expected result and its meaning:
 #   (check-sat) ; unsat: no box ...
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -15,14 +15,14 @@ python3 -B "$here/prelude.py" "$lib" "$out" "$here"/walk/*.v "$here"/arithmetic/
   "$here"/arithmetic/*.g "$here"/arithmetic/*.smt2
 cd "$out"
 
-# Runs a checker; on failure its first words, and where all of it is.
+# Runs a checker; on failure prints its first words, and the name of the full log.
 attempt() {
   name=$1
   shift
   "$@" >"$name.log" 2>&1 || { printf '%s: REFUSED\n' "$name"; head -n 12 "$name.log"; return 1; }
 }
 
-# Every theorem that is printed is closed, and nothing else is printed.
+# Every printed theorem must be closed, and no other output is allowed.
 coq() {
   for module; do
     attempt "$module.v" coqc -q "$module.v" || return 1
@@ -47,13 +47,13 @@ solvers() {
     printf '%-22s %s\n' "$file" "$(sed -n '1s/^; *//p' "$file")"
   done
 }
-wanted() {  # of the files of these names, those that were requested
+wanted() {  # the requested ones of these files
   for file; do
     [ -e "$file" ] || continue
     case " $names " in "  " | *" $file "*) echo "$file" ;; esac
   done
 }
-# The definitions of Code.v and Image.v do what the library does, on random trees.
+# The definitions of Code.v and Image.v agree with the library on random trees.
 differential() {
   attempt differential ${CXX:-g++} -std=c++17 -O1 -I "$lib/include" -I "$lib/src" -I "$here/.." -I "$here/../tests" \
     "$here/walk/differential.cpp" "$lib/src/lattice/tree_check.cpp" -o differential.out || return 1
@@ -63,7 +63,7 @@ differential() {
 }
 names="$*"
 began=$(date +%s)
-# Side by side: the walk and all that is not Coq's, and arithmetic; then what rests on both.
+# In parallel: the walk and all that is not Coq's, and arithmetic; then the proofs that use both.
 { coq $(for module in $walk; do wanted "$module.v"; done | sed 's/\.v$//') &&
     { [ -n "$names" ] || differential; } &&
     gappas $(wanted *.g) && solvers $(wanted *.smt2); } >walk.said 2>&1 &

@@ -1,6 +1,6 @@
 """mutations.py OUT
 
-Makes each change of mutations.txt in a copy; a proof must refuse it. OUT: what check.sh checked.
+Makes each change of mutations.txt in a copy; a proof must refuse it. OUT: the folder that check.sh has checked.
 """
 import re
 import shutil
@@ -14,7 +14,7 @@ REFUSAL = re.compile(r"[A-Za-z_]+\.(?:v|g|smt2)(?=:)|no longer has")
 
 
 def changes(table):
-    """What each does, its file, the old text, the new one, and the proofs."""
+    """Description, file, old text, new text and proofs of each change."""
     file, proofs = "", []
     for line in table.replace("\n    ", " ").splitlines():
         if found := CHANGE.fullmatch(line):
@@ -26,7 +26,7 @@ def changes(table):
 
 
 def prepare(out, work):
-    """A folder to check in, with what is compiled."""
+    """A folder for the checks, with the compiled files."""
     shutil.rmtree(work, ignore_errors=True)
     (work / "out").mkdir(parents=True)
     for compiled in out.glob("*.vo"):
@@ -34,7 +34,7 @@ def prepare(out, work):
 
 
 def refusal(check, work, proofs):
-    """What refuses the library in a folder, or nothing."""
+    """The proof that refuses the library in a folder, or nothing."""
     done = subprocess.run([check, work / "lib", work / "out", *proofs], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True)
     found = REFUSAL.search(done.stdout)
@@ -46,7 +46,7 @@ def main(out):
     work, survived = out / "mutations", 0
     table = list(changes((ROOT / "proofs/mutations.txt").read_text()))
     prepare(out, work)
-    # Unchanged, all are accepted: what is refused below is refused for the change.
+    # All proofs accept the unchanged library, so each refusal below is caused by the change.
     for folder in ("lib", "tests/reference"):
         shutil.copytree(ROOT / folder, work / folder)
     if refused := refusal(ROOT / "proofs/check.sh", work, sorted({name for *_, proofs in table for name in proofs})):

@@ -1,12 +1,12 @@
 """prelude.py LIB OUT FILE...
 
-Writes each proof into OUT with the constants of the code in it, and checks what it quotes.
+Writes each proof into OUT with the code's constants, and checks its quotations.
 
   @EXPRESSION@             a Python expression of constants by their names: kMaxDifference, or
                            triangle.cpp:kMaxNarrow where several files have one, sine.hpp:s[2]
   code: FILE | TEXT        to the end of the line: FILE, below LIB, has TEXT, white space aside
 
-So a proof is of the constants that the code has, and a changed line that was quoted says so.
+So a proof uses the code's constants, and fails if a quoted line has changed.
 """
 import pathlib
 import re
@@ -45,7 +45,7 @@ class Constants:
             return f"v{len(known) - 1}"
 
         text = re.sub(r"([\w.]+\.[ch]pp:)?\b([A-Za-z_]\w*)", named, text)
-        return eval(text, {"__builtins__": {}}, known)  # of the project's own sources
+        return eval(text, {"__builtins__": {}}, known)  # only the project's own sources
 
 
 def main():

@@ -1,10 +1,10 @@
-"""What calls of functions cost at most, in instructions.
+"""The most instructions that calls of functions can take.
 
 cost.py TABLE SOURCES PROGRAM FUNCTION...   prints for each function, named by a regular expression,
     FUNCTION SUM = fixed N [KIND TURNS*N | KIND N]...
-SUM leaves out the kinds of turns whose count the table leaves open: to it comes N for each of them.
-See loops.py for TABLE. Fails, and says where, if it comes to anything that it does not understand: an
-indirect branch, a recursive call, a loop that the table does not bound.
+SUM excludes kinds of turns whose count the table leaves open: each such turn adds its N.
+For TABLE, see loops.py. Fails with the place if it meets code that it does not understand: an indirect branch, a
+recursive call, a loop without a bound in the table.
 """
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Cost:
         return self.fixed + sum(t.turns * t.cost for t in self.terms if t.turns is not None)
 
     def term(self, kind: str) -> int:
-        """Of one turn."""
+        """The cost of one turn."""
         for term in self.terms:
             if term.kind == kind:
                 return term.cost
@@ -41,14 +41,14 @@ class Cost:
 
 
 class Costs:
-    """general: without what the table calls special. together: open counts are of a whole run, not of
-    a call; each turn costs what `turns` has, wherever it is."""
+    """general: without the functions that the table calls special. together: open counts apply to a whole run, not to
+    a call; each turn costs the value in `turns`, wherever it is."""
 
     def __init__(self, program: Program, loops: Loops, general: bool = False, together: bool = False,
                  measure: Instructions = Instructions()):
         self._program, self._loops, self._general, self._measure = program, loops, general, measure
         self._together = together
-        self.known: dict[Function, Cost | None] = {}  # None: being looked at
+        self.known: dict[Function, Cost | None] = {}  # None: in progress
 
     def of(self, pattern: str) -> Cost:
         return self._of(self._program.matching(pattern))
@@ -70,7 +70,7 @@ class Costs:
         return cost
 
     def turns(self) -> dict[str, int]:
-        """The longest turn of each kind that the table leaves open, of all functions looked at."""
+        """The longest turn of each kind that the table leaves open, over all functions so far."""
         longest: dict[str, int] = {}
         for cost in self.known.values():
             for term in cost.terms if cost else ():
@@ -79,7 +79,7 @@ class Costs:
         return longest
 
     def _call(self, caller: Function, callee: Function | None) -> int:
-        """Of a whole call, or nothing if the table says that it is counted apart."""
+        """The cost of a whole call, or 0 if the table counts it separately."""
         if callee is None:
             return 0
         cost = self._of(callee)

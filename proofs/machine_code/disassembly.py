@@ -1,7 +1,7 @@
-"""Where instructions lead and how they move sp, from what objdump prints.
+"""The targets of instructions, and their changes of sp, from objdump's output.
 
-Plain is what is known to leave pc and sp alone. What is neither plain nor understood is Flow.STOP, or moves
-sp by no constant. The environment's OBJDUMP is the program's.
+A plain instruction is known not to change pc and sp. An instruction that is neither plain nor understood is
+Flow.STOP, or changes sp by no constant. The environment's OBJDUMP is the program's.
 """
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .instruction import Flow, Instruction
 
 LINE = re.compile(r"^ *([0-9a-f]+):\t([0-9a-f ]+?) *\t(\S+)[ \t]*(.*?)(?:[ \t]+[@;#] .*)?$", re.M)
 CONDITION = "(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?"
-# Traps, branches of the future, what objdump does not know.
+# Traps, branch-future instructions, and instructions unknown to objdump.
 STRANGE = re.compile(r"b|udf|svc|hlt|letp|[dw]lstp|\W")
 # Without -m, binutils 2.40 does not know all of Armv8.1-M.
 OPTIONS = {"EM_ARM": ["-m", "armv8.1-m.main"], "EM_RISCV": ["-M", "no-aliases"]}
@@ -46,11 +46,11 @@ class Thumb:
         self.first = re.split("[,!]", operands)[0]
 
     def is_one_of(self, names: str) -> re.Match | None:
-        """With a condition, or not; in an IT block an instruction has one, and may be skipped."""
+        """Matches names with or without a condition; in an IT block an instruction has one, and may be skipped."""
         return re.fullmatch(f"({names}){CONDITION}", self.name)
 
     def read(self) -> Instruction | None:
-        """None: data."""
+        """Returns None for data."""
         if re.fullmatch(r"\.(word|short|byte)", self.name):
             return None
         if self.name == "nop" or (self.name, self.operands) == ("movs", "r0, r0"):
@@ -65,7 +65,7 @@ class Thumb:
             if self.operands == "lr" and not links:
                 return Instruction(self.at, self.size, Flow.LEAVE, falls_through=falls)
             target = target_of(self.operands)
-            # A branch to a register is maybe a call.
+            # A branch to a register may be a call.
             flow = Flow.CALL if links or target is None else Flow.JUMP
             return Instruction(self.at, self.size, flow, target, links or falls, name=self.name)
         if self.name in ("cbz", "cbnz", "le", "wls"):
@@ -90,7 +90,7 @@ class Thumb:
         return Instruction(self.at, self.size, grows=None if grows and skipped and skipped[2] else grows)
 
     def growth(self) -> int | None:
-        """Of the stack; None: not a constant."""
+        """The growth of the stack; None if it is not a constant."""
         if self.is_one_of("v?push|v?pop") or self.operands.startswith("sp!") and self.is_one_of("ldmia|stmdb"):
             bytes_ = size_of_registers(self.operands)
             return bytes_ if self.is_one_of("v?push|stmdb") else -bytes_
@@ -105,7 +105,7 @@ class Thumb:
 
 
 def size_of_registers(operands: str) -> int:
-    """Of a list as {r4-r6, lr} or {d8-d10}."""
+    """The size of a register list as {r4-r6, lr} or {d8-d10}."""
     count = 0
     for one, to in re.findall(r"(\w+)(?:-(\w+))?", operands[operands.index("{"):]):
         count += int(to[1:]) - int(one[1:]) + 1 if to else 1
@@ -113,7 +113,7 @@ def size_of_registers(operands: str) -> int:
 
 
 def riscv(at: int, size: int, name: str, operands: str) -> Instruction:
-    """RV32IM, compressed instructions or not, without aliases."""
+    """RV32IM, with or without compressed instructions, without aliases."""
     name = name.removeprefix("c.")
     first, *others = operands.split(",")
     if name in ("nop", "unimp") or name == "addi" and operands in ("zero,0", "zero,zero,0"):
@@ -125,7 +125,7 @@ def riscv(at: int, size: int, name: str, operands: str) -> Instruction:
             return Instruction(at, size, Flow.LEAVE, falls_through=False)
         if link not in ("zero", "ra"):
             return Instruction(at, size, Flow.STOP)
-        # Only the run knows where to: maybe to a function.
+        # The target is known only at run time: it may be a function.
         flow = Flow.JUMP if link == "zero" and target is not None else Flow.CALL
         return Instruction(at, size, flow, target, link == "ra")
     if name[0] == "b" or name == "ebreak":

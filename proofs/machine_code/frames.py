@@ -1,4 +1,4 @@
-"""The stack of a function, from its machine code: sp is followed along all branches."""
+"""The stack of a function, from its machine code: follows sp along all branches."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -11,13 +11,13 @@ DEEPEST = 1 << 20  # A loop that pushes has no end.
 
 @dataclass(frozen=True)
 class Frame:
-    size: int  # the lowest that sp gets
-    held: dict[int, int]  # of the frame at each call: nothing, as a rule, at one in tail position
+    size: int  # the lowest value of sp
+    held: dict[int, int]  # the frame's size at each call: usually 0 at a call in tail position
 
 
 def frame_of(graph: Graph) -> Frame:
     start = graph.function.address
-    before = {start: 0}  # the depth ahead of each instruction, the most of all ways there
+    before = {start: 0}  # the depth before each instruction, the largest over all paths to it
     pending = [start]
     size = 0
     while pending:
@@ -27,7 +27,7 @@ def frame_of(graph: Graph) -> Frame:
             raise graph.refuse(address, "not understood")
         if found.grows is None:
             raise graph.refuse(address, f"{graph.function} has a frame of no fixed size")
-        # Code that goes on after a return has not executed it.
+        # Code after a return has not executed the return.
         depth = before[address] + (0 if found.flow is Flow.LEAVE else found.grows)
         if depth > DEEPEST:
             raise graph.refuse(address, "the stack's depth has no end")

@@ -1,10 +1,10 @@
-"""The control-flow graph of a function: what its entry leads to, and whom that calls."""
+"""The control-flow graph of a function: the code reachable from its entry, and its callees."""
 from __future__ import annotations
 
 from .instruction import Flow, Instruction, Refused
 from .program import Function, Program
 
-# Libgcc's, for a `switch` of Armv6-M: it reads the table at its return address and jumps.
+# The functions of libgcc for a `switch` on Armv6-M: they read the table at their return address and jump.
 BRANCHES_BY_TABLE = "__gnu_thumb1_case_"
 
 
@@ -12,9 +12,9 @@ class Graph:
     def __init__(self, program: Program, function: Function):
         self.program = program
         self.function = function
-        self.code: dict[int, Instruction] = {}  # what is reached
+        self.code: dict[int, Instruction] = {}  # the reachable code
         self.successors: dict[int, list[int]] = {}
-        self.callees: dict[int, Function] = {}  # by call, or by jump as the last thing done
+        self.callees: dict[int, Function] = {}  # by call, or by jump in tail position
         self.computed_jumps: list[int] = []
         self._all = program.code_of(function)
         self._reach(function.address)
@@ -25,7 +25,7 @@ class Graph:
         return Refused(f"{self.program.place(address)}: {why}")
 
     def unknown_call(self, address: int) -> bool:
-        """Whether an instruction calls a function that only the run knows."""
+        """Whether an instruction calls a function that is known only at run time."""
         return self.code[address].flow is Flow.CALL and self.code[address].target is None
 
     def _reach(self, start: int) -> None:
@@ -41,13 +41,13 @@ class Graph:
             pending += self.successors[address]
 
     def _follow(self, found: Instruction) -> list[int]:
-        """What may be executed next in the function."""
+        """The instructions that may execute next in the function."""
         after = []
         if found.target is not None:
             if found.target in self._all and (found.flow is Flow.JUMP or
                                               found.target != self.function.address):
                 after.append(found.target)
-                if found.flow is Flow.CALL:  # Armv6-M's far jump: lr is saved by then
+                if found.flow is Flow.CALL:  # Armv6-M's far jump: lr is saved before
                     return after
             else:
                 self.callees[found.address] = self.program.at(found.target)
@@ -65,7 +65,7 @@ class Graph:
         return found.flow is Flow.JUMP and found.target is None
 
     def _reach_by_tables(self) -> None:
-        """A computed jump leads wherever a table says: to all code that nothing else leads to."""
+        """A computed jump leads wherever a table says: to all code that is not reachable otherwise."""
         cases = []
         for address, found in self._all.items():
             if address not in self.code and not found.is_padding:

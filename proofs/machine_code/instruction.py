@@ -1,4 +1,4 @@
-"""What the proofs need to know of a machine instruction."""
+"""The properties of a machine instruction that the proofs need."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -8,9 +8,9 @@ from enum import Enum
 class Flow(Enum):
     NEXT = "plain"
     JUMP = "jump"  # to the target
-    CALL = "call"  # of the target, which comes back
+    CALL = "call"  # to the target, which returns
     LEAVE = "return"
-    STOP = "not understood"  # a trap, or what no proof should rely on
+    STOP = "not understood"  # a trap, or an instruction on which no proof should rely
 
 
 @dataclass(frozen=True)
@@ -18,11 +18,11 @@ class Instruction:
     address: int
     size: int
     flow: Flow = Flow.NEXT
-    target: int | None = None  # None: only the run knows
+    target: int | None = None  # None: known only at run time
     falls_through: bool = True  # the next instruction may follow
     grows: int | None = 0  # the stack's growth in bytes; None: not a constant
-    name: str = ""  # of conditional branches, and "nop"
-    mnemonic: str = ""  # and code: as objdump has them
+    name: str = ""  # for conditional branches, and "nop"
+    mnemonic: str = ""  # with `code`: in objdump's syntax
     code: str = ""
 
     @property
@@ -31,9 +31,9 @@ class Instruction:
 
     @property
     def is_padding(self) -> bool:
-        """What may stand between functions; a bare return is harmless."""
+        """Whether the instruction may stand between functions; a bare return is harmless."""
         return self.name == "nop" or (self.flow is Flow.LEAVE and self.grows == 0)
 
 
 class Refused(Exception):
-    """What cannot be proven, and where."""
+    """The reason why a proof fails, and the place."""

@@ -1,6 +1,6 @@
-"""Code whose longest paths and frames are known: a function f, maybe one g that it calls.
+"""Code with known longest paths and frames: a function f, and optionally a function g that it calls.
 
-";" or a new line ends an instruction; "/N" says that what follows is of line N of SOURCE.
+";" or a new line ends an instruction; "/N" assigns the following code to line N of SOURCE.
 """
 from __future__ import annotations
 
@@ -104,13 +104,13 @@ RISCV = [
 CASES = {"arm": ARM, "riscv": RISCV}
 
 TURNS = "movs r0, #3; /4; 1: nop; /2; nop; subs r0, #1; bne 1b; bx lr"
-# The inner loop's turns are those of a whole call; its cut is in every turn of the outer one, too.
+# The inner loop's turns are those of a whole call; its cut lies in every turn of the outer loop, too.
 NESTED = ("movs r0, #3; /2; 1: movs r1, #3; /3; 2: subs r1, #1; bne 2b; /2; subs r0, #1; bne 1b; "
           "bx lr")
-# The walk in small: irreducible, since it may start in the middle.
+# A small walk: irreducible, since it may start in the middle.
 WALK = ("cbz r0, 2f; /4; 1: cbz r1, 3f; nop; nop; /1; 2: cmp r2, r3; bne 1b; /5; nop; /1; b 2b; "
         "3: bx lr")
-# Two statements of a line that the turns of one loop take in turn.
+# Two statements of a line, executed alternately in the turns of a loop.
 TWICE = "1: cbz r0, 2f; /2; nop; b 1b; /2; 2: nop; cbz r1, 3f; /1; b 1b; 3: bx lr"
 
 LOOP_CASES = [
@@ -150,7 +150,7 @@ LOOP_CASES = [
          "9 = fixed 9", "cut ^g$ turn 3 source.c for (i)"),
 ]
 
-# By the table of the M4F. A return takes 4: the most refill, and a target in two words.
+# By the table of the M4F. A return takes 4: the longest refill, and a target in two words.
 CYCLES_CASES = [
     Case("a straight line", "cycles", "movs r0, #1; bx lr", "5 = fixed 5"),
     Case("only a branch that is taken refills", "cycles", "cmp r0, #0; beq 1f; nop; nop; nop; nop; 1: bx lr",
@@ -182,8 +182,7 @@ CYCLES_CASES = [
     Case("a barrier", "refused cycles", "dmb; bx lr", "no most cycles of 'dmb', barrier"),
     Case("an instruction that the M4F has not", "refused cycles", "cinc r0, r1, ne; bx lr", "of 'cinc', alu"),
     Case("a division of doubles", "refused cycles", ".fpu fpv5-d16; vdiv.f64 d0, d1, d2; bx lr", "of 'vdiv.f64'"),
-    # In eighths of a read: bytes of code, 8 for each word that is loaded, 8 more if it may be in two words,
-    # 36 for a jump.
+    # In eighths of a read: bytes of code, 8 for each loaded word, 8 more if it may span two words, 36 for a jump.
     Case("code and words are read", "reads", "ldr r1, [r0]; ldrd r2, r3, [r0]; bx lr", "76 = fixed 76"),
     Case("the stack is not", "reads", "push {r4, lr}; ldr r0, [sp]; pop {r4, pc}", "42 = fixed 42"),
 ]

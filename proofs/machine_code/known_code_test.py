@@ -2,8 +2,8 @@
 
 MOST_CYCLES in the environment: "flashbvh_most_cycles TABLES", for code whose cycles are known.
 
-The longest paths and the frames of code that is known, and refusals of code that has none. COMPILER,
-with its flags, assembles and links: all cases at once.
+Checks the longest paths and the frames of known code, and refusals of code without them. COMPILER, with its flags,
+assembles and links all cases at once.
 """
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from machine_code.program import Program
 
 
 def own_names(text: str, number: int) -> str:
-    """The functions f and g of a case as those of the case alone."""
+    """Renames the functions f and g of a case, so that each case has its own."""
     return re.sub(r"\b([fg])\b", rf"\1_{number}", text)
 
 
@@ -66,7 +66,7 @@ class KnownCode(unittest.TestCase):
             self.addCleanup(measure.close)
 
     def found(self, number: int, case: Case) -> str:
-        """The longest path and the frame, or why there is none."""
+        """The longest path and the frame, or the refusal."""
         table = self.folder / "table"
         table.write_text(own_names(case.table, number))
         root = f"^f_{number}$"

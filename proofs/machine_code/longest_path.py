@@ -1,14 +1,13 @@
-"""The most instructions or cycles that a function can take: the longest path of its
-control-flow graph, calls included, whatever its input.
+"""The most instructions or cycles that a function can take for any input: the longest path of its control-flow graph,
+calls included.
 
-Loops are cut where an instruction belongs to a line of the source that the table names (loops.py):
-every cycle of the graph passes a cut. Between two cuts the graph has no cycle, and a longest path
-is found in topological order. Paths from cut to cut form a graph of a few nodes. A path leaves each
-of its strongly connected components once; inside, it makes as many steps from cuts of a kind as the
-table grants. So, with n(k) steps from kind k and inside(k) the longest of them,
+Loops are cut where an instruction belongs to a source line that the table names (loops.py): every cycle of the graph
+passes a cut. Between two cuts the graph has no cycle, and a longest path is found in topological order. Paths from cut
+to cut form a graph of a few nodes. A path leaves each strongly connected component once; inside, it makes at most as
+many steps from cuts of a kind as the table allows. So, with n(k) steps from kind k and inside(k) the longest of them,
     what is measured <= fixed + sum over k of n(k) * inside(k)
 where `fixed` is the longest path from the entry to a return that steps from component to component.
-That holds for irreducible loops, too.
+This holds for irreducible loops, too.
 """
 from __future__ import annotations
 
@@ -20,12 +19,12 @@ from .instruction import Flow
 from .loops import Kind
 from .measure import Instructions
 
-OUT = -1  # of the function, where an address is meant
+OUT = -1  # leaves the function, in place of an address
 
 
 @dataclass(frozen=True)
 class Term:
-    """So many turns of a loop beyond the first, None if left open, and what each takes."""
+    """The turns of a loop beyond the first, None if left open, and the cost of each."""
     kind: str
     turns: int | None
     cost: int
@@ -36,7 +35,7 @@ class Term:
 
 
 class Paths:
-    """Of one function. called: what the calls of its instructions take; marks: where the table allows
+    """The paths of one function. called: the cost of its instructions' calls; marks: the places where the table allows
     a cut."""
 
     def __init__(self, graph: Graph, measure: Instructions, called: dict[int, int], marks: dict[int, Kind]):
@@ -62,13 +61,13 @@ class Paths:
         self.terms = self._turns()
 
     def _edge(self, address: int, to: int) -> int:
-        """What it takes to go on from one instruction with another one, which may be its target."""
+        """The cost of continuing from one instruction to another one, which may be its target."""
         found = self._graph.code[address]
         jumps = to != found.end or to == found.target
         return self._measure.after(found, self._graph.code[to]) + (self._measure.jump(found) if jumps else 0)
 
     def _sort(self, cuts: dict[int, Kind]) -> tuple[list[int], int | None]:
-        """In topological order (Kahn), edges into cuts left out; and an instruction left over."""
+        """The topological order (Kahn) without edges into cuts; and a remaining instruction, if there is one."""
         into = dict.fromkeys(self._graph.code, 0)
         for after in self._successors.values():
             for to in after:
@@ -83,7 +82,7 @@ class Paths:
         return order, next((address for address, count in into.items() if count), None)
 
     def _choose(self, marks: dict[int, Kind]) -> dict[int, Kind]:
-        """As few cuts as do: of instructions that do the same, a call stays, or the last."""
+        """A minimal set of cuts: of equivalent instructions it keeps a call, or the last."""
         left = self._sort(marks)[1]
         if left is not None:
             raise self._graph.refuse(left, "a loop without a bound in the table")
@@ -96,7 +95,7 @@ class Paths:
         return dict(sorted(cuts.items()))
 
     def _longest_from(self, start: int, order: list[int]) -> dict[int, int]:
-        """The longest paths from an instruction to before each cut, and out."""
+        """The longest paths from an instruction to each cut, exclusive, and to a return."""
         far = {start: self._weight[start]}
         steps: dict[int, int] = {}
         for address in order:
@@ -121,27 +120,27 @@ class Paths:
         return found
 
     def _component(self, cut: int) -> list[int]:
-        """The cuts of the same strongly connected component."""
+        """The cuts of this cut's strongly connected component."""
         return [cut] + [to for to in sorted(self._reach[cut])
                         if to != cut and cut in self._reach[to]]
 
     @cache
     def _way_out(self, cut: int) -> float:
-        """The longest way from a cut's component out of the function, steps inside apart."""
+        """The longest path from a cut's component out of the function, without steps inside."""
         component = self._component(cut)
         return max((length + (0 if to == OUT else self._way_out(to))
                     for member in component for to, length in self._steps[member].items()
                     if to not in component), default=float("-inf"))
 
     def _refuse_double_cuts(self) -> None:
-        """A kind with a number in one place of a loop only: in two, one turn might count twice."""
+        """Allows a kind with a count only once in a loop: two places might count a turn twice."""
         for cut, kind in self.cuts.items():
             others = self._component(cut)[1:]
             if kind.count is not None and kind.name in (self.cuts[to].name for to in others):
                 raise self._graph.refuse(cut, "a loop that the table cuts in two places")
 
     def _turns(self) -> list[Term]:
-        """What turns cost beyond the first: of each component, or of the worst if left open."""
+        """The costs of turns beyond the first: per component, or of the worst one if left open."""
         inside: dict[tuple[Kind, int], int] = {}
         for cut, kind in self.cuts.items():
             component = self._component(cut)

@@ -1,15 +1,15 @@
-"""The table of the bounds of loops, and of the functions that a proof is about.
+"""The table of loop bounds, and of the functions to prove.
 
     cut FUNCTION KIND COUNT FILE TEXT   In functions that match, an instruction of a line of FILE
-                                        that has TEXT is executed at most COUNT times a call ("-":
-                                        the proof leaves it open). With "-" for FILE, TEXT is a
-                                        branch's condition: for code without lines.
-    apart FUNCTION                      Calls of it count as the call alone.
-    special FUNCTION                    The same, where only the general case is proven.
-    root NAME FUNCTION                  What to prove, under a name.
+                                        that contains TEXT executes at most COUNT times per call
+                                        ("-": the proof leaves it open). With "-" for FILE, TEXT is
+                                        a branch's condition: for code without lines.
+    apart FUNCTION                      Calls of it cost only the call instruction.
+    special FUNCTION                    Like apart, if only the general case is proven.
+    root NAME FUNCTION                  A function to prove, under a name.
 
-FUNCTION: a regular expression of names as in the source, with arguments. FILE: its name, wherever
-it lies in the folder of sources; TEXT has to be in there.
+FUNCTION: a regular expression for names as in the source, with arguments. FILE: a file name in any
+subfolder of the sources; the file must contain TEXT.
 """
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .program import Function, Program
 
 @dataclass(frozen=True)
 class Kind:
-    """What a loop's turns are called, and how many there are in a call; None: left open."""
+    """The name of a loop's turns, and their number per call; None: left open."""
     name: str
     count: int | None
 
@@ -69,7 +69,7 @@ class Loops:
                 raise Refused(f"not understood: {line}")
 
     def _lines(self, file: str, text: str) -> frozenset[int]:
-        """Of all files of that name."""
+        """The lines of all files with this name."""
         if file == "-":
             return frozenset()
         found = frozenset(number for path in self._sources.rglob(file) for number, line
@@ -84,6 +84,6 @@ class Loops:
 
     def marks(self, program: Program, function: Function,
               code: dict[int, Instruction]) -> dict[int, Kind]:
-        """The instructions of a function that the table speaks of."""
+        """The instructions of a function that the table mentions."""
         return {address: cut.kind for cut in self.cuts if function.matches(cut.function)
                 for address, found in code.items() if cut.has(program, found)}

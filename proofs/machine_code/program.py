@@ -1,4 +1,4 @@
-"""A linked program: its functions, their code, and the lines of source that it came from."""
+"""A linked program: its functions, their code, and their source lines."""
 from __future__ import annotations
 
 import re
@@ -21,8 +21,8 @@ from .instruction import Instruction, Refused
 class Function:
     address: int
     end: int
-    names: tuple[str, ...]  # as the linker has them
-    titles: tuple[str, ...]  # as the source has them, with their arguments
+    names: tuple[str, ...]  # in the linker's form
+    titles: tuple[str, ...]  # in the source's form, with their arguments
 
     def matches(self, pattern: str) -> bool:
         return any(re.search(pattern, title) for title in self.titles)
@@ -47,7 +47,7 @@ class Program:
         sizes: dict[int, int] = {}
         for symbol in elf.get_section_by_name(".symtab").iter_symbols():
             kind, address = symbol["st_info"]["type"], symbol["st_value"]
-            is_marked = symbol.name[:1] in ("", "$")  # where code or data begin
+            is_marked = symbol.name[:1] in ("", "$")  # the start of code or data
             if address in self._sections.get(symbol["st_shndx"], ()) and not is_marked and \
                     kind in ("STT_FUNC", "STT_NOTYPE"):
                 address &= ~1 if self._machine == "EM_ARM" else ~0
@@ -57,7 +57,7 @@ class Program:
 
     @cached_property
     def functions(self) -> dict[int, Function]:
-        """By address: all between two symbols of the code is a function, as far as it has a size."""
+        """By address: everything between two symbols of the code is a function, up to its size."""
         starts = sorted(self._names)
         flat = [name for start in starts for name in self._names[start]]
         titles = dict(zip(flat, subprocess.run(["c++filt"], input="\n".join(flat), text=True,
@@ -66,7 +66,7 @@ class Program:
         for start, following in zip(starts, starts[1:] + [1 << 32]):
             section = next(section for section in self._sections.values() if start in section)
             names = tuple(self._names[start])
-            # Behind the last one there may be constants.
+            # Constants may follow the last function.
             size = self._sizes[start] or section.stop - start
             found[start] = Function(start, min(following, section.stop, start + size), names,
                                     tuple(titles[name] for name in names))
@@ -80,7 +80,7 @@ class Program:
         return found[0]
 
     def at(self, address: int) -> Function:
-        """The function that has an instruction."""
+        """The function that contains an instruction."""
         starts = self._starts
         function = self.functions[starts[bisect_right(starts, address) - 1]]
         if not function.address <= address < function.end:
@@ -112,13 +112,13 @@ class Program:
             return _read_lines(ELFFile(file))
 
     def place(self, address: int) -> str:
-        """For messages."""
+        """The place of an instruction, for messages."""
         file, line = self.line_at(address)
         return f"{address:x} in {self.at(address)}" + (f" ({file}:{line})" if file else "")
 
 
 def _read_lines(elf: ELFFile) -> list[tuple[int, str, int]]:
-    """Where a line of source begins; a file of no name, where none is known."""
+    """The starts of source lines; an empty file name if unknown."""
     rows: dict[int, tuple[str, int]] = {}
     dwarf = elf.get_dwarf_info() if elf.has_dwarf_info() else None
     for unit in dwarf.iter_CUs() if dwarf else ():
@@ -134,7 +134,7 @@ def _read_lines(elf: ELFFile) -> list[tuple[int, str, int]]:
 
 
 def _sequences(program: LineProgram) -> Iterator[list]:
-    """Rows of a stretch of code each, the last one after it; what the linker left out is at 0."""
+    """Rows of one stretch of code each, with the row after it last; code removed by the linker is at 0."""
     sequence: list = []
     for entry in program.get_entries():
         if entry.state is not None:
