@@ -6,16 +6,16 @@
 namespace robot_check {
 namespace {
 
-/// For what doubles round, in cells: coordinates below 2^22 cells have 30 bits behind the point.
+/// The error of doubles, in cells: coordinates below 2^22 cells have 30 fraction bits.
 constexpr double kOutward = 1e-6;
-/// Two parts that the box moves by less than this are not cut again.
+/// Two parts that the box moves by less than this are not divided again.
 constexpr double kResolution = 0.1;
-/// Of a search downhill, as a part of a variable's range.
+/// The least step of a descent, as a part of a variable's range.
 constexpr double kLeastStep = 1e-4;
-/// Units that rounding may move a coordinate by; a mimic's by three.
+/// The units by which rounding may move a coordinate; a mimic's by three.
 constexpr double kRounding = 4;
 
-/// A box of one place.
+/// A box of a single point.
 Box box_at(const std::vector<double>& place) {
   Box box;
   for (const double value : place) {
@@ -24,7 +24,7 @@ Box box_at(const std::vector<double>& place) {
   return box;
 }
 
-/// At most the distance: the gap between their shadows on a line.
+/// A lower bound of the distance: the gap between the projections on a line.
 double gap_along(const Vec& direction, const Triangle& t, const Triangle& u) {
   const double end = std::max({dot(direction, t[0]), dot(direction, t[1]), dot(direction, t[2])});
   const double begin = std::min({dot(direction, u[0]), dot(direction, u[1]), dot(direction, u[2])});
@@ -99,7 +99,7 @@ std::string PairSpace::text(const std::vector<double>& at) const {
   return out.str();
 }
 
-/// The links in the middle of the box, and what each joint can move.
+/// Places the links at the middle of the box, and bounds each joint's motion.
 void PairSpace::place(const Box& box) {
   ++stamp_;
   std::vector<Frame> frames(path_.size());
@@ -129,7 +129,7 @@ void PairSpace::place(const Box& box) {
   choose_side();
 }
 
-/// Seen from any body between the links, joints on a's side move a and the others move b.
+/// Chooses a body between the links; joints on a's side move a, the others move b.
 void PairSpace::choose_side() {
   const Body::Node& a = a_.nodes()[0];
   const Body::Node& b = b_.nodes()[0];
@@ -149,8 +149,8 @@ void PairSpace::choose_side() {
   }
 }
 
-/// The joint farthest from the link moves first: those nearer to the link then still stand as in
-/// the middle of the box, so each one moves a point by its distance from the axis there.
+/// The joint farthest from the link moves first: the nearer ones still have their values in the
+/// middle of the box, so each moves a point by its distance from the axis there.
 double PairSpace::moved(const Vec& centre, double radius, bool of_a) const {
   double sum = 0;
   for (std::size_t i = of_a ? 0 : cut_; i < (of_a ? cut_ : path_.size()); ++i) {
@@ -190,7 +190,7 @@ const PairSpace::Placed& PairSpace::placed_b(std::uint32_t number) {
   return placed;
 }
 
-/// At most the distance of two nodes' triangles anywhere in the box.
+/// A lower bound of the distance of two nodes' triangles anywhere in the box.
 double PairSpace::gap(std::uint32_t a, std::uint32_t b) {
   const Placed& in_a = placed_a(a);
   const Placed& in_b = placed_b(b);
@@ -258,7 +258,7 @@ std::size_t PairSpace::widest(std::size_t dimensions) const {
   return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end()) - parts.begin());
 }
 
-/// Of the two links, to a thousandth of a cell.
+/// The distance of the two links, to a thousandth of a cell.
 double PairSpace::distance_at(const std::vector<double>& at) {
   place(box_at(at));
   for (PathJoint& joint : path_) {
@@ -271,7 +271,7 @@ double PairSpace::distance_at(const std::vector<double>& at) {
   return distance;
 }
 
-/// A step of each variable in turn that brings the links nearer, halved where none does.
+/// Steps each variable in turn to bring the links nearer; halves the steps if none does.
 std::vector<double> PairSpace::find_contact(int starts) {
   const Box box = limits();
   std::minstd_rand random(1);

@@ -1,6 +1,6 @@
-// Whether two links stay apart wherever the joints between them stand: a box of joint values is
-// halved until, pair of nodes by pair of nodes, what separates two parts of the links in the
-// middle of the box is more than the joints can move these two parts in it.
+// Whether two links stay apart for all values of the joints in between. A box of joint values is
+// halved until, for each pair of nodes, the gap of two parts of the links at the middle of the box
+// exceeds the motion of these parts in the box.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace robot_check {
 
 using Moment = std::chrono::steady_clock::time_point;
 
-/// By variable that moves the two links against each other: radians or cells.
+/// The range of a variable that moves the two links against each other: radians or cells.
 struct Range {
   double lower, upper;
 };
@@ -25,8 +25,8 @@ enum class Found { apart, near, undecided };
 
 struct Answer {
   Found found = Found::apart;
-  std::vector<double> at;     ///< where they are near, or may be
-  double nearest = HUGE_VAL;  ///< distance of any two triangles that were measured, cells
+  std::vector<double> at;     ///< values at which they are near, or may be
+  double nearest = HUGE_VAL;  ///< the least distance of two measured triangles, in cells
   std::size_t boxes = 0;
 };
 
@@ -35,26 +35,27 @@ class PairSpace {
   PairSpace(const Robot& robot, std::uint32_t a, const Body& body_a, std::uint32_t b,
             const Body& body_b);
 
-  /// The variables of the joints between, a's own first.
+  /// The variables of the joints in between, a's own first.
   const std::vector<std::uint32_t>& variables() const { return variables_; }
-  /// Their limits, a unit more either way; one turn of a joint without limits.
+  /// The variables' limits, enlarged by a unit on each side; one turn for a joint without limits.
   Box limits() const;
-  /// "elbow 0.51, wrist -1.2".
+  /// Text like "elbow 0.51, wrist -1.2".
   std::string text(const std::vector<double>& at) const;
 
-  /// Proves that they are more than `need` cells apart in the box. `near`: where they are at most
-  /// `refuse` cells apart in the middle of a part, the answer is near. Boxes that `excused` says
-  /// yes of need no proof.
+  /// Proves that they are more than `need` cells apart in the box. The answer is `near` if they are
+  /// at most `refuse` cells apart in the middle of a part. Boxes for which `excused` returns true
+  /// need no proof.
   Answer prove(const Box& box, double need, double refuse, std::size_t most_boxes,
                const std::function<bool(const Box&)>& excused = {});
-  /// A place where they have a point in common, searched downhill from `starts` places; else none.
+  /// Values with a common point of both links, by descent from `starts` places; empty if none is
+  /// found.
   std::vector<double> find_contact(int starts);
-  /// Whether some triangles less than `near` apart are proven to stay less than `most` apart in
-  /// the box. False says nothing.
+  /// Whether some triangles less than `near` apart are proven to stay less than `most` apart in the
+  /// box. False proves nothing.
   bool is_within(const Box& box, double near, double most);
-  /// Nothing is proven or found after that.
+  /// Ends all proofs and searches at this moment.
   void end_at(Moment end) { end_ = end; }
-  /// b's frame in a's, in the middle of the box.
+  /// The frame of b in a's frame, in the middle of the box.
   const Frame& frame_at(const Box& box);
 
  private:
@@ -64,12 +65,12 @@ class PairSpace {
     std::size_t dimension;
     double scale, offset;  ///< its coordinate by the variable's value
     Vec origin, axis;      ///< in a's frame, in the middle of the box
-    double travel;         ///< of a point at distance 1 from the axis; of any point, if it slides
+    double travel;         ///< of a point at distance 1 from the axis, or of any point if it slides
     double distance(const Vec& point) const;
     double moves(const Vec& point, double radius) const;
   };
   struct Placed {
-    std::size_t box = 0;  ///< for which the rest holds
+    std::size_t box = 0;  ///< the box of the other fields
     Vec centre, half;     ///< of the node's box, in a's frame
     double moved;
   };
@@ -96,7 +97,7 @@ class PairSpace {
   const Body& a_;
   const Body& b_;
   std::vector<PathJoint> path_;  ///< from a to b
-  std::size_t own_ = 0;          ///< so many of them are on a's branch
+  std::size_t own_ = 0;          ///< the number of joints on a's branch
   std::size_t cut_ = 0;          ///< joints before it move a, the others b
   std::vector<std::uint32_t> variables_;
   Frame frame_;  ///< b's in a's

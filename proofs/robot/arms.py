@@ -1,4 +1,4 @@
-"""Arms of boxes at random, as URDF, with all types of joints; and a robot's image to change, checksums repaired."""
+"""Random arms of boxes, as URDF, with all types of joints; and a robot's image to change, with repaired checksums."""
 import struct
 import zlib
 
@@ -6,8 +6,8 @@ LIMITS = {"revolute": (-2.0, 1.5), "prismatic": (-0.05, 0.1), "mimic": (-3.0, 3.
 
 
 def any_arm(random, joints):
-    """A chain of links of about 0.3 m with joints of these types; a mimic follows the first one. Neighbours are apart or
-    overlap."""
+    """A chain of links of about 0.3 m with joints of these types; a mimic follows the first one. Neighbours are apart
+    or overlap."""
     def box():
         x, y, z = random.uniform(0.03, 0.08), random.uniform(0.03, 0.08), random.uniform(0.15, 0.3)
         return (f'<collision><origin xyz="0 0 {z / 2:.4f}"/><geometry><box size="{x:.4f} {y:.4f} {z:.4f}"/></geometry>'
@@ -92,7 +92,7 @@ class Image:
         return self.link_names.index(self.link_names[link])
 
     def name(self, link):
-        """As the checker prints it: of a part of a link with its number."""
+        """The name that the checker prints: a part of a link has its number."""
         return self.link_names[link] + ("" if self.whole_of(link) == link else f"#{link}")
 
     def between(self, a, b):
@@ -100,7 +100,7 @@ class Image:
         return [j for j in a if j not in b], [j for j in b if j not in a]
 
     def boxes(self, joint):
-        """How many joint boxes of its coordinates a table has."""
+        """The number of joint boxes of a joint's coordinates in a table."""
         row = self.joints[joint]
         width = (1 << 28) - 1 if row["type"] == 1 else row["upper"] - row["lower"]
         shift = max(0, width.bit_length() - 5)
@@ -113,7 +113,7 @@ class Image:
         return self.boxes(joints[0]) * (self.boxes(joints[1]) if len(joints) == 2 else 1)
 
     def mesh(self, link):
-        """Its arrays of nodes and vertices: where they begin, and how many there are."""
+        """The mesh's arrays of nodes and vertices: their offsets and their lengths."""
         at = self.meshes[link]
         nodes, leaves, triangles, vertices = struct.unpack_from("<4I", self.data, at + 16)
         place = at + 80 + 16 * nodes
@@ -123,7 +123,7 @@ class Image:
         return (at + 80, nodes), (place, vertices), triangles
 
     def repair_sums(self):
-        """The reaches of pairs."""
+        """Recomputes the reaches of pairs."""
         for i in range(len(self.pairs)):
             pair = self.pairs[i]
             a, b = self.between(pair["a"], pair["b"])
@@ -149,7 +149,7 @@ class Image:
         self.layout()
 
     def repaired(self):
-        """The bytes, with checksums and hash."""
+        """The bytes, with repaired checksums and hash."""
         data, h, value = self.data, self.header[0], 2166136261
 
         def add(begin, end, value):

@@ -1,4 +1,4 @@
-// A link's triangles in a tree of boxes that this program builds itself.
+// A link's triangles in this program's own tree of boxes.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class Body {
   struct Node {
     Vec centre;
     Vec half;             ///< of the box
-    double radius;        ///< of a ball about `centre` that holds all vertices below
+    double radius;        ///< of a ball about `centre` that contains all vertices below
     std::uint32_t first;  ///< of its triangles
     std::uint32_t count;  ///< 1: a leaf
     std::uint32_t right;  ///< child; the left one is the next node
@@ -23,7 +23,7 @@ class Body {
 
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  /// Of a point; `most` if it is not less.
+  /// The distance from a point, but at most `most`.
   double distance(const Vec& point, double most = HUGE_VAL) const;
 
  private:

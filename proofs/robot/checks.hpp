@@ -1,4 +1,4 @@
-// What is checked of a robot, a group a function, and how its result is reported.
+// The checks of a robot, one function per group, and the report of their results.
 #pragma once
 
 #include <functional>
@@ -13,11 +13,11 @@ namespace robot_check {
 
 class Report {
  public:
-  /// A row that is wrong: its name, both numbers, what follows.
+  /// Adds a wrong row: its name, both numbers, the consequence.
   void refuse(const std::string& row) { refused_.push_back(row); }
-  /// A row that is neither confirmed nor refuted.
+  /// Adds a row that is neither confirmed nor refuted.
   void doubt(const std::string& row) { undecided_.push_back(row); }
-  /// Ends a group: prints its line and its rows. False if any was refused.
+  /// Ends a group: prints its line and its rows. Returns false if any was refused.
   bool end(const std::string& group, const std::string& confirmed);
   /// Exit status: 0 all confirmed, 1 refused, 3 undecided.
   int status() const { return any_refused_ ? 1 : any_undecided_ ? 3 : 0; }
@@ -29,25 +29,25 @@ class Report {
   bool any_undecided_ = false;
 };
 
-/// Text of numbers and words.
+/// The concatenated text of numbers and words.
 template <class... Parts>
 std::string text(const Parts&... parts);
 
-/// Of a group's rows: how much the one that holds by least has left. Infinite: there are none.
+/// The margin of the group's tightest row, as text. Infinite: the group has no rows.
 std::string nearest_text(double left, const char* unit);
 
 /// Calls `row` with 0 to count - 1, on all processors.
 void for_each_row(std::size_t count, const std::function<void(std::size_t)>& row);
 
-/// Limits, mimics, frames, counts, sums, distances, order. False: no other check can run.
+/// Limits, mimics, frames, counts, sums, distances, order. If false, no other check can run.
 bool check_rules(const Robot& robot, Report& report);
 void check_trees(const Robot& robot, Report& report);
 void check_spheres(const Robot& robot, Report& report);
 void check_slack(const Robot& robot, Report& report);
 
-/// Of all links, in cells, in their joints' frames.
+/// The bodies of all links, in cells, in their joints' frames.
 using Bodies = std::vector<Body>;
-/// `most_boxes`: of joint values, for a row. The matrix ends at `end`.
+/// `most_boxes`: the limit of joint boxes per row. The matrix check ends at `end`.
 void check_reaches(const Robot& robot, const Bodies& bodies, std::size_t most_boxes,
                    Report& report);
 void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);

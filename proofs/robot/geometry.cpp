@@ -14,7 +14,7 @@ double segment_distance(const Vec& p, const Vec& q, const Vec& point) {
   return length(p + part * along - point);
 }
 
-/// Where both lines are nearest, if that is within both; ends are nearest as corners are.
+/// The distance of the lines' nearest points, if both lie within the edges; corners cover the ends.
 double edge_distance(const Vec& p, const Vec& u, const Vec& r, const Vec& v) {
   const Vec w = p - r;
   const double uv = dot(u, v);
@@ -31,7 +31,7 @@ double edge_distance(const Vec& p, const Vec& u, const Vec& r, const Vec& v) {
   return length(w + at_u / denominator * u - at_v / denominator * v);
 }
 
-/// Of a point of the triangle's plane.
+/// Whether a point of the triangle's plane lies in the triangle.
 bool is_above(const Triangle& t, const Vec& normal, const Vec& point) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (dot(cross(t[(i + 1) % 3] - t[i], point - t[i]), normal) < 0) {

@@ -30,7 +30,7 @@ inline double length(const Vec& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// Where a frame lies in another one: its axes and its origin there.
+/// A frame in another frame: its axes and its origin.
 struct Frame {
   std::array<Vec, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Vec origin;
@@ -59,7 +59,7 @@ inline Frame inverse(const Frame& frame) {
   return back;
 }
 
-/// About, or along, z.
+/// A rotation about z, or a translation along z.
 inline Frame turn(double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -73,7 +73,7 @@ inline Frame slide(double way) {
 
 using Triangle = std::array<Vec, 3>;
 
-/// 0 if they have a point in common.
+/// The distance; 0 if they have a common point.
 double distance(const Triangle& a, const Triangle& b);
 double distance(const Vec& point, const Triangle& triangle);
 

@@ -9,7 +9,7 @@ namespace {
   throw BadImage("byte " + std::to_string(offset) + ": " + what);
 }
 
-/// Little-endian numbers, one after the other.
+/// Reads consecutive little-endian numbers.
 class Reader {
  public:
   Reader(const std::string& bytes, std::size_t begin, std::size_t end)
@@ -59,7 +59,7 @@ class Reader {
       refuse(at_, "not zero where the format wants zeros");
     }
   }
-  /// To the next word.
+  /// Moves to the next word.
   void fill() {
     while ((at_ - begin_) % 4 != 0) {
       zero(u8());
@@ -74,7 +74,7 @@ class Reader {
   std::size_t end_;
 };
 
-/// IEEE 802.3, bit by bit; the four bytes at 12 count as absent.
+/// The CRC of IEEE 802.3, bit by bit; skips the four bytes at 12.
 std::uint32_t checksum(const std::string& bytes, std::size_t begin, std::size_t end) {
   std::uint32_t crc = ~0u;
   for (std::size_t i = begin; i < end; ++i) {
@@ -89,15 +89,14 @@ std::uint32_t checksum(const std::string& bytes, std::size_t begin, std::size_t 
   return ~crc;
 }
 
-/// FNV-1a.
+/// Adds bytes to a hash, FNV-1a.
 void hash(const std::string& bytes, std::size_t begin, std::size_t end, std::uint32_t& value) {
   for (std::size_t i = begin; i < end; ++i) {
     value = (value ^ static_cast<std::uint8_t>(bytes[i])) * 16777619u;
   }
 }
 
-/// The rotation's rows to columns of length 1 at right angles: what rounding left of them is within
-/// the slack.
+/// Orthonormalises the rotation's columns; the change, a rounding error, is within the slack.
 Frame frame_of(const std::int32_t (&rotation)[3][3], const std::int32_t (&translation)[3]) {
   Frame frame;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -165,7 +164,7 @@ Unguarded read_unguarded(Reader& in) {
   return pair;
 }
 
-/// `element`: reads one. Arrays begin at multiples of 4.
+/// `element`: reads one element. Arrays begin at multiples of 4.
 template <class Element, class Read>
 void read_array(Reader& in, std::vector<Element>& elements, std::size_t count, Read&& element) {
   in.fill();
@@ -201,7 +200,7 @@ MeshCounts read_mesh_header(const std::string& bytes, Reader& in, Mesh& mesh) {
   mesh.leaf_count = in.u32();
   counts.triangles = in.u32();
   counts.vertices = in.u32();
-  in.u32();  // depth, then stack_need: of no use to this program
+  in.u32();  // depth, then stack_need: not used by this program
   in.u32();
   in.u8();  // leaf_size
   counts.name_size = in.u8();
@@ -216,7 +215,7 @@ MeshCounts read_mesh_header(const std::string& bytes, Reader& in, Mesh& mesh) {
   return counts;
 }
 
-/// Those that the robot's hash takes are added to it.
+/// Adds the arrays that belong to the robot's hash to it.
 void read_mesh_arrays(const std::string& bytes, Reader& in, const MeshCounts& counts, Mesh& mesh,
                       std::uint32_t& robot_hash) {
   const auto index = [&] { return std::uint32_t{in.u16()}; };
@@ -248,7 +247,7 @@ void read_mesh_arrays(const std::string& bytes, Reader& in, const MeshCounts& co
   in.need(counts.name_size);
 }
 
-/// Adds what the robot's hash takes of it; `at`: where it begins, then where it ends.
+/// Adds the mesh's part of the robot's hash; `at`: the mesh's offset, then the offset after it.
 Mesh read_mesh(const std::string& bytes, std::size_t& at, std::uint32_t& robot_hash) {
   const std::size_t begin = at;
   Reader in(bytes, begin, bytes.size());
@@ -325,7 +324,7 @@ void read_names(Reader& in, const Counts& counts, Robot& robot) {
   in.fill();
 }
 
-/// The hash of all arrays before the meshes.
+/// Returns the hash of all arrays before the meshes.
 std::uint32_t read_arrays(const std::string& bytes, Reader& in, const Counts& counts,
                           Robot& robot) {
   std::uint32_t value = 2166136261u;

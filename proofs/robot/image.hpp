@@ -1,5 +1,5 @@
-// A baked robot as lib/docs/format.md describes it, read by a program that shares no line with the
-// library or the baker.
+// A baked robot by lib/docs/format.md, read by a program that shares no line with the library or
+// the baker.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace robot_check {
 
-/// The file is no robot's image, or damaged: what is wrong and where.
+/// The file is not a robot's image, or damaged; the message gives the error and its place.
 struct BadImage : std::runtime_error {
   using runtime_error::runtime_error;
 };
@@ -30,7 +30,7 @@ struct Joint {
 
   bool slides() const { return type == static_cast<std::uint32_t>(Type::prismatic); }
   bool is_free() const { return type == static_cast<std::uint32_t>(Type::continuous); }
-  /// Of its coordinate: radians, or cells.
+  /// A unit of its coordinate: radians, or cells.
   double unit() const { return slides() ? 1.0 / 2048 : 2 * M_PI / (1 << 28); }
   Frame moved(double coordinate) const {
     return fixed * (slides() ? slide(coordinate) : turn(coordinate));
@@ -82,22 +82,22 @@ struct Robot {
 
   /// Joints from the link's own to the base.
   std::vector<std::uint32_t> branch(std::uint32_t link) const;
-  /// Joints of a's branch alone, and of b's alone, each from its own inwards.
+  /// Joints of a's branch alone, and of b's alone, each from its link inwards.
   struct Between {
     std::vector<std::uint32_t> a, b;
   };
   Between between(std::uint32_t a, std::uint32_t b) const;
   std::string joint_name(std::uint32_t joint) const;
-  /// With its number, where a part of a link has the link's name.
+  /// The link's name, with a number for a part of a link.
   std::string link_name(std::uint32_t link) const;
   std::string pair_name(std::uint32_t a, std::uint32_t b) const;
   /// The joint whose coordinate is the variable's value.
   const Joint& master(std::uint32_t variable) const;
-  /// The link that this one is a part of, or itself.
+  /// The link of which this one is a part, or itself.
   std::uint32_t whole_of(std::uint32_t link) const;
 };
 
-/// Checks sizes, both kinds of checksum and the hash. BadImage.
+/// Checks sizes, both kinds of checksum and the hash. Throws BadImage.
 Robot read_robot(const std::string& bytes);
 
 }  // namespace robot_check

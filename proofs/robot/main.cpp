@@ -1,4 +1,4 @@
-// flashbvh_check_robot: a second opinion on a baked robot (lib/docs/proofs.md).
+// flashbvh_check_robot: an independent check of a baked robot (lib/docs/proofs.md).
 #include <atomic>
 #include <fstream>
 #include <iostream>
@@ -17,9 +17,9 @@ constexpr const char* kUsage =
     "  --time S   seconds for all, after which pairs in no array are undecided (default 600)\n"
     "  --first    ends with the first group that is refused\n"
     "Exit status: 0 all confirmed, 1 refused, 2 usage or unreadable image, 3 undecided rows\n";
-/// Boxes of a reach cost so much less than those of a pair.
+/// Boxes of a reach cost less than those of a pair by this factor.
 constexpr std::size_t kReachShare = 10;
-/// Of a group, rows that are printed.
+/// The number of printed rows per group.
 constexpr std::size_t kMostRows = 8;
 
 void print(const char* verdict, const std::vector<std::string>& rows) {
@@ -75,7 +75,7 @@ int check(const Robot& robot, const Options& options) {
   return report.status();
 }
 
-/// False: not as kUsage says.
+/// False if the options do not match kUsage.
 bool read_options(int count, char** arguments, Options& options) {
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];

@@ -1,4 +1,4 @@
-// Two links that a joint moves and that stand in neither array never collide.
+// Two links that a joint moves against each other and that are in neither array never collide.
 #include <mutex>
 #include <set>
 
@@ -7,7 +7,7 @@
 namespace robot_check {
 namespace {
 
-/// Of the boxes of a pair, the part before contact is searched for.
+/// The share of a pair's boxes that is tried before the search for contact: 1 in 40.
 constexpr std::size_t kFirst = 40;
 constexpr int kStarts = 16;
 
@@ -39,7 +39,7 @@ void check_parts(const Robot& robot, const Bodies& bodies, Report& report) {
   }
 }
 
-/// Few boxes first, then a search for contact, then all boxes.
+/// Decides with few boxes first, then searches for contact, then uses all boxes.
 Answer decide(PairSpace& space, double need, std::size_t most_boxes) {
   Answer answer = space.prove(space.limits(), need, 0, most_boxes / kFirst);
   if (answer.found != Found::undecided) {
@@ -74,7 +74,7 @@ void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_box
     const std::string row = text("pair ", robot.pair_name(a, b), ", in no array");
     PairSpace space(robot, a, bodies[a], b, bodies[b]);
     const Moment now = std::chrono::steady_clock::now();
-    space.end_at(now + (end - now) / (rows.size() - i));  // what others leave is shared
+    space.end_at(now + (end - now) / (rows.size() - i));  // shares the time that earlier rows leave
     const Answer answer = decide(space, need, most_boxes);
     const std::lock_guard<std::mutex> lock(mutex);
     boxes += answer.boxes;

@@ -1,6 +1,6 @@
-"""mutations.py CHECKER FLASHBVH URDF [--count N] [--seed N]: bakes arms at random and a URDF, which the checker must
-confirm; then changes one field of them in a way that is unsafe or inconsistent, checksums repaired, and the checker must
-refuse each, by the name of the row. Prints how many survive."""
+"""mutations.py CHECKER FLASHBVH URDF [--count N] [--seed N]: bakes random arms and a URDF, which the checker must
+confirm. Then changes one field of each in an unsafe or inconsistent way, with repaired checksums; the checker must
+refuse each, by the name of the row. Prints the number of survivors."""
 import argparse
 import concurrent.futures
 import itertools
@@ -38,7 +38,7 @@ def any_of(random, choices):
 
 
 def any_row(random, rows, wanted=lambda row: True):
-    """The number of one that is wanted."""
+    """The number of a random row among the wanted ones."""
     return any_of(random, [i for i in range(len(rows)) if wanted(rows[i])])
 
 
@@ -151,7 +151,7 @@ def shrink_a_zone(image, random, said):
 
 @kind
 def widen_a_limit(image, random, said):
-    """Of a slide beyond a turning joint, or of a joint that a mimic follows: reaches or tables no longer hold."""
+    """Widens a slide beyond a turning joint, or a joint with a mimic: reaches or tables no longer hold."""
     joints = [image.joints[i] for i in range(len(image.joints))]
     i = any_row(random, image.joints, lambda row: row["shift"] == 0 and row["type"] != 1 and (
         any(other["shift"] and other["variable"] == row["variable"] for other in joints) or
@@ -162,7 +162,7 @@ def widen_a_limit(image, random, said):
 
 @kind
 def move_a_joint(image, random, said):
-    """Farther from the axis of the one that carries it."""
+    """Moves a joint farther from the axis of the joint that carries it."""
     def is_far(row):
         return row["parent"] != 255 and image.joints[row["parent"]]["type"] != 2 and math.hypot(row["x"], row["y"]) > 1 << 21
     i = any_row(random, image.joints, is_far)
@@ -247,14 +247,14 @@ def bake(flashbvh, urdf, folder):
 
 
 def judged(checker, path, expected):
-    """None if it is refused by that row; else what came instead."""
+    """None if this row refuses it; else a description of the result."""
     checked = Checked(checker, path)
     named = re.search(rf"refused: .*({expected})", checked.text)
     return None if checked.status == 1 and named else f"exit {checked.status}, expected {expected}: {checked.text}"
 
 
 def check_exits(checker, path, folder):
-    """Of damaged files 2, of rows that get no boxes or no time 3."""
+    """Checks the exit status: 2 for damaged files, 3 for rows without boxes or time."""
     data = path.read_bytes()
     damaged = folder / "damaged.robot"
     for wrong, what in ((data[:-4], "size"), (data[:60] + b"\xaa" + data[61:], "checksum"), (data[:30], "size"),
@@ -273,7 +273,7 @@ def check_exits(checker, path, folder):
 
 
 def check_urdf(path, data):
-    """urdf.py confirms it, but neither with a joint a cell farther nor with a limit wider."""
+    """urdf.py confirms it, but not with a joint a cell farther, nor with a wider limit."""
     image, urdf = Image(data), Urdf(path)
     before = refusals(image, urdf)
     last = len(image.joints) - 1

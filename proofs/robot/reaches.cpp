@@ -1,8 +1,7 @@
-// How far a joint's axis is from any point of a link beyond it, at most, wherever the joints
-// between stand. From above by what the joints sweep (support.hpp); from below, and where that is
-// not enough, by branch and bound over boxes of joint values and the link's tree at once. In a box
-// the distance is bounded by its value, its gradient and a bound of all second derivatives in the
-// middle.
+// The largest distance of a link's points from a joint's axis, for all values of the joints in
+// between. From above by the joints' sweep (support.hpp). From below, and if this does not suffice,
+// by branch and bound over boxes of joint values and over the link's tree. In a box, the distance
+// is bounded by its value, its gradient and a bound of all second derivatives in the middle.
 #include <atomic>
 #include <mutex>
 #include <queue>
@@ -13,18 +12,18 @@
 namespace robot_check {
 namespace {
 
-/// A reach this many times the truth is nonsense. Within twelve joints bakers are off by some parts
-/// in a thousand; beyond, by what balls lose against shapes.
+/// The largest plausible ratio of a reach to the truth. Within twelve joints, bakers are off by
+/// some parts in a thousand; beyond, by the difference between balls and shapes.
 constexpr double kLoosest = 4;
 constexpr std::size_t kMostJoints = 64;
-/// For what doubles round, in cells.
+/// The error of doubles, in cells.
 constexpr double kOutward = 1e-6;
-/// 2^-26 of 1/256 cell a unit of 2^-28 of a turn, in cells a radian.
+/// The stored unit, 2^-26 of 1/256 cell per 2^-28 turn, in cells per radian.
 const double kStored = std::ldexp(1, -26 - 8) * (1 << 28) / (2 * M_PI);
 
 class Search {
  public:
-  /// `chain`: joints from `joint` outwards, without it.
+  /// `chain`: the joints from `joint` outwards, without `joint`.
   Search(const Robot& robot, const std::vector<std::uint32_t>& chain, const Body& body)
       : body_(body) {
     for (const std::uint32_t number : chain) {
@@ -34,8 +33,8 @@ class Search {
     }
   }
 
-  /// Whether any vertex can be farther than `limit` cells from the axis. What may reach farthest
-  /// is looked at first.
+  /// Whether any vertex can be farther than `limit` cells from the axis. Tests the part with the
+  /// largest bound first.
   Found exceeds(double limit, std::size_t most_boxes) {
     std::priority_queue<Part> waiting;
     const auto add = [&](Box box, std::uint32_t node) {
@@ -72,19 +71,19 @@ class Search {
     return Found::apart;
   }
 
-  /// Of all vertices that were placed, the largest distance from the axis.
+  /// The largest distance from the axis, of all vertices placed so far.
   double farthest() const { return farthest_; }
 
  private:
   struct OnChain {
     const Joint* joint;
-    Vec origin, axis;  ///< in the frame of the joint whose reach it is
+    Vec origin, axis;  ///< in the frame of the joint whose reach is checked
     double half;
   };
   struct Bound {
     double value = 0;
-    double excess = 0;     ///< what the box's width adds
-    std::size_t side = 0;  ///< that adds most of it
+    double excess = 0;     ///< the part added by the box's width
+    std::size_t side = 0;  ///< the side that adds most
   };
   struct Part {
     Box box;
@@ -118,14 +117,14 @@ class Search {
     return most;
   }
 
-  /// Of all points within `radius` of one.
+  /// The bound of all points within `radius` of `point`.
   Bound bound_of(const Vec& point, double radius) const {
     const double at = std::hypot(point.x, point.y);
     const Vec out = at > 0 ? Vec{point.x / at, point.y / at, 0} : Vec{1, 0, 0};
     const std::size_t count = links_.size();
-    std::array<double, kMostJoints> lever;  // at most, in the box
+    std::array<double, kMostJoints> lever;  // an upper bound in the box
     std::array<double, kMostJoints> parts;
-    double plain = 0;  // by the ways alone
+    double plain = 0;  // by the joints' travel alone
     double outwards = 0;
     double sideways = 0;
     double rest = 0;
@@ -136,7 +135,8 @@ class Search {
       const Vec speed = slides ? link.axis : cross(link.axis, point - link.origin);
       const double way =
           slides ? link.half : 2 * std::sin(std::min(link.half, M_PI) / 2) * length(speed);
-      // A point turns about this axis as joints between it and the point have moved it.
+      // A point turns about this axis after the joints between the axis and the point have moved
+      // it.
       lever[i] = slides ? 1 : length(speed) + inner;
       inner += slides ? link.half : lever[i] * link.half;
       plain += way;
@@ -174,7 +174,7 @@ struct Row {
   std::vector<std::uint32_t> chain;
 };
 
-/// From the link's own joint to the base.
+/// The rows from the link's own joint to the base.
 std::vector<Row> rows_of(const Robot& robot, std::uint32_t link, const Body& body) {
   std::vector<Row> rows;
   std::vector<std::uint32_t> chain;

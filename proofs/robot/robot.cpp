@@ -1,4 +1,4 @@
-// What a robot's arrays say together: branches, joints between links, names.
+// Derived data of a robot's arrays: branches, joints between links, names.
 #include "image.hpp"
 
 namespace robot_check {

@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::int64_t kMostCoordinate = 1 << 30;
 constexpr std::uint32_t kMostDistance = 8'388'352;
-/// Of lower and upper of a mimic, in units: baking adds three.
+/// The tolerance of a mimic's limits, in units: baking adds three.
 constexpr double kMimicMargin = 16;
 class Rules {
  public:
@@ -43,7 +43,7 @@ class Rules {
     }
   }
 
-  /// What all else is found by.
+  /// Checks the structure that all other checks use.
   bool check_structure() {
     std::uint64_t variables = 0;
     for (std::uint32_t i = 0; i < robot_.joints.size(); ++i) {
@@ -136,7 +136,7 @@ class Rules {
             text("no rotation: rows are off by ", worst, " from length 1 and right angles"));
   }
 
-  /// Its limits are what its master's make of it.
+  /// Checks that its limits follow from its master's.
   void check_mimic(const Joint& joint, const std::string& row) {
     const Joint& master = robot_.master(joint.variable);
     require(joint.is_free() == master.is_free(), row, "one of it and its master has no limits");
@@ -215,7 +215,8 @@ class Rules {
   bool is_sound_ = true;
 };
 
-/// Lengths of translations, slides and the sphere from the base to a link's far side, in cells.
+/// The summed lengths of translations, slides and the sphere from base to far side of a link, in
+/// cells.
 double extent_of(const Robot& robot, std::uint32_t link) {
   const Link& of = robot.links[link];
   const auto size = [](const std::int32_t(&v)[3]) {
@@ -231,7 +232,7 @@ double extent_of(const Robot& robot, std::uint32_t link) {
   return extent / 2048;
 }
 
-/// What kinematics and rounding move of one link, in cells (derivations.md, "Robots").
+/// The error of one link's kinematics and rounding, in cells (derivations.md, "Robots").
 double error_of(const Robot& robot, std::uint32_t link) {
   const Link& of = robot.links[link];
   const double extent = extent_of(robot, link);
@@ -294,7 +295,7 @@ void check_slack(const Robot& robot, Report& report) {
       worst = i;
     }
   }
-  // Deviations are rounded up, each by less than 1/256 cell.
+  // Each deviation is rounded up by less than 1/256 cell.
   const double wanted = (0.89 + 2 * most) * 256 - 2;
   if (robot.slack < wanted) {
     report.refuse(text("slack: ", robot.slack,

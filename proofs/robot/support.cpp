@@ -3,18 +3,19 @@
 namespace robot_check {
 namespace {
 
-/// Of an edge of the octahedron |x| + |y| + |z| = 1.
+/// The steps of an edge of the octahedron |x| + |y| + |z| = 1.
 constexpr int kSteps = 72;
-/// Of a whole turn, that arcs are cut into.
+/// The parts of a whole turn into which arcs are divided.
 constexpr double kParts = 128;
 
-/// Of the direction with x and y in steps, the signs of x, y and z in the bits of `face`.
+/// The index of the direction with x and y in steps; the bits of `face` are the signs of x, y and
+/// z.
 std::size_t place_of(int face, int x, int y) {
   const int row = face * (kSteps + 1) + x;
   return static_cast<std::size_t>(row) * (kSteps + 1) + static_cast<std::size_t>(y);
 }
 
-/// A factor of x and y, and a turn about z, to the corners of a polygon round an arc.
+/// A factor of x and y and a turn about z that give the corners of a polygon around an arc.
 struct Corner {
   double c, s;
 

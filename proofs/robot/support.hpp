@@ -1,6 +1,6 @@
-// How far a body reaches in any direction, at most, with all that joints sweep of it. The function
-// is convex, so between directions at which it is known, on the faces of an octahedron, what is
-// interpolated is never too small.
+// The largest extent of a body in any direction, with its sweep by joints. The support function is
+// convex, so interpolating between known directions, on the faces of an octahedron, is never too
+// small.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,15 @@ namespace robot_check {
 
 class Support {
  public:
-  /// Of triangles.
+  /// The support of a body's triangles.
   explicit Support(const Body& body);
 
-  /// At least the largest dot product of the direction, of any length, and a point of the body.
+  /// An upper bound of the dot product of the direction, of any length, with any point of the body.
   double operator()(const Vec& direction) const;
-  /// All that a joint within its limits sweeps of it, in the frame of the joint's parent.
+  /// The support of the body's sweep by a joint within its limits, in the frame of the joint's
+  /// parent.
   Support swept(const Joint& joint) const;
-  /// At least the distance of any point from the z axis.
+  /// An upper bound of any point's distance from the z axis.
   double from_axis() const;
 
  private:
@@ -28,7 +29,7 @@ class Support {
   std::vector<double> values_;
 };
 
-/// Radians or cells; one turn of a joint without limits.
+/// The joint's range in radians or cells; one turn for a joint without limits.
 Range range_of(const Joint& joint);
 
 }  // namespace robot_check

@@ -6,7 +6,7 @@
 namespace robot_check {
 namespace {
 
-/// Joint boxes of a joint: the least power of two as width that makes them 32 or fewer.
+/// The joint boxes of a joint: their width is the least power of two that gives at most 32.
 struct Axis {
   std::string name;
   double lower, width, unit;
@@ -26,14 +26,14 @@ struct Axis {
     count = static_cast<std::size_t>((last - first) >> shift) + 1;
   }
 
-  /// A coordinate more either way.
+  /// The range of a joint box, enlarged by a coordinate on each side.
   Range range(std::size_t box) const {
     const double from = lower + static_cast<double>(box) * width;
     return {(from - 1) * unit, (std::min(from + width, upper) + 1) * unit};
   }
 };
 
-/// In cells.
+/// The distance of a table's byte, in cells.
 double distance_of(std::uint8_t byte) {
   return byte == 0 ? 0 : std::ldexp(16 + byte % 16, byte / 16);
 }
@@ -88,7 +88,7 @@ void check_tables(const Robot& robot, const Bodies& bodies, std::size_t most_box
       if (stored == 0) {
         continue;
       }
-      Box box(table.axes.size());  // the space's order: a's own first, b's own last
+      Box box(table.axes.size());  // in the space's order: a's own first, b's own last
       std::size_t rest = place;
       for (std::size_t axis = box.size(); axis-- != 0; rest /= table.axes[axis].count) {
         const bool is_mirrored = pair.joints_b == 2;

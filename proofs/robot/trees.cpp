@@ -1,18 +1,18 @@
-// Meshes' trees: each node's box holds all that is below it.
+// Meshes' trees: each node's box contains everything below it.
 #include "checks.hpp"
 
 namespace robot_check {
 namespace {
 
-/// Of a tree, where the check still follows it.
+/// The largest depth of a tree that the check follows.
 constexpr std::uint32_t kMostDepth = 1000;
 
-/// Each box of a mesh's tree holds what is below it.
+/// The check of a mesh's tree: each box contains everything below it.
 class Tree {
  public:
   explicit Tree(const Mesh& mesh) : mesh_(mesh), is_seen_(mesh.node_count) {}
 
-  /// Empty: all holds; else what does not.
+  /// Empty if all holds; else the error.
   std::string check() {
     std::string wrong = below(0, 0);
     if (wrong.empty() && (leaves_ != mesh_.leaf_count || visited_ != mesh_.node_count)) {

@@ -1,5 +1,5 @@
-"""urdf.py NAME.robot FILE.urdf [--seed N]: a baked robot's tree, frames and limits against its URDF, by kinematics of its
-own: at joint values at random each link of the URDF must lie where the image's mount of it lies. Exit status: 0
+"""urdf.py NAME.robot FILE.urdf [--seed N]: compares a baked robot's tree, frames and limits with its URDF, by separate
+kinematics: at random joint values, each link of the URDF must lie at its mount in the image. Exit status: 0
 confirmed, 1 refused, 2 usage or unreadable."""
 import argparse
 import math
@@ -12,19 +12,19 @@ from arms import Image
 
 TURN = 2 * math.pi / (1 << 28)
 PLACES = 100
-# What rounding each frame moves: cells, and entries of rotations, for each joint on the way.
+# The error of rounding each frame: cells, and rotation entries, per joint on the path.
 CELLS, ENTRY = 0.01, 1e-8
 
 
 def product(p, q):
-    """Of frames, (rows of the rotation, translation)."""
+    """The product of two frames, (rows of the rotation, translation)."""
     (r, t), (s, u) = p, q
     return ([[sum(r[i][k] * s[k][j] for k in range(3)) for j in range(3)] for i in range(3)],
             [t[i] + sum(r[i][k] * u[k] for k in range(3)) for i in range(3)])
 
 
 def turned(axis, angle):
-    """Rodrigues."""
+    """A rotation, by Rodrigues' formula."""
     x, y, z = (a / math.sqrt(sum(b * b for b in axis)) for a in axis)
     c, s = math.cos(angle), math.sin(angle)
     return [[c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s],
@@ -59,7 +59,7 @@ class Urdf:
         return values[name]
 
     def places(self, values):
-        """Of all links in the root's frame, metres."""
+        """The frames of all links in the root's frame, in metres."""
         children = {joint.find("child").get("link") for joint in self.joints}
         places = {name: NONE for name in self.links if name not in children}
         waiting = list(self.joints)
@@ -88,7 +88,7 @@ def fixed_frame(r, t):
 
 
 def image_places(image, coordinates):
-    """Of the image's mounts in the base's frame, cells."""
+    """The frames of the image's mounts in the base's frame, in cells."""
     frames = {255: NONE}
     for i, coordinate in enumerate(coordinates):
         row = image.joints[i]
@@ -109,7 +109,7 @@ def coordinate(row, value):
 
 
 def check_limits(image, urdf, cell):
-    """The image allows no more than the URDF, but for 2^-22 of a radian or metre, or of a longer limit."""
+    """The image allows no more than the URDF, up to 2^-22 of a radian or metre, or of a longer limit."""
     for i, name in enumerate(image.joint_names):
         row = image.joints[i]
         unit = cell / 2048 if row["type"] == 2 else TURN
@@ -124,7 +124,7 @@ def check_limits(image, urdf, cell):
 
 
 def check_places(image, urdf, cell, random):
-    """The most that any mount is off, or the first row that is too far off."""
+    """The largest error of a mount, or the first row whose error is too large."""
     for _ in range(PLACES):
         values = {}
         for i in range(len(image.joints)):

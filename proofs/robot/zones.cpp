@@ -1,19 +1,20 @@
-// All contact of two neighbours about the joint between them lies in their zone, or where a guarded
-// part of them stops a guard. The image says a zone's radius but not its middle: it is the one from
-// which the farthest contact, at many values of the joint, is nearest. Turning about the joint's
-// axis, or sliding along it, moves the zone into itself.
+// All contact of two neighbours about the joint between them lies in their zone, or at values at
+// which a guarded part of them stops a guard. The image contains a zone's radius but not its
+// middle: this is the point with the least distance to the farthest contact, at many values of the
+// joint. Turning about the joint's axis, or sliding along it, maps the zone to itself.
 #include "checks.hpp"
 
 namespace robot_check {
 namespace {
 
-/// Values of the joint at which contact is looked for.
+/// The number of values of the joint at which contact is searched for.
 constexpr int kLooks = 33;
-/// Of the radius: what is smaller of a link is not cut again.
+/// The share of the radius below which a link's pieces are not divided again.
 constexpr double kPiece = 1.0 / 32;
-/// Of a guard's stop distance and slack: triangles so near excuse contact in a joint box.
+/// The share of a guard's stop distance and slack within which triangles excuse contact in a joint
+/// box.
 constexpr double kCertain = 0.75;
-/// For what rounding moves corners, in cells.
+/// The rounding error of corners, in cells.
 constexpr double kRounded = 1;
 
 double longest_edge(const Triangle& t) {
@@ -83,7 +84,7 @@ class Zone {
   }
 
  private:
-  /// Whether some guarded part stops a guard all over the box.
+  /// Whether some guarded part stops a guard in the whole box.
   bool is_excused(const Box& box) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       if (parts_[i].is_within(box, kCertain * stops_[i], stops_[i])) {
@@ -93,7 +94,7 @@ class Zone {
     return false;
   }
 
-  /// From the link's frame to the joint's, where its coordinate is 0.
+  /// The transform from the link's frame to the joint's, at its coordinate 0.
   Frame to_joint(std::uint32_t link) const {
     return robot_.links[link].joint == pair_.joint ? Frame() : inverse(joint_.fixed);
   }
@@ -103,7 +104,7 @@ class Zone {
     return length({off.x, off.y, joint_.slides() ? 0 : off.z});
   }
 
-  /// The largest distance of contact from the middle that makes it least, but for half a piece.
+  /// The largest distance of contact from the best middle, up to half a piece.
   double find_middle() {
     const Range range = space_.limits()[0];
     for (int i = 0; i < kLooks; ++i) {
@@ -147,7 +148,7 @@ class Zone {
     }
   }
 
-  /// What of a link is not wholly in the zone.
+  /// The part of a link that is not wholly in the zone.
   Body outside(std::uint32_t link) const {
     std::vector<Triangle> kept;
     const Frame frame = to_joint(link);
@@ -180,7 +181,7 @@ class Zone {
   const Unguarded& pair_;
   const Joint& joint_;
   double radius_;  ///< cells
-  double near_;    ///< cells: what the URDF's links may touch at
+  double near_;    ///< the distance in cells within which the URDF's links may touch
   PairSpace space_;
   std::vector<PairSpace> parts_;
   std::vector<double> stops_;  ///< of each

@@ -1,10 +1,9 @@
-// What an entry is given, under one signature for all of entries.inc, and what their sources
-// include.
+// The arguments of an entry, under one signature for all of entries.inc, and their common includes.
 //
-// Linked alone an entry gives its query's code size; it is the root of the query's call graph; and
-// the firmware of painted.cpp calls it through a pointer, so that the painted depth is that of the
-// same machine code. What a query needs of the caller's memory lies in Arguments, and is not
-// counted as stack.
+// Linked alone, an entry gives its query's code size; it is the root of the query's call graph. The
+// firmware of painted.cpp calls it through a pointer, so the painted depth is that of the call
+// graph's machine code. The caller's memory for a query lies in Arguments, and does not count as
+// stack.
 #pragma once
 
 #include <stddef.h>
@@ -38,7 +37,7 @@
 
 namespace stack_proof {
 
-/// Room for an object that an entry makes.
+/// Storage for an object that an entry makes.
 template <size_t size>
 struct alignas(8) Room {
   unsigned char bytes[size];
@@ -51,14 +50,14 @@ Object& as(Room<size>& room) {
 
 constexpr uint32_t kStackEntries = 64;
 
-/// Of robot_image.
+/// The number of links in robot_image.
 constexpr uint32_t kRobotLinks = 6;
 
 struct Arguments {
   const flashbvh::MeshWithLevels* a;
   const flashbvh::MeshWithLevels* b;
-  const flashbvh::Mesh* closed;    ///< the same mesh, said to be closed
-  flashbvh::DeformableMesh* bent;  ///< the same mesh, two of its triangles moved
+  const flashbvh::Mesh* closed;    ///< the mesh, marked closed
+  flashbvh::DeformableMesh* bent;  ///< the mesh, with two of its triangles moved
   const flashbvh::PreMeshWithLevels* pre_a;
   const flashbvh::PreMeshWithLevels* pre_b;
   const flashbvh::Pose* pose;
@@ -68,7 +67,7 @@ struct Arguments {
   uint32_t image_size;
   const void* robot_image;
   uint32_t robot_image_size;
-  flashbvh::Mesh* robot_meshes;  ///< room for its views
+  flashbvh::Mesh* robot_meshes;  ///< storage for its views
 
   const int32_t (*rotation)[3];  ///< three rows
   const int32_t* cells;
@@ -78,8 +77,8 @@ struct Arguments {
 
   const flashbvh_mesh* c_a;
   const flashbvh_mesh* c_b;
-  const flashbvh_mesh* c_closed;  ///< the same mesh, said to be closed
-  flashbvh_deformable* c_bent;    ///< the same, two of its triangles moved
+  const flashbvh_mesh* c_closed;  ///< the mesh, marked closed
+  flashbvh_deformable* c_bent;    ///< the mesh, with two of its triangles moved
   const flashbvh_pose* c_pose;
   const flashbvh_pose* c_other_pose;
 
@@ -92,7 +91,7 @@ struct Arguments {
   uint32_t work;      ///< of a run
   uint32_t capacity;  ///< of the array of pairs, in a run
 
-  // Written.
+  // Outputs.
   uint32_t answer;  ///< pairs found, or 0 and 1
   uint8_t status;
   flashbvh::RunResult step;  ///< of the last run
@@ -127,7 +126,7 @@ struct Arguments {
     answer = counted.count;
     ends(counted.status);
   }
-  /// All pairs of a query.
+  /// Counts all pairs of a query.
   template <class Asked>
   [[gnu::always_inline]] void counts(Asked& asked) {
     const auto count = [this](const typename Asked::Pair&) {
@@ -145,13 +144,13 @@ struct Arguments {
   flashbvh_pose* c_made() { return &as<flashbvh_pose>(made_pose); }
 };
 
-/// Of its floats from one on, a matrix or a vector.
+/// The floats from an index on, as a matrix or a vector.
 template <class Array>
 const Array& floats_as(const Arguments& in, int from) {
   return *reinterpret_cast<const Array*>(in.floats + from);
 }
 
-/// An object made in its place, as a caller's variable is.
+/// Constructs an object in place, like a caller's variable.
 template <class Object, size_t size, class Make>
 Object& make_in(Room<size>& room, const Make& make);
 

@@ -1,13 +1,12 @@
 """check.py TAGS BUDGETS ENTRIES OUTPUT FIGURES...
 
-Whether the figures agree and keep their budgets; OUTPUT gets them, for other scripts, in lines
+Checks that the figures agree and keep their budgets; writes them to OUTPUT, for other scripts, in lines
     code ENTRY Os|O2 BYTES
     stack ENTRY graph|painted BYTES
     object NAME BYTES
-Other lines of FIGURES are not looked at. A stack's two figures must not differ by more than 16
-bytes, and what was painted never exceeds what the call graph allows. TAGS: what the board's core
-is, by commas; BUDGETS (budgets.txt) are checked where one of the tags is theirs, and on Thumb-2 those of
-ENTRIES (entries.inc).
+Ignores other lines of FIGURES. A stack's two figures must differ by at most 16 bytes, and the painted one must not
+exceed the call graph's. TAGS: the tags of the board's core, separated by commas. Checks BUDGETS (budgets.txt) with one
+of these tags, and on Thumb-2 those of ENTRIES (entries.inc).
 """
 from __future__ import annotations
 
@@ -22,7 +21,7 @@ FIGURE = re.compile(r"((?:code|stack) [a-z_]+ [A-Za-z0-9]+|object [A-Za-z]+) ([0
 
 
 def budgets(tags: list[str], lines: list[str]) -> dict[str, int]:
-    """By what they are of: the least of all that apply."""
+    """The limits by their subject: the least of all that apply."""
     limits: dict[str, int] = {}
     for line in lines:
         tag, *what, most = line.split() if line and not line.startswith("#") else ("", "")
@@ -52,7 +51,7 @@ def problems(limits: dict[str, int], figures: dict[str, int]) -> Iterator[str]:
 
 
 def sizes_of(what: str, figures: dict[str, int]) -> list[int]:
-    """Of a budget: a stack's holds for both figures."""
+    """The sizes of a budget's subject: a stack's budget holds for both figures."""
     return [size for name, size in figures.items()
             if what == name or what.startswith("stack ") and name.startswith(f"{what} ")]
 

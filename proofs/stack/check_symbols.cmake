@@ -1,8 +1,7 @@
 # cmake -DNM=... -DLIBRARY=libflashbvh.a -P check_symbols.cmake
 #
-# The library's symbols: no writable data, and nothing called from outside but what calls.txt has,
-# memory functions and the compiler's own arithmetic with integers. A heap, exceptions, RTTI or
-# floats would show here even without a call.
+# The library's symbols: no writable data, and no calls to outside functions but those in calls.txt, memory functions
+# and the compiler's own integer arithmetic. A heap, exceptions, RTTI or floats would show here even without a call.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/calls.txt allowed REGEX "^outside ")
 list(TRANSFORM allowed REPLACE "^outside " "")
 list(JOIN allowed "|" allowed)
@@ -27,7 +26,7 @@ if(NOT defined)
   message(FATAL_ERROR "${LIBRARY} has no symbols")
 endif()
 list(REMOVE_DUPLICATES called)
-# Whether ours are there is the linker's business.
+# The linker checks that our own symbols exist.
 list(FILTER called EXCLUDE REGEX "^_ZNK?8flashbvh")
 list(REMOVE_ITEM called ${defined})
 foreach(symbol IN LISTS called)

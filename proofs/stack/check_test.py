@@ -1,4 +1,4 @@
-"""check.py on figures that are as they should be, and on others."""
+"""check.py on valid figures, and on invalid ones."""
 import unittest
 
 from check import budgets, problems, read
@@ -9,7 +9,7 @@ LIMITS = budgets(["any", "small"], ["# one", "", "any stack walk 100", "small co
 
 class CheckTest(unittest.TestCase):
     def check(self, wanted: str, *lines: str) -> None:
-        """The only problem begins so; or there is none."""
+        """The only problem contains `wanted`; or there is none."""
         found = list(problems(LIMITS, read(list(lines))))
         self.assertEqual(bool(wanted), bool(found), found)
         self.assertTrue(any(wanted in problem for problem in found) or not wanted, found)

@@ -1,8 +1,8 @@
 """code_size.py ROOTS OUTPUT: the bytes that each query links, its entry's own code included, at -Os and -O2.
 
-Linked with nothing but the library, libgcc and the memory functions of C's library, from the entry on. From
-the environment: LINK is compiler and flags, LIBRARIES what comes last; ARCHIVE_OS and ARCHIVE_O2 hold the
-entries and the library at the two levels; SIZE is the program `size`.
+Links it only with the library, libgcc and the memory functions of C's library, from the entry on. Environment: LINK is
+compiler and flags, LIBRARIES the last arguments; ARCHIVE_OS and ARCHIVE_O2 hold the entries and the library at the two
+levels; SIZE is the program `size`.
 """
 import os
 import re
@@ -15,7 +15,7 @@ from machine_code.instruction import Refused
 
 
 def bytes_in(sizes: str, entry: str) -> int:
-    """Code and constants; neither data nor tables of exceptions may be there."""
+    """Code and constants; neither data nor exception tables may exist."""
     total = 0
     for name, size in re.findall(r"^(\.\S+)\s+(\d+)", sizes, re.M):
         if re.match(r"\.s?(data|bss)", name) and int(size):

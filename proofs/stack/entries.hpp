@@ -1,5 +1,5 @@
-// What entries.inc needs, and a function for the entry whose source has
-// `#define CHOSEN_NAME ~, extern "C" void`. Each entry is compiled alone, as in a firmware.
+// The includes of entries.inc, and a function for the entry whose source has
+// `#define CHOSEN_NAME ~, extern "C" void`. Each entry is compiled alone, like in firmware.
 #include "proofs/stack/arguments.hpp"
 
 using namespace flashbvh;
@@ -11,20 +11,20 @@ using stack_proof::make_in;
 
 namespace entries {
 
-/// Not inlined: its frame is gone when a slice runs.
+/// Not inlined, so that its frame is gone when a slice runs.
 template <class Asked>
 [[gnu::noinline]] void make_query(Arguments& in, const typename Asked::Mesh& a,
                                   const typename Asked::Mesh& b) {
   make_in<Asked>(in.query, [&] {
     if constexpr (__is_constructible(typename Asked::Cursor)) {
       return Asked(a, b, *in.pose);
-    } else {  // the array of pairs that traversals with a stack have
+    } else {  // the array of pairs of traversals with a stack
       return Asked(a, b, *in.pose, typename Asked::Cursor(in.stack, stack_proof::kStackEntries));
     }
   });
 }
 
-/// Makes the query if no work is granted, else runs it for a slice.
+/// Makes the query if the work budget is 0, else runs it for a slice.
 template <class Asked>
 [[gnu::always_inline]] inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
                                                const typename Asked::Mesh& b) {
@@ -48,7 +48,7 @@ template <class Asked>
   in.answer += in.step.count;
 }
 
-/// A call in C that answers yes or no.
+/// A call in C that returns yes or no.
 template <class Call>
 [[gnu::always_inline]] inline void decide(Arguments& in, const Call& call) {
   bool yes = false;
@@ -67,13 +67,13 @@ template <class Run, class Asked>
   } while (step.count == in.capacity);
 }
 
-/// A visitor that takes no stack.
+/// A visitor that uses no stack.
 inline bool count_visit(flashbvh_pair /*pair*/, void* context) {
   ++*static_cast<uint32_t*>(context);
   return true;
 }
 
-/// None, and some that are far from what is nearest, which the walk then finds.
+/// No hint, and some hints far from the nearest pair, which the walk then finds.
 constexpr uint16_t kSeeds = 5;
 template <class W>
 W seed_of(uint16_t i) {
@@ -81,7 +81,7 @@ W seed_of(uint16_t i) {
   return i == 0 ? W() : W{at, at};
 }
 
-/// Of the first triangles each with each.
+/// All pairs of the first triangles.
 constexpr uint16_t kMostPairs = 100;
 template <class W>
 W pair_of(uint16_t i) {
@@ -105,7 +105,7 @@ W pair_of(uint16_t i) {
                                 in.distance));
 }
 
-/// Of a mesh that bends, against itself.
+/// Queries a deformable mesh against itself.
 template <class Asked, class... Predicate>
 [[gnu::always_inline]] inline void ask_itself(Arguments& in, const Predicate&... question) {
   const auto make = [&]() __attribute__((noinline)) {
@@ -138,7 +138,7 @@ P any_point(int32_t i) {
   return {4000 * (i % 9) - 16000, 4000 * (i / 9 % 9) - 16000, i < 81 ? 0 : -500};
 }
 
-/// From nine places along nine directions, and in the planes of triangles.
+/// Segments from nine points along nine directions, and in the planes of triangles.
 inline Segment any_segment(const Mesh& mesh, uint32_t i) {
   if (i < 81) {
     const auto at = static_cast<int32_t>(i);

@@ -1,5 +1,5 @@
-// Everything public that is a template or inline and that no entry has, compiled once:
-// check_symbols.cmake looks at what it calls and keeps, whether somebody uses it or not.
+// All public templates and inline functions without an entry, compiled once: check_symbols.cmake
+// checks their calls and data, even if they are unused.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
@@ -15,7 +15,7 @@
 
 namespace flashbvh {
 
-// The stackless traversals, all their members; those over a stack have no positions.
+// The stackless traversals, with all their members; those with a stack have no cursors to keep.
 template class Query<Ranked<Mesh>>;
 template class Query<Ranked<Mesh32>>;
 template class Query<Ranked<Mesh>, Within>;
@@ -62,7 +62,7 @@ FLASHBVH_TEST_RUN_STACK(AlternatingStack, PreMeshWithLevels32, MeshWithLevels32)
 FLASHBVH_TEST_RUN_STACK(RankedStack, Mesh, Mesh32);
 FLASHBVH_TEST_RUN_STACK(Ranked, Mesh, Mesh32);
 
-/// The questions of collide.hpp and contact.hpp.
+/// The queries of collide.hpp and contact.hpp.
 template <class TreeType>
 uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   using Pair = TrianglePair<typename TreeType::Index>;

@@ -1,6 +1,6 @@
-// The painted stack of every entry, measured on the target: "stack NAME painted BYTES", the most
-// over questions that are made to go down the deepest paths. Neither Catch2 nor a heap, so that it
-// runs on every board.
+// The painted stack of every entry, measured on the target: "stack NAME painted BYTES", the largest
+// over queries built to take the deepest paths. Uses neither Catch2 nor a heap, so it runs on every
+// board.
 #include "deep_post.fbvh.h"
 #include "deep_pre.fbvh.h"
 #include "flashbvh/image.hpp"
@@ -35,16 +35,16 @@ constexpr Entry kEntries[] = {
 };
 constexpr uint32_t kEntryCount = sizeof kEntries / sizeof kEntries[0];
 
-/// Little enough that slices end in the middle of everything.
+/// So small that slices end in the middle of every phase.
 constexpr uint32_t kWork = 7;
 
-/// How B lies: a quaternion of integers and cells.
+/// The pose of B: a quaternion of integers and cells.
 struct TestPose {
   test::Quaternion rotation;
   int32_t cells[3];
 };
 
-/// That nothing is near, and B is placed far.
+/// A distance at which nothing is near, and B is placed far.
 constexpr int32_t kFarCells = 200'000;
 
 constexpr TestPose kTestPoses[] = {
@@ -58,14 +58,14 @@ constexpr TestPose kTestPoses[] = {
     {{7, 3, -2, 5}, {3000, 1000, 500}},  // crossing, rotated
     {{7, 3, -2, 5}, {kFarCells, 1000, 500}},
     {{1, 0, 0, 0}, {0, 0, 2500}},        // above itself
-    {{1, 0, 0, 0}, {16000, 500, 2500}},  // the same, and along an edge
+    {{1, 0, 0, 0}, {16000, 500, 2500}},  // above itself, and along an edge
     {{7, 3, -2, 5}, {0, 15000, 20000}},  // next to itself, rotated
     {{7, 3, -2, 5}, {0, 0, 20000}},      // a corner above a face
     {{7, 3, -2, 5}, {3000, -2000, -20000}},
     {{3, 1, 1, 0}, {3636, -636, 18409}},
     {{0, 0, 0, 1}, {33000, 500, 0}},  // parallel edges: equal distances
     {{0, 0, 0, 1}, {33000, 500, 300}},
-    {{7, 3, -2, 5}, {0, 44000, 44000}},  // beyond 32,767 cells, though boxes are not
+    {{7, 3, -2, 5}, {0, 44000, 44000}},  // beyond 32,767 cells, although boxes are not
 };
 
 /// Corners for the exact test and contacts. The narrow ones differ by less than 2^15.
@@ -94,7 +94,8 @@ constexpr Triangle kPairs[][2] = {
 
 constexpr float kRigidFloats[12] = {0.6f, -0.8f, 0, 0.8f, 0.6f, 0, 0, 0, 1, 1.25f, -7, 0.125f};
 
-/// A matrix and a translation, row by row; of a quaternion and a translation the first seven.
+/// A matrix and a translation, row by row; the first seven also serve as a quaternion and a
+/// translation.
 constexpr float kFloats[][12] = {
     {0.6f, -0.8f, 0, 1.25f, 0.8f, 0.6f, 0, -7, 0, 0, 1, 0.125f},
     {1, 0, 0, 0, 2000.5f, -3, 0.75f, 0, 0, 0, 0, 0},
@@ -106,11 +107,11 @@ constexpr uint32_t length(const Element (&)[count]) {
   return count;
 }
 
-/// Little, as far as 32 bits test, and as far as can be; the same where B lies far.
+/// A small distance, the limit of 32-bit tests, and the largest; the second row for a far B.
 constexpr uint32_t kDistances[] = {3000 * 256, 32'767 * 256, kMaxDistance};
 constexpr uint32_t kFarDistances[] = {3000 * 256, (kFarCells - 20'000) * 256, kFarCells * 256};
 
-// Static, since the smallest board has no such stack.
+// Static, since the smallest board's stack is too small.
 stack_proof::Arguments in;
 MeshWithLevels post;
 PreMeshWithLevels pre;
@@ -168,7 +169,7 @@ void open_trees() {
   in.robot_meshes = robot_meshes;
 }
 
-/// The first triangle and the last one become these two, half as large.
+/// Replaces the first and the last triangle by these two, at half size.
 void bend(const Triangle* two) {
   const auto half = [](int32_t at) { return static_cast<int16_t>(at / 2); };
   for (int i = 0; i < 2; ++i) {
@@ -181,14 +182,14 @@ void bend(const Triangle* two) {
   check(in.bent->refit().status == Status::done, "refit", "bent");
 }
 
-/// In 1/2,048 cell: as far as a mesh reaches.
+/// In 1/2,048 cell: the extent of a mesh.
 constexpr uint32_t kRadius = 30000u << kFrameBits;
 constexpr RobotLink kLinks[] = {{{0, 0, 0}, kRadius, 0, kBase, 0, 0},
                                 {{0, 0, 0}, kRadius, 0, 0, 0, 0}};
-/// So that motion_run tests little less than kMaxGuardDistance.
+/// Makes motion_run test slightly less than kMaxGuardDistance.
 constexpr uint32_t kReaches[] = {32760u << 14};
 
-/// Two links, posed as B in A's frame.
+/// Two links, posed like B in A's frame.
 void make_robot() {
   meshes[0] = meshes[1] = post;
   joint.lower = -kFullTurn;
@@ -233,7 +234,7 @@ void set_pose(const TestPose& where, test::Rotation& matrix) {
   in.c_other_pose = reinterpret_cast<const flashbvh_pose*>(in.other_pose);
 }
 
-/// A query stopped at its first pair, for the entries that take one; and a walk at its start.
+/// Prepares a query stopped at its first pair, and a walk at its start, for entries that use them.
 void prepare() {
   auto& query =
       stack_proof::make_in<PairQuery>(in.query, [] { return PairQuery(post, post, *in.pose); });
@@ -284,7 +285,7 @@ void ask_all(bool translated) {
   }
 }
 
-/// The first entry's answers are every query's.
+/// The first entry's answers must be every query's.
 void report() {
   for (uint32_t entry = 0; entry < kEntryCount; ++entry) {
     port::print("stack ", kEntries[entry].name, " painted ", most[entry], "\n");

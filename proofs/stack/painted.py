@@ -1,4 +1,4 @@
-"""painted.py OUTPUT COMMAND...: keeps what the firmware of painted.cpp prints, if it ends well."""
+"""painted.py OUTPUT COMMAND...: stores the output of painted.cpp's firmware if it succeeds."""
 import subprocess
 import sys
 from pathlib import Path

@@ -1,14 +1,13 @@
 """stack_graph.py PROGRAM ROOTS CALLS TAGS FOLDER:... OUTPUT
 
-The worst-case stack of the functions listed in the file ROOTS, by the call graph of the linked
-PROGRAM's machine code. It must give each function the frame that its compiler gives, by what
--fcallgraph-info=su left in each FOLDER.
+The worst-case stack of the functions listed in the file ROOTS, by the call graph of the linked PROGRAM's machine code.
+Each function's frame must equal the compiler's, which -fcallgraph-info=su left in each FOLDER.
 
-CALLS (calls.txt) names what is no plain call of a function compiled here. Recursion, a frame of no
-fixed size, an indirect call or an unknown function that it does not name are errors. TAGS, by
-commas: what the core is. OUTPUT gets, in the order of ROOTS,
+CALLS (calls.txt) names everything but plain calls of functions compiled here. Recursion, a frame of no fixed size, an
+indirect call or an unknown function are errors unless it names them. TAGS: the core's tags, separated by commas.
+Writes to OUTPUT, in the order of ROOTS,
     stack ROOT graph BYTES
-    path ROOT FUNCTION BYTES > ...    what each function on the deepest path holds
+    path ROOT FUNCTION BYTES > ...    the frame of each function on the deepest path
 """
 from __future__ import annotations
 
@@ -40,7 +39,7 @@ class Calls:
 
 
 def compilers_frames(folders: str) -> dict[str, set[int]]:
-    """Of each function compiled here; a template's instance may have several."""
+    """The frames of each function compiled here; a template's instance may have several."""
     frames: dict[str, set[int]] = {}
     for path in (path for folder in folders.split(":") for path in Path(folder).rglob("*.ci")):
         for name, size, kind in NODE.findall(path.read_text()):

@@ -1,8 +1,8 @@
 #!/bin/sh
 # with_frames.sh COMPILER ARGUMENT...
 #
-# Compiles, with or without ccache before the compiler. It brings back the object of another build,
-# but not the .ci file that the compiler writes next to it: then all is compiled again.
+# Compiles, with or without ccache before the compiler. ccache restores another build's object, but not the .ci file
+# that the compiler writes next to it: then compiles again.
 frames= previous=
 for argument; do
   [ "$previous" != -o ] || frames=${argument%.*}.ci

@@ -1,13 +1,13 @@
 """check.py BOUND MEASURED MACHINE PROGRAM [CORE WAIT_STATES OPTIONS]
 
-Runs a firmware of this folder under QEMU and holds what it measures against what prove.py or
-guard_prove.py wrote to BOUND. To MEASURED and to standard output goes for each kind of run the most instructions, the bound on
-that run, and the largest part of its own bound that a run of the kind took:
+Runs a firmware of this folder under QEMU and compares its measurements with the bounds that prove.py or guard_prove.py
+wrote to BOUND. Writes to MEASURED and to standard output, for each kind of run, the most instructions, this run's
+bound, and the largest share of its own bound that a run of the kind used:
     measured NAME INSTRUCTIONS of BOUND, nearest PART
-period-N: a guard's periods of N work. boxes-KIND-N: runs of N work that came to no pair of leaves; run-KIND-N: those that did. Fails if a run
-takes more than was proven.
+period-N: a guard's periods with work N. boxes-KIND-N: runs of work N without a pair of leaves; run-KIND-N: those with
+one. Fails if a run exceeds its bound.
 
-With CORE, the bounds are its cycles with so many wait states, and QEMU's OPTIONS make the firmware count cycles.
+With CORE, the bounds are its cycles with WAIT_STATES, and QEMU's OPTIONS make the firmware count cycles.
 """
 import sys
 from pathlib import Path
@@ -39,7 +39,7 @@ def runs_in(lines, cost):
         elif kind == "run":
             of, (work, _, leaf_pairs, depths, leaf_size, measured) = words[0], map(int, words[1:7])
             formula = most_of_itself if of == "itself" else most_instructions
-            # The trees are binary: a later sibling in each.
+            # The trees are binary: each has one later sibling per level.
             yield (f"{'run' if leaf_pairs else 'boxes'}-{of}-{work}", measured,
                    formula(cost, depths, 2, leaf_size, work), line)
         elif kind == "make":
@@ -47,7 +47,7 @@ def runs_in(lines, cost):
 
 
 def report(cost, lines):
-    """The lines to print, and whether all runs keep to their bounds."""
+    """The lines to print, and whether all runs keep their bounds."""
     kinds, over, held = {}, [], 0
     for name, measured, bound, line in runs_in(lines, cost):
         held += 1
@@ -62,7 +62,7 @@ def report(cost, lines):
 
 
 def costs_in(bound, core="", wait_states=0):
-    """Of one core; none is the only one."""
+    """The costs of one core; without a name, of the first one."""
     proven = proven_in(bound)
     costs = {name: int(value) for name, value in proven[core or next(iter(proven))].items()}
     return {name: value + int(wait_states) * costs.get(f"reads-{name}", 0) for name, value in costs.items()}

@@ -1,4 +1,4 @@
-"""The firmware of this folder under QEMU."""
+"""Runs the firmware of this folder under QEMU."""
 import os
 import subprocess
 import sys
@@ -9,11 +9,11 @@ PORTS_RUN = Path(__file__).resolve().parents[2] / "ports/run"
 
 
 def run(machine, program, timeout, options=""):
-    """What it prints; exits if it fails."""
+    """Returns its output; exits if it fails."""
     environment = {**os.environ, "FLASHBVH_TIMEOUT": str(timeout)}
     if options:
         environment["FLASHBVH_QEMU_OPTIONS"] = options
-    with tempfile.TemporaryDirectory() as folder:  # for what the plugin leaves there
+    with tempfile.TemporaryDirectory() as folder:  # for the plugin's output
         done = subprocess.run([PORTS_RUN, machine, program], stdout=subprocess.PIPE, text=True, env=environment,
                               cwd=folder)
     if done.returncode:

@@ -1,6 +1,6 @@
-"""The most instructions of a run, as flashbvh::most_instructions(): lib/docs/bounded_time.md.
+"""The most instructions of a run, like flashbvh::most_instructions(): lib/docs/bounded_time.md.
 
-cost: what prove.py and guard_prove.py wrote, by name; leaf_size: of the larger leaves."""
+cost: the values of prove.py and guard_prove.py, by name; leaf_size: of the larger leaves."""
 
 
 def most_instructions(cost, depths, siblings, leaf_size, work):
@@ -11,20 +11,20 @@ def most_instructions(cost, depths, siblings, leaf_size, work):
 
 
 def most_of_itself(cost, depths, siblings, leaf_size, work):
-    """Of a mesh against itself, `depths` being twice its own."""
+    """The bound for a mesh against itself; `depths` is twice its depth."""
     passed = (siblings + 1) * cost["later-sibling"]
     return (cost["start"] + depths * (cost["ascent"] + passed) + siblings * cost["later-sibling"]
             + (leaf_size - 1) * cost["leaf-triangle"] + (work + 31) * (cost["work"] + passed))
 
 
 def measured_pairs(pairs, work):
-    """The most that a period begins to measure: each takes 16, and none is due twice."""
+    """The largest number of pairs that a period begins to measure: each costs 16, and none is measured twice."""
     return min(pairs, (work + 15) // 16)
 
 
 def most_of_period(cost, joints, pairs, between, tabled, depth, leaf_size, work):
-    """Of a guard's period. between: joints between the links of all pairs; tabled: pairs of one or two;
-    depth: of two meshes."""
+    """The bound of a guard's period. between: joints between the links of all pairs; tabled: pairs with one or two such
+    joints; depth: the sum for two meshes."""
     of = {name.removeprefix("guard-"): value for name, value in cost.items()}
     measured = measured_pairs(pairs, work)
     turns = joints + pairs * joints

@@ -1,8 +1,8 @@
-// Measures periods of a guard of a small arm with hard meshes, for what is proven to be held
-// against:
+// Measures periods of the guard of a small arm with hard meshes, for comparison with the proven
+// bounds:
 //   run period WORK JOINTS PAIRS BETWEEN TABLED DEPTH LEAF_SIZE INSTRUCTIONS
-// WORK: granted. BETWEEN: joints between the links of all pairs; TABLED: pairs of one or two. DEPTH
-// and LEAF_SIZE: the most of two meshes, and of any.
+// WORK: the budget. BETWEEN: joints between the links of all pairs; TABLED: pairs with one or two
+// such joints. DEPTH and LEAF_SIZE: the largest of two meshes, and of any.
 #include "flashbvh/detail/robot/distance_table.hpp"
 #include "guard_slice.hpp"
 #include "hard_mesh.hpp"
@@ -28,7 +28,7 @@ constexpr uint32_t kGranted[] = {1, 40, 400, 2000};
 constexpr uint64_t kSeed = 0x7065726F64u;
 constexpr int32_t kLimit = kFullTurn / 4;
 
-/// Two axes of 32 cells for each pair that has a table: most say nothing.
+/// Two axes of 32 joint boxes for each pair with a table: most bytes are 0.
 struct Tables {
   uint8_t at[kTabled * 1024] = {};
   constexpr Tables() {
@@ -39,7 +39,7 @@ struct Tables {
 };
 constexpr Tables kTables;
 
-// Static, since the smallest core has no such stack.
+// Static, since the smallest core's stack is too small.
 Side sides[kLinks];
 Mesh meshes[kLinks];
 RobotJoint joints[kJoints];
@@ -48,8 +48,8 @@ RobotPair pairs[kPairs];
 uint32_t reaches[2 + kJoints];
 GuardStateOf<kJoints, kPairs, kBetween> state;
 
-/// One that turns, one that slides, one that turns without limits as the second one has it, one
-/// that turns. `far`: how many times as far apart as the meshes are large.
+/// Joint types: revolute, prismatic, continuous (a mimic of the second one), revolute. `far`: the
+/// ratio of distances to the meshes' size.
 void make_joint(Random& random, uint32_t i, int32_t reach, int32_t far) {
   constexpr JointType types[] = {JointType::revolute, JointType::prismatic, JointType::continuous,
                                  JointType::revolute};
@@ -77,7 +77,7 @@ void make_joint(Random& random, uint32_t i, int32_t reach, int32_t far) {
 }
 
 bool make_robot(Random& random, int32_t reach, Robot& robot) {
-  // Some lie beyond any distance, and have spheres that decide nothing.
+  // Some arms lie beyond any distance, with spheres that decide nothing.
   const bool is_far = random.below(8) == 0;
   const int32_t far = is_far ? 400000 / reach : 1;
   for (uint32_t i = 0; i < kJoints; ++i) {
@@ -88,7 +88,7 @@ bool make_robot(Random& random, int32_t reach, Robot& robot) {
       return false;
     }
     meshes[i] = sides[i].tree.view();
-    // On the base, the second and the last joint.
+    // The links: on the base, the second and the last joint.
     links[i] = {{0, 0, 0},
                 is_far ? uint32_t{1} << 30 : static_cast<uint32_t>(reach) * 1024u,
                 static_cast<uint16_t>(i == 2 ? 2 : 0),
@@ -128,7 +128,7 @@ uint32_t greatest(uint32_t Side::*of) {
   return most;
 }
 
-/// Mostly by a little, now and then anywhere or not at all.
+/// Moves usually by a little, sometimes anywhere or not at all.
 void move(Random& random, JointCoordinate (&values)[kJoints]) {
   const uint32_t how = random.below(6);
   for (uint32_t i = 0; i < kJoints; ++i) {

@@ -1,12 +1,12 @@
 """guard_prove.py OUTPUT CUTS CORE PROGRAM SOURCES [DECODER TABLES CORE...]
 
-Finds what a guard's period can cost at worst in the machine code of PROGRAM, bound_guard, and writes it
-to OUTPUT, "bound guard-NAME VALUE" a line: flashbvh::GuardCosts (robot/period_bound.hpp). Where loops were
-cut goes to CUTS: see turns.py. CORE: its name; SOURCES: the folder that guard_loops.txt speaks of. With DECODER:
-see prove.py.
+Finds the worst-case cost of a guard's period in the machine code of PROGRAM, bound_guard, and writes it to OUTPUT,
+"bound guard-NAME VALUE" per line: flashbvh::GuardCosts (robot/period_bound.hpp). Writes the places of cut loops to
+CUTS: see turns.py. CORE: its name; SOURCES: the folder of guard_loops.txt's files. With DECODER: see prove.py.
 
-Counts that the table leaves open are of a whole period, and lib/docs/bounded_time.md says what they are.
-So a call costs what lies outside of such loops, and their turns are added up here.
+Counts that the table leaves open apply to a whole period, and lib/docs/bounded_time.md gives them. So a call costs the
+part outside such loops, and this program adds up their turns.
+
 """
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ from machine_code.program import Program
 
 from prove import GO_ON, SHAPE, Found, check_units, exit_with, write
 
-# In work.
+# Units of work.
 PAIR, PLACED, EXACT, POSE, AIM, LEVER, WALK = 1, 4, 24, 16, 56, 1, 8
-# Pairs of leaves that a walk collects, unless it is the last.
+# Pairs of leaves that a walk collects, except in the last batch.
 BATCH = 4
-# A run's first two batches, and the one that is not paid for.
+# A run's first two batches, and one without work.
 FIRST_BATCHES = 3
-# Of a node, at most; a walk begins twice among siblings in both trees, and a resumed cursor is looked at.
+# The largest arity; a walk begins twice among siblings in both trees, and a resumed cursor is checked.
 ARITY = 4
 SIBLINGS = 2 * (ARITY - 1)
-# Of a leaf, at most: what is resumed inside a larger one is not in the bound.
+# The largest leaf: the bound excludes resuming inside a larger one.
 LEAF = 7
 
 
@@ -55,16 +55,16 @@ def parts(value: int, by: int) -> int:
 def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
     total = {name: costs.of(pattern).total for name, pattern in roots.items()}
     turn = costs.turns()
-    # Of searches for what is within a limit.
+    # For searches within a limit.
     within = closed.of(roots["within"]).total
-    # To take a leaf as a shape: `begin` looks whether it was taken.
+    # To load a leaf's planes: `begin` checks whether they are loaded.
     begun = total["begin"] + 2 * total["take"]
     batch = turn["batch"] + turn["turn"] + begun + 2 * SIBLINGS * turn["sibling"]
     run = turn["run"] + FIRST_BATCHES * batch + SIBLINGS * turn["sibling"] + total["found"]
     triangles = total["found"] + turn["triangle"] + parts(batch, BATCH)
     ascent = max(turn["ascent"], turn["climb"])
     placed = triangles + total["placed"]
-    # A witness that is nearer than the limit, which was found by an exact test.
+    # A witness nearer than the limit, found by an exact test.
     nearer = placed + within + run + total["witness"]
     work = max(turn["visit"] + ascent, turn["other"], parts(turn["turn"], GO_ON),
                parts(max(total["shape"] + total["reached"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
@@ -74,7 +74,7 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
     if batch > WALK * work:
         raise Refused("a walk of 65,535 is not paid for")
     measured = turn["measured"] + run
-    # What its own work does not pay for.
+    # The cost of a measurement that its own work does not cover.
     measure = max(0, measured - POSE * work, measured + total["witness"] - (POSE + AIM) * work)
     # A pair that an earlier period began to measure, and a cursor that its state does not have.
     yield "guard-start", (total["period"] + turn["measured"] + 2 * run + 2 * (LEAF - 1) * turn["other"])

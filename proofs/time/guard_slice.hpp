@@ -1,4 +1,4 @@
-// What is analysed and measured of a guard: a period of it.
+// The analysed and measured code of a guard: one period.
 #pragma once
 
 #include <stdint.h>
@@ -16,8 +16,8 @@ struct Period {
 
 }  // namespace bound
 
-// In a file of their own, to be neither inlined nor made for one use. `period`: a bound::Period.
+// In a separate file, so that they are neither inlined nor specialised. `period`: a bound::Period.
 extern "C" {
 void bound_period(void* period);
-void bound_done();  ///< after each of these: what follows is not looked at
+void bound_done();  ///< ends each of these; the analysis ignores later code
 }

@@ -30,7 +30,7 @@ Vertex corner(Random& random, Kind kind, const Vertex& centre, const Vertex& fir
   }
 }
 
-/// `reach`: of the coordinates, at most kMaxCoordinate.
+/// `reach`: the limit of coordinates, at most kMaxCoordinate.
 void make_mesh(Random& random, Kind kind, int32_t reach, digest::SmallMesh& mesh) {
   mesh.triangle_count = static_cast<uint16_t>(1 + random.below(digest::kMostTriangles));
   mesh.vertex_count = 0;

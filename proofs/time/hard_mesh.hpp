@@ -1,5 +1,5 @@
-// Small meshes that cost a query as much as can be: boxes that all overlap, triangles that fall
-// through to the rare branches of the exact tests, trees as deep as they get.
+// Small meshes that make queries as expensive as possible: all boxes overlap, triangles need the
+// rare branches of the exact tests, and trees are as deep as possible.
 #pragma once
 
 #include "digest/small_tree.hpp"
@@ -12,7 +12,7 @@ enum class Kind : uint8_t {
   crowded,    ///< large ones through one region: all boxes overlap
   flat,       ///< all in one plane
   segments,   ///< without area, on one line or not
-  points,     ///< all corners of a triangle in one place
+  points,     ///< all corners of a triangle in one point
 };
 constexpr uint32_t kKinds = 5;
 
@@ -24,8 +24,8 @@ struct Side {
   uint32_t depth;
 };
 
-/// Of any kind, with leaves of one to three triangles. `reach`: of the coordinates, at most
-/// kMaxCoordinate. False if the tree is none.
+/// Makes a mesh of any kind, with leaves of one to three triangles. `reach`: the limit of
+/// coordinates, at most kMaxCoordinate. False if the tree is invalid.
 bool make_side(flashbvh::test::Random& random, int32_t reach, Side& side);
 
 }  // namespace bound

@@ -1,8 +1,8 @@
-// Measures runs of queries on hard meshes under many poses, for what is proven to be held against:
+// Measures runs of queries on hard meshes under many poses, for comparison with the proven bounds:
 //   run KIND WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS
 //   make INSTRUCTIONS
-// Where a full array stopped a run, its walk may have been further, and these are what its work
-// allows. KIND: `translated`, `rotated`, or `itself`. LEAF_SIZE: the larger one.
+// If a full array stopped a run, its walk may be further ahead, and VISITS and LEAF_PAIRS are those
+// that its work allows. KIND: `translated`, `rotated`, or `itself`. LEAF_SIZE: the larger one.
 #include "flashbvh/image.hpp"
 #include "hard_mesh.hpp"
 #include "insn.hpp"
@@ -24,13 +24,13 @@ constexpr uint32_t kRunsOfItself = 8;
 constexpr uint32_t kGranted[] = {1, 40, 400};
 constexpr uint64_t kSeed = 0x626F756E64u;
 
-// Static, since the smallest core has no such stack.
+// Static, since the smallest core's stack is too small.
 Side side_a;
 Side side_b;
 Slice slice;
 
 Pose any_pose(Random& random, int32_t reach) {
-  // Near enough to intersect as a rule; now and then in the same place.
+  // Usually near enough to intersect; sometimes in one place.
   const int32_t far = random.below(3) == 0 ? 0 : random.below(2) == 0 ? reach / 4 : reach;
   if (random.below(2) == 0) {
     return test::any_rigid_pose(random, far);

@@ -1,13 +1,11 @@
 """prove.py OUTPUT CUTS CORE PROGRAM SOURCES [DECODER TABLES CORE...]
 
-Finds what a run of a query can cost at worst in the machine code of PROGRAM, the firmware of this
-folder, and writes it to OUTPUT, "bound NAME VALUE" a line: flashbvh::RunCosts (time_bound.hpp), for
-poses that translate and for those that rotate. Where loops were cut goes to CUTS: see turns.py.
-CORE: its name; SOURCES: the folder that loops.txt speaks of.
+Finds the worst-case cost of a query's run in the machine code of PROGRAM, the firmware of this folder, and writes it to
+OUTPUT, "bound NAME VALUE" per line: flashbvh::RunCosts (time_bound.hpp), for translations and for rotations. Writes the
+places of cut loops to CUTS: see turns.py. CORE: its name; SOURCES: the folder of loops.txt's files.
 
-With DECODER, flashbvh_most_cycles, the bounds are cycles on each of the last CORES, by their tables in
-TABLES, and in addition "bound reads-NAME VALUE": reads of flash. Nothing goes to CUTS. CORE-Fast has a
-multiplier that takes one cycle.
+With DECODER, flashbvh_most_cycles, the bounds are cycles on each of the last CORES, by their tables in TABLES, and also
+"bound reads-NAME VALUE": reads of flash. Then CUTS is not written. CORE-Fast has a single-cycle multiplier.
 """
 from __future__ import annotations
 
@@ -22,7 +20,7 @@ from machine_code.loops import Loops
 from machine_code.measure import Cycles, FlashReads, Instructions
 from machine_code.program import Program
 
-# In work. Programs of this folder and of tests/figures have them, too.
+# Units of work. Programs of this folder and of tests/figures have them, too.
 GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32
 
 
@@ -46,26 +44,25 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     turn = on_below.term("turn") + below.fixed + below.term("climb")
     again = part("take-again").total
     made = sum(slab.fixed for slab in slabs)
-    # A leaf's corners, three of each triangle, against the plane. Its pairs of triangles are no fewer
-    # than its triangles.
+    # A leaf's corners, three per triangle, against the plane. It has at least as many pairs of triangles as triangles.
     corners = 3 * part("compare-leaf").term("vertex")
     compared = part("compare-leaf").fixed + corners
-    # A leaf taken as a shape: reached, or the next one after a leaf that a run went on with.
+    # Loading a leaf's planes: reached, or the next one after the leaf at which a run resumed.
     reached = part("reach-leaf").total + part("below-reached").total
     shape = made + max(reached + below.fixed + below.term("climb"), again + turn)
-    # Transformed and tested, and maybe answered. triangle-pair-general: of triangles with area that
-    # do not lie in one plane.
+    # Transformed, tested, and possibly reported. triangle-pair-general: of triangles with area that do not lie in one
+    # plane.
     transform = max(part("translate").total, part("rotate").total)
     pair = compared + part("found").total + tests + sum(map(answer.term, ("row", "triangle"))) + transform
     walks = [part(f"walk-{kind}") for kind in ("translated", "rotated")]
     ascent = max([below.term("climb"), on_below.term("ascent")] +
                  [walk.term("ascent") for walk in walks])
     visit = max([below.term("visit")] + [walk.term("visit") for walk in walks]) + ascent
-    # In at one end and out at the other, a turn without a visit, and no answer left.
+    # From the start of one path to the end of another, a turn without a visit, and no answer left.
     once = part("walk").total + max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
     triangle = pair + once + max(part("near-test").total, part("wide-test").total)
     other = sum(slab.term("other") for slab in slabs) + corners
-    # Before the first walk, and for a pair of leaves that is left to the next run.
+    # Before the first walk, and for a pair of leaves that the next run gets.
     yield "start", run.fixed + once + again + made + 2 * tests + compared + part("found").total
     yield "ascent", ascent
     yield "later-sibling", on_below.term("sibling") + max(walk.term("sibling") for walk in walks)
@@ -81,9 +78,9 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
 
 
 def check_itself(costs: Costs, roots: dict[str, str], bound: dict[str, int]) -> None:
-    """Whether runs of a mesh against itself keep to most_of_itself() in formula.py. An ascent looks
-    at as many siblings as the arity, a walk's begin at as many in both trees; what is held against
-    each other is at an arity of 1, and what one more adds, where the formula adds two siblings."""
+    """Whether runs of a mesh against itself keep most_of_itself() in formula.py. An ascent passes as many siblings as
+    the arity, a walk's begin as many in both trees. Compares the costs at an arity of 1, and those of one more, for
+    which the formula adds two siblings."""
     run, answer, walk, rotated = (costs.of(roots[name]) for name in (
         "self-run", "self-next-answer", "self-walk", "self-walk-rotated"))
     found, test = (costs.of(roots[name]).total for name in ("found", "near-test"))
@@ -121,7 +118,7 @@ Found = tuple[Costs, dict[str, int]]
 
 def cycles_lines(program: Program, decoder: list[str], prove: Callable[[Instructions], Found],
                  cuts: list[str]) -> Iterator[str]:
-    """cuts: where turns.py counts."""
+    """cuts: the places where turns.py counts."""
     for measure, prefix in (Cycles(program, decoder), ""), (FlashReads(program, decoder), "reads-"):
         costs, found = prove(measure)
         if list(cut_lines(program, costs)) != cuts:
@@ -131,7 +128,7 @@ def cycles_lines(program: Program, decoder: list[str], prove: Callable[[Instruct
 
 
 def write(program: Program, arguments: list[str], prove: Callable[[Instructions], Found]) -> None:
-    """prove: the costs and the bounds by a measure."""
+    """prove: returns the costs and the bounds by a measure."""
     output, cuts, core, _, _, *model = arguments
     costs, found = prove(Instructions())
     lines = []

@@ -1,7 +1,7 @@
-"""shipped.py BOUND FOLDER [--write]: fails unless the constants of core_costs.h or core_cycles.h in FOLDER are those
-that prove.py or guard_prove.py wrote to BOUND, which may have several cores.
+"""shipped.py BOUND FOLDER [--write]: fails unless the constants of core_costs.h or core_cycles.h in FOLDER equal
+those that prove.py or guard_prove.py wrote to BOUND, which may contain several cores.
 
---write: changes the header to the constants of the cores in BOUND, if it has others of them.
+--write: updates the header to the constants of the cores in BOUND.
 """
 import re
 import sys

@@ -1,4 +1,4 @@
-// What is analysed and measured: making a query, one run of it, and of a mesh against itself.
+// The analysed and measured code: making a query, one run of it, and one against itself.
 #pragma once
 
 #include <stdint.h>
@@ -23,10 +23,10 @@ struct Slice {
 
 }  // namespace bound
 
-// In a file of their own, to be neither inlined nor made for one use. `slice`: a bound::Slice.
+// In a separate file, so that they are neither inlined nor specialised. `slice`: a bound::Slice.
 extern "C" {
 void bound_make_query(void* slice);
 void bound_run(void* slice);
 void bound_run_itself(void* slice);
-void bound_done();  ///< after each of these: what follows is not looked at
+void bound_done();  ///< ends each of these; the analysis ignores later code
 }

@@ -1,11 +1,11 @@
 """turns.py CUTS MACHINE PROGRAM
 
-Follows a firmware of this folder instruction by instruction where prove.py or guard_prove.py cut the loops,
-and fails if one is executed more often than their table says, in a call or in a run. CUTS: what they wrote.
+Follows a firmware of this folder instruction by instruction at the places where prove.py or guard_prove.py cut the
+loops, and fails if an instruction executes more often than their table allows, in a call or in a run. CUTS: the file
+that they wrote.
 
-What counts is executed between the call of a function of RUNS, or of bound_make_query, and that of
-bound_done. Where the table has a number, it holds for each call; where it leaves it open, for each run:
-the k-th execution of a function of RUNS is the k-th line "run".
+Counting lasts from the call of a function of RUNS, or of bound_make_query, to that of bound_done. A number in the table
+holds for each call; an open count holds for each run: the k-th execution of a function of RUNS is the k-th line "run".
 """
 import os
 import sys
@@ -20,7 +20,7 @@ RUNS = "bound_run", "bound_run_itself", "bound_period"
 
 
 def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
-    """As guard_prove.py adds them up."""
+    """The sums of guard_prove.py."""
     measured = measured_pairs(pairs, work)
     looks, nearer = measured + 2, (work + 71 + joints) // 85
     runs = measured + 2 + nearer + (work + 15) // 16
@@ -43,8 +43,8 @@ def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
 
 
 def allowed_in(line):
-    """run KIND WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS: the most of each kind in that run. Two
-    sides of a walk have two children a node, and the last one's look finds none."""
+    """run KIND WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS: the largest count of each kind in this run. Two
+    sides of a walk have two children per node, and the test of the last child finds no sibling."""
     if line.split()[1] == "period":
         return allowed_in_period(*map(int, line.split()[2:9]))
     _, _, work, visits, leaf_pairs, depths, leaf_size, *_ = line.split()
@@ -59,7 +59,7 @@ def allowed_in(line):
 
 
 class Cuts:
-    """Where the loops were cut: addresses as QEMU prints them, without zeros in front."""
+    """The places of cut loops: addresses as QEMU prints them, without leading zeros."""
     def __init__(self, lines):
         self.symbol, self.kind, self.limit, self.at_entry = {}, {}, {}, defaultdict(list)
         for what, at, *words in map(str.split, lines):
@@ -71,7 +71,7 @@ class Cuts:
                 self.at_entry[entry].append(at)
 
     def filter(self):
-        """Of addresses, for QEMU."""
+        """The addresses for QEMU's filter."""
         return ",".join(f"0x{at}+1" for at in sorted({*self.symbol, *self.kind, *self.at_entry}))
 
 
@@ -113,7 +113,7 @@ class Turns:
             self.most[at] = max(self.most[at], self.in_call[at])
 
     def follow(self, trace):
-        """QEMU takes back a block that it logged, but did not execute."""
+        """QEMU withdraws a block that it logged but did not execute."""
         last = ""
         for line in trace:
             if line.startswith("Trace"):
@@ -125,7 +125,7 @@ class Turns:
         self.end_run()
 
     def report(self):
-        """Prints what was counted; whether all is as it should be."""
+        """Prints the counts; returns whether all are allowed."""
         lines = [f"{kind}: {count} in all runs, at most {self.all_allowed[kind]}"
                  for kind, count in self.all.items()]
         lines += [f"{self.cuts.kind[at]} at {at}: {self.most[at]} a call, at most {limit}"
@@ -140,7 +140,7 @@ class Turns:
 def main(file, machine, program):
     cuts, trace = Cuts(Path(file).read_text().splitlines()), f"{file}.trace"
     try:
-        # One instruction a block, each block logged.
+        # One instruction per block, and each block logged.
         text = run(machine, program, 240, f"-singlestep -d exec,nochain -dfilter {cuts.filter()} -D {trace}")
         turns = Turns(cuts, [allowed_in(line) for line in text.splitlines() if line.startswith("run ")])
         with open(trace) as lines:

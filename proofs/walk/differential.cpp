@@ -1,5 +1,5 @@
-// Writes Differential.v: what the library does on random trees, whole and damaged, and the claim
-// that the definitions of Code.v and Image.v do the same.
+// Writes Differential.v: the library's results on random trees, whole and damaged, and the claim
+// that the definitions of Code.v and Image.v give equal results.
 #include <cstdio>
 
 #include "flashbvh/detail/lattice/image_parts.hpp"
@@ -100,7 +100,7 @@ void write_walk(Random& random) {
   claim();
 }
 
-/// Whether opening an image accepts these nodes, all else being as it should.
+/// Whether opening an image accepts these nodes, with everything else valid.
 bool library_accepts(const std::vector<ModelNode>& nodes, uint32_t leaves) {
   static const Vertex vertex = {0, 0, 0};
   static const uint16_t shell = 0;

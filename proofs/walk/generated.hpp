@@ -1,5 +1,5 @@
-// Random post-indexed trees, and what the library's walks do on them: pairs are tested by
-// functions of their indices, so that a model answers the same without a box.
+// Random post-indexed trees, and the results of the library's walks on them. Pairs are tested by
+// functions of their indices, so that a model can answer without a box.
 #pragma once
 
 #include <utility>
@@ -16,7 +16,7 @@ using ModelTree = MeshWithLevels;
 using ModelNode = Node<uint16_t>;
 using NodePair = std::pair<uint32_t, uint32_t>;
 
-/// A tree as its links and ranks say it, and as it was meant.
+/// A tree by its links and ranks, and by the intended children and levels.
 struct GeneratedTree {
   std::vector<ModelNode> nodes;
   std::vector<std::vector<uint32_t>> children;
@@ -47,7 +47,7 @@ struct GeneratedTree {
   void grow(Random& random, uint32_t limit, uint32_t parent_rank, uint32_t depth, uint32_t above) {
     const auto self = static_cast<uint32_t>(nodes.size());
     ModelNode node = {};
-    node.box.z = self;  // by which a test of boxes knows it
+    node.box.z = self;  // identifies the node in a box test
     node.link = static_cast<uint16_t>(self);
     node.data = static_cast<uint16_t>(ModelNode::kLeafFlag | random.below(300));
     nodes.push_back(node);
@@ -83,12 +83,12 @@ struct GeneratedTree {
   }
 };
 
-/// What is tested of a pair: bound, begin and touch of Code.v. Of two leaves, touch is both of
+/// The tests of a pair: bound, begin and touch of Code.v. For two leaves, touch stands for both
 /// touch() and touch_leaf().
 struct PairTests {
-  uint32_t modulus;  ///< from 2 on; the larger, the more pass
+  uint32_t modulus;  ///< at least 2; a larger one passes more pairs
 
-  /// The roots always pass: a walk gets beyond them.
+  /// The roots always pass, so that a walk gets beyond them.
   bool bound(uint32_t a, uint32_t b) const { return (a * 7 + b * 11 + a * b + 1) % modulus != 0; }
   bool begin(uint32_t a, uint32_t b) const { return (a * 5 + b * 3) % modulus != 1; }
   bool touch(detail::Side side, uint32_t a, uint32_t b) const {
@@ -99,7 +99,7 @@ struct PairTests {
   }
 };
 
-/// What walks did: visits, and which of them found pairs of leaves.
+/// The results of walks: visits, and the visits that found pairs of leaves.
 struct Walked {
   std::vector<NodePair> visits;
   std::vector<NodePair> found;
@@ -109,7 +109,7 @@ struct Walked {
   }
 };
 
-/// Leaves as shapes, which call PairTests.
+/// Leaf planes that call PairTests.
 class TestedShapes {
  public:
   using Tree = ModelTree;
@@ -163,8 +163,8 @@ class TestedShapes {
   uint32_t root_ = 0;
 };
 
-/// One run of a walk of the library's with `work` from a position, which it moves on. It stops
-/// after `batch` pairs of leaves, or, if it is `to_end`, goes on from there.
+/// Runs the library's walk once with `work` from a cursor, which it advances. It stops after
+/// `batch` pairs of leaves or, if `to_end`, continues from there.
 template <class Traversal>
 void walk_on(const ModelTree& a, const ModelTree& b, const PairTests& tests, uint32_t work,
              uint32_t batch, detail::PairCursor<uint16_t>& cursor, detail::State& state,

@@ -1,4 +1,4 @@
-// The model that proofs/walk proves things of, written down again, against the library's walk.
+// The model of the proofs in proofs/walk, written independently, against the library's walk.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ struct Trees {
   bool is_leaf_b(uint32_t j) const { return b.children[j].empty(); }
 };
 
-/// Ranked.v: where it descends, and which tree it descended into last.
+/// Ranked.v: the tree to descend into, and the tree of the last descent.
 struct ByRank : Trees {
   using Order = Ranked<ModelTree>;
 
@@ -48,7 +48,7 @@ struct ByLevel : Trees {
   }
 };
 
-/// Code.v: a turn is a function of the pair alone, and so is what is tested of it.
+/// Code.v: a turn, and the tests of a pair, are functions of the pair alone.
 template <class Rule>
 struct Model : Rule {
   const PairTests& tests;
@@ -65,7 +65,7 @@ struct Model : Rule {
   }
   bool found(NodePair p) const { return tested(p) && is_leaf_a(p.first) && is_leaf_b(p.second); }
 
-  /// The recursion.
+  /// The recursive search.
   void search(NodePair p, Walked& walked) const {
     walked.visits.push_back(p);
     if (!tested(p)) {
@@ -85,7 +85,7 @@ struct Model : Rule {
     }
   }
 
-  /// What is left from a pair on, or from behind it: the loop, by parents and children.
+  /// The rest of the walk from a pair, or from behind it: the loop, by parents and children.
   Walked rest(NodePair p, bool visit) const {
     Walked walked;
     for (;;) {
@@ -118,7 +118,7 @@ struct Subject {
         tests{2 + random.below(30)} {}
   Subject(const Subject&) = delete;
 
-  /// The library's walk from a position to its end, cut by random work and batches.
+  /// The library's walk from a cursor to its end, cut by random work and batches.
   Walked walked_from(Random& random, PairCursor<uint16_t> cursor, State state) const {
     Walked walked;
     const ModelTree tree_a = a.view();
@@ -171,7 +171,7 @@ TEMPLATE_TEST_CASE("what is proved of a position is so of each that the library 
     const bool possible = subject.model.can_visit({a, b});
     using Order = typename TestType::Order;
     REQUIRE(Order::can_visit(subject.a.view(), subject.b.view(), {a, b}) == possible);
-    // No walk stops before the visit of the roots: that is `fresh`.
+    // No walk stops before the visit of the roots: this is `fresh`.
     const bool visit = random.below(2) != 0 && (a != 0 || b != 0);
     if (possible) {
       ++accepted;

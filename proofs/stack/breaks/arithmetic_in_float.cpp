@@ -1,4 +1,4 @@
-// Arithmetic with a double that even cores with an FPU for it call for.
+// Arithmetic with a double, for which even cores with an FPU call library functions.
 unsigned long long whole(double value) {
   return static_cast<unsigned long long>(value);
 }

@@ -1,4 +1,4 @@
-// A call of a function of C's library that calls.txt does not have.
+// A call of a C library function that calls.txt does not list.
 #include <string.h>
 
 const char* volatile text = "text";

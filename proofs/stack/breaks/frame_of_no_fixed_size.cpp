@@ -1,4 +1,4 @@
-// A frame as large as somebody says.
+// A frame whose size an argument sets.
 volatile int size = 10;
 
 __attribute__((noinline)) int sum(int count) {

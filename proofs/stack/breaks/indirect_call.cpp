@@ -1,4 +1,4 @@
-// A call of a function that only the run knows.
+// A call of a function that is known only at run time.
 void nothing() {}
 void (*volatile function)() = nothing;
 
