@@ -1,13 +1,13 @@
-(* Two triangles in one plane, and two without area: flat_intersect() of lib/src/predicates/triangle.cpp.
-   Whichever edge it finds in whichever projection, and where it says that segments are skew: there is
-   no common point. And where it says yes there is one. *)
+(* Two triangles in one plane, and two without area: flat_intersect() of lib/src/predicates/triangle.cpp. For any edge
+   that it finds in any projection, and if it reports skew segments, there is no common point. If it returns true,
+   there is one. *)
 From Coq Require Import ZArith Lia Psatz Bool Nsatz.
 Require Import Triangle Segment Helly.
 Local Open Scope Z_scope.
 
 (* ============================================================== Definitions *)
 
-(* Twice the area in a projection, and the turn.
+(* Twice the area in a projection, and its sign, the turn.
    code: src/predicates/orientation.hpp | return static_cast<int64_t>(q.*u - p.*u) * (r.*v - p.*v) - static_cast<int64_t>(q.*v - p.*v) * (r.*u - p.*u);
    code: src/predicates/triangle.cpp | return twice > 0 ? 1 : twice < 0 ? -1 : 0; *)
 Definition area (u v : Point -> Z) p q r := (u q - u p) * (v r - v p) - (v q - v p) * (u r - u p).
@@ -42,7 +42,7 @@ Definition on_plane_of b0 b1 b2 a0 a1 a2 : Prop :=
 Definition No_is_right := forall a0 a1 a2 b0 b1 b2, on_plane_of b0 b1 b2 a0 a1 a2 ->
   flat_intersect a0 a1 a2 b0 b1 b2 = false -> ~ meet a0 a1 a2 b0 b1 b2.
 
-(* Where one of both has an area. *)
+(* If one of the two has an area. *)
 Definition Yes_is_right := forall a0 a1 a2 b0 b1 b2, on_plane_of b0 b1 b2 a0 a1 a2 -> on_plane_of a0 a1 a2 b0 b1 b2 ->
   ~ (no_area a0 a1 a2 /\ no_area b0 b1 b2) ->
   flat_intersect a0 a1 a2 b0 b1 b2 = true -> meet a0 a1 a2 b0 b1 b2.
@@ -126,7 +126,7 @@ Proof.
   unfold coplanar. now rewrite !V by auto.
 Qed.
 
-(* A plane with area has no room for three directions. *)
+(* A plane with area contains no three independent directions. *)
 Lemma flat_is_coplanar n d e f : dot n d = 0 -> dot n e = 0 -> dot n f = 0 -> dot (cross d e) f <> 0 ->
   x n = 0 /\ y n = 0 /\ z n = 0.
 Proof.
@@ -151,7 +151,7 @@ Proof.
     [apply (G a1 b1) | apply (G a1 b2) | apply (G a2 b1) | apply (G a2 b2)]; auto.
 Qed.
 
-(* What is known of each answer. *)
+(* The properties of each answer. *)
 Lemma flat_tells a0 a1 a2 b0 b1 b2 : let flat u v := turn u v a0 a1 a2 = 0 in
   let apart u v := edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 in
   if flat_intersect a0 a1 a2 b0 b1 b2 then (exists u v, axes u v /\ apart u v = false /\ ~ flat u v) \/
@@ -178,7 +178,7 @@ Proof.
     apply turns_no_area; apply T; unfold axes; auto.
 Qed.
 
-(* ---- Yes: in a projection. *)
+(* ---- A positive answer, in a projection. *)
 Definition onto (u v : Point -> Z) p := {| x := u p; y := v p; z := 1 |}.
 Lemma onto_corner u v p : corner (onto u v p).
 Proof. reflexivity. Qed.
@@ -213,7 +213,7 @@ Proof.
     try discriminate; lia.
 Qed.
 
-(* ---- A plane that no projection's axis lies in: what meets in the projection meets. *)
+(* ---- A plane that contains no projection's axis: triangles that meet in the projection meet. *)
 Definition faces u v n := (u = x /\ v = y /\ z n <> 0) \/ (u = y /\ v = z /\ x n <> 0) \/ (u = z /\ v = x /\ y n <> 0).
 Definition in_plane n o p := dot n (sub p o) = 0.
 

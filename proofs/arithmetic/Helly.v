@@ -1,9 +1,8 @@
-(* Separating axes in the plane: triangles whose edges do not separate them have a point in common. By
-   Helly's theorem, which asks of convex sets but three at a time.
+(* Separating axes in the plane: triangles that no edge separates have a common point, by Helly's theorem, which
+   requires common points of only three convex sets at a time.
 
-   A point of the plane is a ray of space: (x, y, z) with z > 0 stands for (x / z, y / z), and corners
-   have z = 1. What is convex in the plane is a cone there, and three corners' determinant is twice
-   their area. *)
+   A point of the plane is a ray of space: (x, y, z) with z > 0 stands for (x / z, y / z), and corners have z = 1.
+   A convex set of the plane is a cone there, and the determinant of three corners is twice their area. *)
 From Coq Require Import ZArith Lia Psatz Bool Nsatz.
 Require Import Triangle.
 Local Open Scope Z_scope.
@@ -21,7 +20,7 @@ Definition Helly := forall C D E F, cone C -> cone D -> cone E -> cone F ->
   somewhere (both C (both D E)) -> somewhere (both C (both D F)) ->
   somewhere (both C (both E F)) -> somewhere (both D (both E F)) -> somewhere (both (both C D) (both E F)).
 
-(* On one line, on which n is 0, two at a time. *)
+(* On one line, on which n is 0, two sets at a time. *)
 Definition Helly_on_line := forall n C D E, x n <> 0 \/ y n <> 0 -> cone C -> cone D -> cone E ->
   let on p := dot n p = 0 in
   somewhere (both on (both C D)) -> somewhere (both on (both C E)) -> somewhere (both on (both D E)) ->
@@ -35,7 +34,7 @@ Lemma cone_both C D : cone C -> cone D -> cone (both C D).
 Proof. intros K L i j p q I J [] []. split; [apply K | apply L]; auto. Qed.
 Definition sum3 i p j q k r := mix 1 (mix i p j q) k r.
 
-(* ---- More vectors than dimensions depend on each other. *)
+(* ---- More vectors than dimensions are linearly dependent. *)
 Lemma depend1 a b : exists s t, (s <> 0 \/ t <> 0) /\ s * a + t * b = 0.
 Proof.
   destruct (Z.eq_dec a 0) as [-> | A]; [exists 1, 0; split; [now left | ring]|].
@@ -79,14 +78,14 @@ Proof.
   exists i, j, k, 0. rewrite P, Q, R, S. lia.
 Qed.
 
-(* ---- Radon: of points that depend, some have a mean that is one of the others, too. *)
+(* ---- Radon: of dependent points, some have a mean that is also a mean of the others. *)
 Definition pos i := Z.max i 0.
 Definition sum4 i p j q k r l s := mix 1 (mix i p j q) 1 (mix k r l s).
 Lemma cone_sum4 C i p j q k r l s : cone C -> 0 <= i -> 0 <= j -> 0 <= k -> 0 <= l ->
   i = 0 \/ C p -> j = 0 \/ C q -> k = 0 \/ C r -> l = 0 \/ C s -> 0 < z (sum4 i p j q k r l s) -> C (sum4 i p j q k r l s).
 Proof.
   intros K I J L M P Q R S U. set (o := {| x := 0; y := 0; z := 0 |}).
-  (* With the origin, which is a sum of nothing. *)
+  (* With the origin, which is an empty sum. *)
   assert (forall i p j q, 0 <= i -> 0 <= j -> i = 0 \/ p = o \/ C p -> j = 0 \/ q = o \/ C q ->
     mix i p j q = o \/ C (mix i p j q)) as G.
   { clear - K. intros i p j q I J.
@@ -123,7 +122,7 @@ Proof.
   exists above. split; [exact Up|]. split.
   - intros n P Q R S. transitivity (pos i * dot n p + pos j * dot n q + pos k * dot n r + pos l * dot n s);
       [unfold dot, above, sum4, mix; cbn [x y z]; ring | rewrite P, Q, R, S; ring].
-  - (* Without a share of one point, in the set that this one need not be in. *)
+  - (* With weight 0 for one point, in the set that need not contain it. *)
     assert (forall n, 0 <= pos n) as Pos by (intros; unfold pos; lia).
     assert (forall n, n = 0 -> pos n = 0 /\ pos (- n) = 0) as Zero by (intros; unfold pos; lia).
     assert (forall n, pos n = 0 \/ pos (- n) = 0) as One by (intros; unfold pos; lia).
@@ -237,14 +236,14 @@ Proof.
   pose proof (OfB H1 CH1 E1) as (h1 & Zh1 & Ah1). pose proof (OfB H2 CH2 E2) as (h2 & Zh2 & Ah2).
   clearbody H0 H1 H2 K0 K1 K2. clear E0 E1 E2 F0 F1 F2 IA IB OfA OfB DA DB A0 A1 A2 B0 B1 B2. clear s t.
   unfold both in *.
-  (* Two of each. *)
+  (* Two sides of each. *)
   assert (forall X Y U V hx hy ku kv, cone X -> cone Y -> cone U -> cone V ->
     0 < z hx -> 0 < z hy -> 0 < z ku -> 0 < z kv ->
     X hx /\ U hx /\ V hx -> Y hy /\ U hy /\ V hy -> U ku /\ X ku /\ Y ku -> V kv /\ X kv /\ Y kv ->
     somewhere (both (both X Y) (both U V))) as Two.
   { intros X Y U V hx hy ku kv CX CY CU CV Zx Zy Zu Zv HX HY HU HV. apply helly; auto;
       [exists ku | exists kv | exists hx | exists hy]; split; auto; unfold both; tauto. }
-  (* All of a's, two of b's. *)
+  (* All sides of a, two of b. *)
   assert (forall U V ku kv, cone U -> cone V -> 0 < z ku -> 0 < z kv ->
     U ku /\ H0 ku /\ H1 ku /\ H2 ku -> V kv /\ H0 kv /\ H1 kv /\ H2 kv ->
     (forall p, K0 p /\ K1 p /\ K2 p -> U p /\ V p) -> somewhere (both (both H0 H1) (both H2 (both U V)))) as Three.
@@ -263,7 +262,7 @@ Proof.
   - exists p. unfold both in *. tauto.
 Qed.
 
-(* In the plane, corners are weighed alike. *)
+(* In the plane, corners have equal weights. *)
 Lemma hulls_meet a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
   (exists p, 0 < z p /\ hull a0 a1 a2 p /\ hull b0 b1 b2 p) -> meet a0 a1 a2 b0 b1 b2.
 Proof.
@@ -294,7 +293,7 @@ Proof.
   split; [rewrite Z.mul_comm; apply grown; auto; lia | apply grown; auto; lia].
 Qed.
 
-(* ---- A triangle with area, and one on a line: then what is asked of that line's two sides suffices. *)
+(* ---- A triangle with area, and one on a line: testing the two sides of this line suffices. *)
 Definition crossed n a0 a1 a2 := ~ (0 < dot n a0 /\ 0 < dot n a1 /\ 0 < dot n a2) /\
   ~ (dot n a0 < 0 /\ dot n a1 < 0 /\ dot n a2 < 0).
 
@@ -361,7 +360,7 @@ Proof.
   apply cone_hull; try lia; apply hull_corners.
 Qed.
 
-(* Two on lines that cross. *)
+(* Two triangles on lines that cross. *)
 Theorem lines_meet n m a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
   z (cross n m) <> 0 -> dot n a0 = 0 -> dot n a1 = 0 -> dot n a2 = 0 -> dot m b0 = 0 -> dot m b1 = 0 -> dot m b2 = 0 ->
   crossed n b0 b1 b2 -> crossed m a0 a1 a2 -> meet a0 a1 a2 b0 b1 b2.

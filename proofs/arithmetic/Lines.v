@@ -1,5 +1,5 @@
-(* Two triangles without area: where flat_intersect() finds no edge that separates in any projection, no
-   skew lines and no gap between the boxes, there is a common point. *)
+(* Two triangles without area: if flat_intersect() finds no separating edge in any projection, no skew lines and no gap
+   between the boxes, there is a common point. *)
 From Coq Require Import ZArith Lia Bool Nsatz.
 Require Import Triangle Segment Helly Flat.
 Local Open Scope Z_scope.
@@ -23,7 +23,7 @@ Proof. unfold zero. lia. Qed.
 Lemma same p q : zero (sub q p) -> q = p.
 Proof. unfold zero, sub. cbn [x y z]. intros. apply point_eq; lia. Qed.
 
-(* ---- All on one line: their places along an axis tell. *)
+(* ---- All on one line: their coordinates along an axis decide. *)
 Lemma weigh a0 a1 a2 r v : r = a0 \/ r = a1 \/ r = a2 -> 0 <= v -> exists i j k, 0 <= i /\ 0 <= j /\ 0 <= k /\
   i + j + k = v /\ forall c : Point -> Z, i * c a0 + j * c a1 + k * c a2 = v * c r.
 Proof.
@@ -44,7 +44,7 @@ Proof.
      rewrite <- (E z), <- IC, <- JC by auto]; ring.
 Qed.
 
-(* Along d, from o on. *)
+(* Along d, from o. *)
 Definition on_line d o p := zero (cross d (sub p o)).
 
 Definition axis (w : Point -> Z) := w = x \/ w = y \/ w = z.
@@ -102,7 +102,7 @@ Proof.
   - apply meet_swap, (G b0 b1 b2 a0 a1 a2 t u r); auto. lia.
 Qed.
 
-(* ---- An edge that has a length, if one has. *)
+(* ---- An edge of non-zero length, if there is one. *)
 Definition spine (a0 a1 a2 p q : Point) := (p = a0 /\ q = a1) \/ (p = a2 /\ q = a0).
 Lemma spine_or_point a0 a1 a2 : (a1 = a0 /\ a2 = a0) \/ exists p q, spine a0 a1 a2 p q /\ ~ zero (sub q p).
 Proof.
@@ -138,7 +138,7 @@ Lemma parallel_on_line p q b0 b1 b2 :
 Proof.
   intros X P.
   assert (forall u v s, dot (cross (onto u v p) (onto u v q)) (onto u v s) = area u v p q s) as D by (intros; apply det_area).
-  (* Along p, q all are as far off. *)
+  (* Along p, q all have one coordinate. *)
   assert (forall u v, axes u v -> forall r, corner_of b0 b1 b2 r -> area u v p q r = 0) as Off.
   { intros u v Y. destruct (X u v Y) as [N M]. rewrite !D in N, M. clear X D.
     assert (forall r, corner_of b0 b1 b2 r -> area u v p q r = area u v p q b0) as Same.

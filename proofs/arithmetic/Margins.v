@@ -1,7 +1,7 @@
-(* Where a rotated vertex goes, and that the box test's margins cover it: whole numbers, as the code
-   has them. Vectors are three components x, y, z; an axis of A's lattice at a time.
+(* The place of a rotated vertex, and that the box test's margins cover it: in the code's integers. Vectors have
+   components x, y, z; one axis of A's lattice at a time.
 
-   Fraction bits: rotations given 30, kept 22 (14 and 8 more), offsets and sums 14. *)
+   Fraction bits: given rotations 30, kept 22 (14 and 8 more), offsets and sums 14. *)
 From Coq Require Import ZArith Lia Psatz.
 Local Open Scope Z_scope.
 
@@ -15,7 +15,7 @@ Definition one30 := @kRotationOne@.
 Lemma floor x n : 0 < n -> n * (x / n) <= x < n * (x / n) + n.
 Proof. intros N. pose proof (Z.div_mod x n). pose proof (Z.mod_pos_bound x n). lia. Qed.
 
-(* Each quotient by a number becomes what a floor is, and no more than that. *)
+(* Replaces each quotient by the defining inequalities of a floor. *)
 Ltac divisions := repeat match goal with
   | |- context [?x / Zpos ?n] =>
       let q := fresh "q" in pose proof (floor x (Zpos n) eq_refl); set (q := x / Zpos n) in *; clearbody q
@@ -31,7 +31,7 @@ Lemma seven r a b c d e f R A B C D E F :
   Z.abs f <= F -> Z.abs (r + (a + b + c + d + e + f)) <= R + (A + B + C + D + E + F).
 Proof. rewrite !Z.abs_le. lia. Qed.
 
-(* ---- Pose: an entry given, kept, and split.
+(* ---- Pose: an entry as given, kept, and split.
    code: src/lattice/pose.cpp | return ((given >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
    code: src/lattice/pose.cpp | coarse[j] = (r[i][j] + (1 << (detail::kRestBits - 1))) >> detail::kRestBits;
    code: src/lattice/pose.cpp | matrix_.rest[i][j] = static_cast<int8_t>(r[i][j] - coarse[j] * (1 << detail::kRestBits)); *)
@@ -58,7 +58,7 @@ Proof. unfold rest, coarse, rest8. change (256 / 2) with 128. divisions. lia. Qe
    code: src/bounds/rotated_transform.cpp | offset_ = offset_of(transform.on_a[axis]) + kHalf; *)
 Definition offset_along (cells fraction kx ky kz ox oy oz : Z) : Z :=
   (cells * one22 + fraction * (one22 / 65536) + kx * ox + ky * oy + kz * oz + rest8 / 2) / rest8.
-(* Nothing is to be clamped where the high word says so.
+(* If the high word passes this test, there is nothing to clamp.
    code: src/bounds/rotated_transform.cpp | constexpr int32_t most = kMaxOffset * kSplitOne >> (32 - kRestBits);
    code: src/bounds/rotated_transform.cpp | if (static_cast<uint32_t>(high + most) < 2u * most) { return static_cast<int32_t>(sum >> kRestBits); } *)
 Definition farthest := @kMaxOffset * 2**kSplitBits@.
@@ -69,8 +69,8 @@ Proof.
   unfold farthest. divisions. lia.
 Qed.
 
-(* Where B's origin has coordinates of 16 bits, sums of 32 bits give the same: coarse entries apart from
-   the rest, and whole cells tell what is to be clamped.
+(* If B's origin has coordinates of 16 bits, sums of 32 bits give equal results: coarse entries separate from the rest,
+   and whole cells decide about clamping.
    code: src/bounds/rotated_transform.cpp | constexpr uint32_t half = 1u << 15;
    code: src/bounds/rotated_transform.cpp | return (raised(0) | raised(1) | raised(2)) < 2 * half;
    code: src/bounds/rotated_transform.cpp | const auto x = static_cast<int16_t>(xy); const int32_t y = static_cast<int32_t>(xy - static_cast<uint32_t>(x)) >> 16;
@@ -96,7 +96,7 @@ Proof.
   rewrite Z.div_add_l by easy. lia.
 Qed.
 
-(* Both entries come of one word: the first is its low half with a sign, and what is left the second. *)
+(* One word contains both entries: the first is its signed low half, and the remainder the second. *)
 Theorem entries_of_word x y : - 2 ^ 15 <= x < 2 ^ 15 ->
   let low := (x + 65536 * y) mod 65536 in
   let first := if low <? 2 ^ 15 then low else low - 65536 in
@@ -148,8 +148,8 @@ Proof.
   intros. divisions. lia.
 Qed.
 
-(* What tells does not wrap, and what is returned is the same as is clamped; cells times kSplitOne may
-   wrap, their sum with the rest does not. *)
+(* The deciding sum does not wrap, and the result equals the clamped sum; cells times kSplitOne may wrap, their sum
+   with the rest does not. *)
 Theorem near_offset_clamped : Z.abs cells <= 2 ^ 30 -> Z.abs whole < 2 ^ 31 /\
   (if ((- most_cells <=? whole) && (whole <? most_cells))%bool then turned' + cells * cell14
    else if whole <? 0 then - farthest else farthest) =
@@ -177,8 +177,8 @@ Definition before_rounding (kx ky kz offset px py pz : Z) : Z :=
 Definition placed (kx ky kz offset px py pz : Z) : Z :=
   before_rounding kx ky kz offset px py pz / cell14.
 
-(* A vertex goes within 0.51 cells of where the numbers say that the pose was made of, and by as much
-   as keeping 22 bits turns B's origin (ox, oy, oz): 2^-23 of its coordinates. In 2^-30 of a cell. *)
+(* A vertex is placed within 0.51 cells of the exact place by the pose's given numbers, plus the turn of B's origin
+   (ox, oy, oz) by keeping 22 bits: 2^-23 of its coordinates. In 2^-30 cell. *)
 Theorem placed_within gx gy gz cells fraction ox oy oz px py pz :
   Z.abs px <= kMaxCoordinate -> Z.abs py <= kMaxCoordinate -> Z.abs pz <= kMaxCoordinate ->
   let offset := offset_along cells fraction (kept gx) (kept gy) (kept gz) ox oy oz in
@@ -220,7 +220,7 @@ Proof.
   clearbody cx cy cz rx ry rz kx ky kz qx qy qz. divisions. lia.
 Qed.
 
-(* ---- The rotated box on A's axes holds where vertices go.
+(* ---- The rotated box on A's axes contains the placed vertices.
    code: src/bounds/rotated_transform.cpp | return ((most * reach_b) >> kRestBits) + 1;
    code: src/bounds/rotated_transform.cpp | matrix, reach_b) + kHalf);
    code: src/bounds/rotated_transform.cpp | constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf; *)
@@ -247,7 +247,7 @@ Proof.
   apply Z.abs_le in X, Y, Z0. apply Z.abs_le. clear - X Y Z0. lia.
 Qed.
 
-(* In whole cells, as they are compared. *)
+(* In whole cells, which the code compares. *)
 Theorem below_upper_bound :
   placed kx ky kz offset px py pz <=
   (times_upper (coarse kx) lx ux + times_upper (coarse ky) ly uy + times_upper (coarse kz) lz uz +
@@ -274,7 +274,7 @@ Proof.
 Qed.
 End Box.
 
-(* What is told before boxes are prepared has the margin of the largest lattice. *)
+(* The test before boxes are prepared uses the margin of the largest lattice. *)
 Theorem widest_margin most reach : 0 <= most <= 128 -> 0 <= reach <= 3 * kMaxCoordinate ->
   box_margin most reach + kHalf <= @kWidestMargin@.
 Proof.
@@ -282,9 +282,9 @@ Proof.
   assert (most * reach <= 128 * 49149) by nia. divisions. lia.
 Qed.
 
-(* ---- B's axes. A vertex (p, q, s) of B, placed at v in A, lies along B's first axis within the margin
-   of where the box test has it: the first column of the rotation, with 14 bits, times v, from the
-   origin on. (The other axes are the same with columns and coordinates exchanged.)
+(* ---- B's axes. A vertex (p, q, s) of B, placed at v in A, lies within the margin of the box test's place along B's
+   first axis: the first column of the rotation, with 14 bits, times v, from the origin on. (For the other axes,
+   exchange columns and coordinates.)
    code: src/bounds/rotated_transform.cpp | return 7 * (kSplitOne / 8) + ((7 * reach_b) >> 3) + static_cast<int32_t>(stretched >> 10) + 4;
    code: src/bounds/rotated_transform.cpp | on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis); *)
 Definition axis_margin (reach defect : Z) : Z :=
@@ -293,7 +293,7 @@ Definition axis_margin (reach defect : Z) : Z :=
 Lemma root_bound v b : 0 <= b -> v * v <= b * b -> - b <= v <= b.
 Proof. nia. Qed.
 
-(* Cauchy and Schwarz, with bounds of both sums of squares. *)
+(* The inequality of Cauchy and Schwarz, with bounds of both sums of squares. *)
 Lemma cauchy u1 u2 u3 v1 v2 v3 u v b : u1 * u1 + u2 * u2 + u3 * u3 <= u ->
   v1 * v1 + v2 * v2 + v3 * v3 <= v -> u * v <= b * b -> 0 <= b ->
   - b <= u1 * v1 + u2 * v2 + u3 * v3 <= b.
@@ -311,7 +311,7 @@ Qed.
 
 Lemma square_bound b e : - b <= e <= b -> e * e <= b * b.
 Proof. nia. Qed.
-(* What 14 bits of an entry have of the square of its 22. *)
+(* The square of an entry's 14 bits, compared with that of its 22. *)
 Lemma coarse_square k : 65536 * (coarse k * coarse k) * 16384 <= 16385 * (k * k) + 16385 * 16384 * (128 * 128).
 Proof.
   assert (256 * coarse k = k - rest k) as C by (unfold rest, rest8; ring).
@@ -336,7 +336,7 @@ Let one := one22 * one22.
 Let d := defect * (one / @2**kDefectBits@).
 Hypothesis sizes : Z.abs p <= mp /\ Z.abs q <= mq /\ Z.abs s <= ms /\ mp + mq + ms = reach.
 Hypothesis defects : 0 <= defect <= 3 * @kMaxEntryDefect@.   (* pose.cpp refuses more *)
-(* What defect bounds: no entry of R^T R - 1 is larger than its norm. *)
+(* The defect bounds each entry of R^T R - 1 by its norm. *)
 Hypothesis aa : Z.abs (a1 * a1 + a2 * a2 + a3 * a3 - one) <= d.
 Hypothesis bb : Z.abs (b1 * b1 + b2 * b2 + b3 * b3 - one) <= d.
 Hypothesis cc : Z.abs (c1 * c1 + c2 * c2 + c3 * c3 - one) <= d.
@@ -378,7 +378,7 @@ Let v2 := placed a2 b2 c2 o2 p q s.
 Let v3 := placed a3 b3 c3 o3 p q s.
 Let back := coarse a1 * o1 + coarse a2 * o2 + coarse a3 * o3.
 
-(* A placed coordinate is the rotated one and the offset, up to half a cell: in 2^-22 of a cell. *)
+(* A placed coordinate is the rotated one plus the offset, within half a cell: in 2^-22 cell. *)
 Lemma placed_off k l m o : let e := 256 * (cell14 * placed k l m o p q s - o) -
   (k * p + l * q + m * s) in e * e <= 2097152 * 2097152.
 Proof.
@@ -405,7 +405,7 @@ Proof.
   assert (0 <= d <= 6442450944) as DL by (rewrite D; pose proof defects as F; clear - F; lia).
   assert (forall k, rest k * rest k <= 128 * 128) as Rest by (intros k; apply square_bound; pose proof (rest_fits k) as F; clear - F; lia).
   pose proof (Rest a1) as H. pose proof (Rest a2) as H0. pose proof (Rest a3) as H1.
-  (* what 14 bits of the column lack of 22 *)
+  (* the error of the column's 14 bits against 22 *)
   assert (- (939524096 * reach) <= rest a1 * m1 + rest a2 * m2 + rest a3 * m3 <= 939524096 * reach) as T2.
   { apply (cauchy _ _ _ _ _ _ (3 * (128 * 128)) ((one + d) * (reach * reach))).
     1: clear - H H0 H1; lia. 1: exact Length. 2: clear - Reach; lia.
@@ -420,7 +420,7 @@ Proof.
   assert (Z.abs (coarse a1 * e1 + coarse a2 * e2 + coarse a3 * e3) <= 60129542144) as T3.
   { apply Z.abs_le. apply (cauchy _ _ _ _ _ _ 268600000 (3 * (2097152 * 2097152)));
       [exact Column | clear - X1 X2 X3; lia | easy | easy]. }
-  (* columns that are not quite orthogonal *)
+  (* columns that are not exactly orthogonal *)
   assert (Z.abs (a1 * m1 + a2 * m2 + a3 * m3 - one * p) <= d * reach) as T1.
   { destruct sizes as (P & Q & S & <-).
     assert (a1 * m1 + a2 * m2 + a3 * m3 - one * p = (a1 * a1 + a2 * a2 + a3 * a3 - one) * p +

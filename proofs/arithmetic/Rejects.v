@@ -1,7 +1,7 @@
-(* What the tests under a rotation reject does not intersect: boxes on A's axes and on B's, and what slabs
-   of leaves of either side have on one side: a box, or a leaf's corners. With Slabs.v and Margins.v this is
-   what Query.v asks of `bound`, `begin` and `touch`. Sums are whole numbers here; that they fit 32 bits is
-   slab.g's and box_rotated.smt2's. *)
+(* Triangles that the tests under a rotation reject do not intersect: tests of boxes on A's axes and on B's, and of
+   boxes or a leaf's corners against slabs of leaves of either side. With Slabs.v and Margins.v, this gives the premises of
+   Query.v on `bound`, `begin` and `touch`. Sums are integers here; slab.g and box_rotated.smt2 prove that they fit
+   32 bits. *)
 From Coq Require Import List ZArith Lia Bool Psatz.
 Require Import Margins Slabs Triangle.
 Import ListNotations.
@@ -16,8 +16,7 @@ Definition in_box (t : Box) (p : Point) : Prop :=
 Definition on_lattice (t : Box) : Prop := forall p, in_box t p ->
   Z.abs (x p) <= kMaxCoordinate /\ Z.abs (y p) <= kMaxCoordinate /\ Z.abs (z p) <= kMaxCoordinate.
 
-(* A row's products with a biased box: the upper bound, from `start` on; of the negated row, the negated
-   lower one.
+(* A row's products with a biased box: the upper bound, from `start` on; for the negated row, the negated lower bound.
    code: include/flashbvh/detail/lattice/split_matrix.hpp | return {join_halves(positive(x), positive(y)), join_halves(positive(-x), positive(-y)), join_halves(positive(z), positive(-z))};
    code: src/bounds/box_rotated.cpp | return whole_bound(add_products(add_products(add_products(start, row.positive_xy, box.upper_xy), row.negative_xy, box.lower_xy), row.z, box.z)); *)
 Definition part (e : Z) : Z := Z.max e 0.
@@ -44,7 +43,7 @@ Definition slab_rejects (e : Point) (least most_ offset margin : Z) (t : Box) : 
   bound_sum 0 e t < sizes_sum e * bias + least + offset - margin \/
   bound_sum 0 (negated e) t < sizes_sum e * bias - most_ - offset - margin.
 
-(* A leaf's corners against a slab: the bias, which boxes' bounds have, is taken off.
+(* A leaf's corners against a slab: without the bias of boxes' bounds.
    code: include/flashbvh/detail/bounds/slab.hpp | const PackedVector seen = seen_direction(); const int32_t bias = row_.sum() * kBoundBias;
    code: include/flashbvh/detail/bounds/slab.hpp | const int32_t least = least_upper_ - bias; const int32_t least_negated = least_lower_ - bias;
    code: include/flashbvh/detail/bounds/slab.hpp | return {signed_difference(row_.positive_xy, row_.negative_xy), row_.z_entry()};
@@ -61,12 +60,12 @@ Definition corners_reject (e : Point) (least most_ offset margin : Z) (those : l
       else false
   end.
 
-(* All of them lie on one side of a slab. *)
+(* All points lie on one side of a slab. *)
 Definition beyond (e : Point) (least most_ offset margin : Z) (those : Point -> Prop) : Prop :=
   (forall p, those p -> dot e p < least + offset - margin) \/
   (forall p, those p -> most_ + offset + margin < dot e p).
 
-(* Some plane has all of one on one side, and all of the other on the other. *)
+(* Some plane has all points of one on one side, and all of the other on the other side. *)
 Definition Apart (these those : Point -> Prop) : Prop := exists n,
   (forall w v, these w -> those v -> dot n w < dot n v) \/
   (forall w v, these w -> those v -> dot n v < dot n w).
@@ -200,7 +199,7 @@ Proof.
     specialize (S w W); specialize (Far w W); destruct (Near u P) as [A B]; unfold cell14 in *; lia.
 Qed.
 
-(* ---- All of it, of one pose. *)
+(* ---- All tests, for one pose. *)
 Lemma placed_swap kx ky kz o p q s : placed ky kx kz o q p s = placed kx ky kz o p q s.
 Proof.
   unfold placed, before_rounding. rewrite (Z.add_comm (rest ky * q) (rest kx * p)).
@@ -252,7 +251,7 @@ Definition placed_of (these : Point -> Prop) (v : Point) : Prop := exists u, the
 Definition column k1 k2 k3 := {| x := coarse k1; y := coarse k2; z := coarse k3 |}.
 Definition back k1 k2 k3 := (coarse k1 * o1 + coarse k2 * o2 + coarse k3 * o3) / cell14.
 
-(* A box of B on A's axes, a box of A on B's; a window is one of the two. *)
+(* A box of B on A's axes, a box of A on B's; a window is one of the two tests. *)
 Definition rejects_on_a : Prop :=
   let on_a kx ky kz o := axis_rejects (column kx ky kz) o (box_margin most reach + kHalf) box_b in
   on_a a1 b1 c1 o1 (x (low box_a)) (x (high box_a)) \/ on_a a2 b2 c2 o2 (y (low box_a)) (y (high box_a)) \/

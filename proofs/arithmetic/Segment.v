@@ -1,6 +1,6 @@
-(* A triangle without area that crosses the other's plane: segment_intersects() of
-   lib/src/predicates/triangle.cpp. Its line turns about the other's edges one way alone exactly if the two
-   have a point in common. The tip is corner a0, as tip_of() finds it; t may lie anywhere. *)
+(* A triangle without area that crosses the other's plane: segment_intersects() of lib/src/predicates/triangle.cpp. Its
+   line turns about all edges of the other in one direction exactly if the two have a common point. The tip is corner
+   a0, as tip_of() finds it; t may lie anywhere. *)
 From Coq Require Import ZArith Lia Bool.
 Require Import Triangle.
 Local Open Scope Z_scope.
@@ -65,7 +65,7 @@ Proof.
   repeat split; apply Z.sub_move_0_r; [rewrite <- G1 | rewrite <- G2 | rewrite <- G0]; ring.
 Qed.
 
-(* So each turn is the corner's share of all. *)
+(* So each turn is the corner's share of the sum. *)
 Lemma shares i j k l m n c : no_area a0 a1 a2 -> i + j + k = l + m + n ->
   mean i j k a0 a1 a2 c -> mean l m n t0 t1 t2 c ->
   (l + m + n) * u = n * (u + v + w) /\ (l + m + n) * v = l * (u + v + w) /\ (l + m + n) * w = m * (u + v + w).

@@ -1,6 +1,6 @@
-(* The margin of slabs under a rotation: along a direction a placed vertex of B lies within it of where
-   the slab has it, whichever leaf the direction belongs to. And the sum of a rotated direction, which
-   slab.g takes. As in Margins.v, columns of the rotation are a, b, c and rows 1, 2, 3. *)
+(* The margin of slabs under a rotation: along a direction, a placed vertex of B lies within the margin of the slab's
+   place, for directions of either leaf. And the sum of a rotated direction, which slab.g uses. As in Margins.v, columns
+   of the rotation are a, b, c and rows 1, 2, 3. *)
 From Coq Require Import ZArith Lia Psatz.
 Require Import Margins.
 Local Open Scope Z_scope.
@@ -25,7 +25,7 @@ Proof. destruct (Z.le_ge_cases 0 u); [exists 1 | exists (-1)]; lia. Qed.
 Lemma whole_near o : Z.abs (256 * o - 256 * (cell14 * whole_cells o)) <= 2097152.
 Proof. unfold whole_cells, cell14. change (2 * 16384) with 32768. divisions. lia. Qed.
 
-(* What a turned part is off by, in 2^-22: at most 5 * 2^20, that is 5/4. *)
+(* The error of a rotated part, in 2^-22: at most 5 * 2^20, that is 5/4. *)
 Lemma turned_near kx ky kz dx dy dz :
   Z.abs dx <= most_part -> Z.abs dy <= most_part -> Z.abs dz <= most_part ->
   Z.abs (one22 * turned kx ky kz dx dy dz - (kx * dx + ky * dy + kz * dz)) <= 5242880.
@@ -68,7 +68,7 @@ Let v3 := placed a3 b3 c3 o3 p q s.
 Let w1 := whole_cells o1.
 Let w2 := whole_cells o2.
 Let w3 := whole_cells o3.
-(* The direction of a leaf of A, as B's boxes see it; that of a leaf of B, as A's do. *)
+(* The direction of a leaf of A in B's frame, and of a leaf of B in A's frame. *)
 Let in_b1 := turned a1 a2 a3 d1 d2 d3.
 Let in_b2 := turned b1 b2 b3 d1 d2 d3.
 Let in_b3 := turned c1 c2 c3 d1 d2 d3.
@@ -148,7 +148,7 @@ Let g3 := a3 * d1 + b3 * d2 + c3 * d3.
 Lemma entry_limit : 0 <= d <= 6442450944.
 Proof. unfold d, one, one22. change (4194304 * 4194304 / 16777216) with 1048576. clear - defects. lia. Qed.
 
-(* What columns that are not quite orthogonal make of a direction. *)
+(* The effect on a direction of columns that are not exactly orthogonal. *)
 Let skew1 := (a1 * a1 + a2 * a2 + a3 * a3 - one) * d1 + (a1 * b1 + a2 * b2 + a3 * b3) * d2 +
   (a1 * c1 + a2 * c2 + a3 * c3) * d3.
 Let skew2 := (a1 * b1 + a2 * b2 + a3 * b3) * d1 + (b1 * b1 + b2 * b2 + b3 * b3 - one) * d2 +
@@ -190,7 +190,7 @@ Proof.
   split; [|split]; [apply (turned_near a1 b1 c1) | apply (turned_near a2 b2 c2) | apply (turned_near a3 b3 c3)]; auto.
 Qed.
 
-(* The sum of a turned direction: three times 2^13, and what a rotation may stretch and rounding adds. *)
+(* The sum of a rotated direction: three times 2^13, plus a rotation's stretch and rounding. *)
 Theorem turned_sum : Z.abs in_a1 + Z.abs in_a2 + Z.abs in_a3 <= 3 * most_part + 18.
 Proof.
   destruct h_small as (H1 & H2 & H3).

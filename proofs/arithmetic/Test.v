@@ -1,10 +1,10 @@
-(* All of triangles_intersect() in lib/src/predicates/triangle.cpp, put together of its cases: it says yes
-   exactly if the triangles have a point in common, whatever they are. *)
+(* The whole of triangles_intersect() in lib/src/predicates/triangle.cpp, combined from its cases: it returns true
+   exactly if the triangles have a common point, for all triangles. *)
 From Coq Require Import ZArith Lia Bool.
 Require Import Triangle Segment Flat Lines.
 Local Open Scope Z_scope.
 
-(* As tip_of() has them: kSeparated is kAllCorners, and no corner is above where all are on the plane.
+(* The results of tip_of(): kSeparated is kAllCorners, and no corner is above if all lie on the plane.
    code: src/predicates/triangle.cpp | constexpr Upper kSeparated = kAllCorners; *)
 Definition separate g0 g1 g2 : bool :=
   (0 <? g0) && (0 <? g1) && (0 <? g2) || (g0 <? 0) && (g1 <? 0) && (g2 <? 0).
@@ -32,7 +32,7 @@ Definition overlap_along (c : Point -> Z) a0 a1 a2 b0 b1 b2 : bool :=
 Definition boxes_overlap a0 a1 a2 b0 b1 b2 : bool := overlap_along x a0 a1 a2 b0 b1 b2 &&
   overlap_along y a0 a1 a2 b0 b1 b2 && overlap_along z a0 a1 a2 b0 b1 b2.
 
-(* Where B's normal is not at hand, and where it is: then boxes are compared late.
+(* Without B's current normal, and with it: in the second case boxes are compared late.
    code: src/predicates/triangle.cpp | return boxes_overlap(a, b) && intersect(/*narrow=*/false, a, b);
    code: src/predicates/triangle.cpp | if (of_a == 0 || of_b == 0) { return boxes_overlap(a, b) && flat_or_segment_intersect(a, b, of_a, of_b); } *)
 Definition triangles_intersect a0 a1 a2 b0 b1 b2 : bool :=
@@ -87,7 +87,7 @@ Qed.
 Lemma all_on g0 g1 g2 : all_on_plane g0 g1 g2 = true <-> g0 = 0 /\ g1 = 0 /\ g2 = 0.
 Proof. unfold all_on_plane. rewrite !andb_true_iff, !Z.eqb_eq. tauto. Qed.
 
-(* A triangle in whose plane the other one lies, but not in the other's, has no plane. *)
+(* A triangle whose plane contains the other one, but which does not lie in the other's plane, has no area. *)
 Lemma is_segment a0 a1 a2 b0 b1 b2 : on_plane_of a0 a1 a2 b0 b1 b2 -> let h := height b0 b1 b2 in
   all_on_plane (h a0) (h a1) (h a2) = false -> no_area a0 a1 a2.
 Proof.

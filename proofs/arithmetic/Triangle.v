@@ -1,9 +1,9 @@
-(* The general case of lib/src/predicates/triangle.cpp, intervals_overlap(): two triangles neither of which
-   lies in the other's plane, and neither of whose planes has the other on one side. Two signs tell
-   whether they have a point in common. (Guigue and Devillers 2003, where the proof is a picture.)
+(* The general case of lib/src/predicates/triangle.cpp, intervals_overlap(): two triangles, neither of which lies in the
+   other's plane or on one side of it. Two signs decide whether they have a common point. (Guigue and Devillers 2003,
+   where the proof is a figure.)
 
-   Points are whole numbers; a common point is a rational one. Not here: triangles in one plane or
-   without area, which other functions decide; widths of integers, which determinant.g has. *)
+   Points are integers; a common point is rational. Not here: triangles in one plane or without area, which other
+   functions decide; widths of integers, in determinant.g. *)
 From Coq Require Import ZArith Lia Psatz Bool Nsatz.
 Local Open Scope Z_scope.
 
@@ -21,7 +21,7 @@ Definition volume p q r s := dot (cross (sub s r) (sub q p)) (sub r p).
 Definition normal p q r := cross (sub q p) (sub r p).
 Definition height p q r (of : Point) := dot (normal p q r) (sub of p).
 
-(* A point of both triangles: the same mean of the corners of each, by weights that are not negative. *)
+(* A common point: the same mean of the corners of each triangle, with non-negative weights. *)
 Definition mean (u v w : Z) (p q r m : Point) : Prop :=
   u * x p + v * x q + w * x r = x m /\ u * y p + v * y q + w * y r = y m /\
   u * z p + v * z q + w * z r = z m.
@@ -29,12 +29,12 @@ Definition meet p q r s t o := exists i j k l m n c,
   0 <= i /\ 0 <= j /\ 0 <= k /\ 0 <= l /\ 0 <= m /\ 0 <= n /\
   0 < i + j + k /\ i + j + k = l + m + n /\ mean i j k p q r c /\ mean l m n s t o c.
 
-(* Tip p is on or above the other's plane and q and r are on or below it, one of both strictly: the
-   edges from the tip each have one point of the plane. *)
+(* Tip p is on or above the other's plane, q and r are on or below it, and one of the two strictly: each edge from the
+   tip has one point of the plane. *)
 Definition tip (of_p of_q of_r : Z) : Prop :=
   0 <= of_p /\ of_q <= 0 /\ of_r <= 0 /\ of_q < of_p /\ of_r < of_p.
 
-(* The corner that is the tip, and whether it is the upper one, of three heights.
+(* For three heights, the corner that is the tip, and whether it is the upper one.
    code: src/predicates/triangle.cpp | const unsigned below = bits(height[0] < 0, height[1] < 0, height[2] < 0);
    code: src/predicates/triangle.cpp | return bits(height[0] > 0, height[1] > 0, height[2] > 0);
    code: src/predicates/triangle.cpp | return below == kAllCorners ? kSeparated : kAllCorners ^ below;
@@ -50,7 +50,7 @@ Definition tip_of (g0 g1 g2 : Z) : nat * bool :=
   | false, false, true => (2%nat, true) | false, true, true => (0%nat, false)
   | true, false, true => (1%nat, false) | _, _, _ => (2%nat, false)
   end.
-(* A corner, the next one and the one before it. *)
+(* A corner, the next one and the previous one. *)
 Definition from {T} (corner : nat) (p q r : T) : T * T * T :=
   match corner with O => (p, q, r) | S O => (q, r, p) | _ => (r, p, q) end.
 
@@ -79,7 +79,7 @@ Definition General_case_is_exact := forall a0 a1 a2 b0 b1 b2,
   crosses (height a0 a1 a2 b0) (height a0 a1 a2 b1) (height a0 a1 a2 b2) ->
   (intervals_overlap a0 a1 a2 b0 b1 b2 = true <-> meet a0 a1 a2 b0 b1 b2).
 
-(* On the way, for any corners that are named so that the tips are above. *)
+(* An intermediate result, for any corners named so that the tips are above. *)
 
 Definition Signs_tell := forall p q r s t o,
   tip (height s t o p) (height s t o q) (height s t o r) ->
@@ -90,7 +90,7 @@ Definition Signs_tell := forall p q r s t o,
 
 Ltac expand := unfold height, normal, volume, cross, dot, sub in *; cbn [x y z] in *.
 
-(* ---- A common point: then both signs are right. Otherwise a plane along two edges separates. *)
+(* ---- If there is a common point, both signs are right. Otherwise a plane along two edges separates. *)
 
 Lemma separates n a p q r s t o : meet p q r s t o ->
   dot n (sub p a) <= 0 -> dot n (sub q a) <= 0 -> dot n (sub r a) <= 0 ->
@@ -138,12 +138,12 @@ Proof.
     clearbody n. clearbody h g. apply (separates n p p q r s t o M); lia.
 Qed.
 
-(* ---- Both signs are right: then there is a common point, on the line common to both planes. *)
+(* ---- If both signs are right, there is a common point, on the common line of both planes. *)
 
-(* Where an edge from p to q, at heights gp and gq, has its point of the plane: times gp - gq. *)
+(* The point of the plane on an edge from p to q, at heights gp and gq: times gp - gq. *)
 Definition edge_point gp gq p q :=
   {| x := - gq * x p + gp * x q; y := - gq * y p + gp * y q; z := - gq * z p + gp * z q |}.
-(* From a point with weight v to one with weight w, times both. *)
+(* The vector from a point p of weight v to a point q of weight w, times both weights. *)
 Definition way v p w q :=
   {| x := v * x q - w * x p; y := v * y q - w * y p; z := v * z q - w * z p |}.
 
@@ -157,7 +157,7 @@ Proof.
   repeat split; unfold dot; nsatz.
 Qed.
 
-(* Of two ways along one line, in turn c and e long along d: what is between them is a mean. *)
+(* Two vectors along one line, of lengths c and e along d: a point between them is a mean. *)
 Lemma between dd c e v w d : 0 < dd -> dd * v = c * d -> dd * w = e * d -> e * v = c * w.
 Proof. 
   intros P V W. apply (Z.mul_reg_l _ _ dd); [lia|].
@@ -174,7 +174,7 @@ Let hs := dot a (sub s p). Let ht := dot a (sub t p). Let ho := dot a (sub o p).
 Hypothesis G : tip gp gq gr.
 Hypothesis H : tip hs ht ho.
 
-(* The length along d of the way from an edge of one triangle to one of the other is the volume. *)
+(* The length along d between an edge of one triangle and one of the other is the volume. *)
 Lemma way_is_volume u e gu he :
   dot a (sub u p) = 0 -> dot b (sub e s) = 0 -> gu = dot b (sub u s) -> he = dot a (sub e p) ->
   gu < gp -> he < hs ->
@@ -294,7 +294,7 @@ Qed.
 Lemma tip_swap u v w : tip u v w -> tip u w v.
 Proof. unfold tip. lia. Qed.
 
-(* From another corner on the same triangle: the same heights, and the same points. *)
+(* From another corner of the same triangle: equal heights, and equal points. *)
 Lemma from_same c p q r : let '(u, v, w) := from c p q r in
   (forall g, height u v w g = height p q r g) /\
   (forall s t o, meet u v w s t o <-> meet p q r s t o) /\

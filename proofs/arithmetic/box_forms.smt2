@@ -1,7 +1,7 @@
 ; UQSUB16, plain words, SSE2 and NEON compare two boxes as the reference does
 ;
-; Instructions as their vendors define them: each lane on its own; UQSUB16, PSUBUSW, VQSUB: a half less
-; another, or 0 where that is negative. Boxes: halves from 1 to 32,767; thresholds: any.
+; Instructions as their vendors define them, each lane separately. UQSUB16, PSUBUSW, VQSUB: the difference of halves, or
+; 0 if it is negative. Boxes: halves from 1 to 32,767; thresholds: any.
 ; code: include/flashbvh/detail/arch/packed.hpp | return value >= least && (value << 16) >= (least << 16);
 ; code: include/flashbvh/detail/arch/packed.hpp | return (__uqsub16(least.word[0], value.word[0]) | __uqsub16(least.word[1], value.word[1]) |
 ; code: include/flashbvh/detail/bounds/box_dsp.hpp | "ldrd r2, r3, %0\n\t" "ldrd r0, r12, %1\n\t" "add r2, r2, r12\n\t" "uqsub16 r2, %2, r2\n\t" "add r3, r3, r0\n\t" "uqsub16 r3, %3, r3\n\t" "orrs r2, r2, r3\n\t"
@@ -43,8 +43,8 @@
 
 ; ---- vectors, by their 32-bit lanes: halves are added without carry
 (define-fun add16 ((u Word) (v Word)) Word (concat (bvadd (high u) (high v)) (bvadd (low u) (low v))))
-; SSE2: PSHUFD 0xE1 exchanges lanes 0 and 1; PUNPCKLQDQ puts the low lanes of z behind those of xy;
-; PCMPEQW with 0 and PMOVMSKB: all ones
+; SSE2: PSHUFD 0xE1 exchanges lanes 0 and 1; PUNPCKLQDQ puts the low lanes of z after those of xy; PCMPEQW with 0 and
+; PMOVMSKB: all ones
 (define-fun sse2 () Bool
   (and (= #x00000000 (uqsub16 l0 (add16 a0 b1))) (= #x00000000 (uqsub16 l1 (add16 a1 b0)))
        (= #x00000000 (uqsub16 l2 (add16 a2 (swap_halves b2))))

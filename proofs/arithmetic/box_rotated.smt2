@@ -1,7 +1,7 @@
 ; rotating a box: sums by SMLAD and by PMADDWD, an entry by a branch; cells by USAT, PACKSSDW, VQSHRUN and plain code
 ;
-; VMLADAVA's sums are not modelled. One axis: the sums of a row's products with a box's bounds, modulo 2^32, and whole cells of them; then
-; the comparison with another box. Rows as SplitRow::of() makes them: of an entry's two parts one is 0.
+; VMLADAVA's sums are not modelled. One axis: the sums of a row's products with a box's bounds, modulo 2^32, and their
+; whole cells; then the comparison with another box. Rows as in SplitRow::of(): one of an entry's two parts is 0.
 ; code: src/bounds/box_rotated.cpp | return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells);
 ; code: include/flashbvh/detail/lattice/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
 ; code: src/bounds/box_rotated_plain.hpp | return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
@@ -24,7 +24,7 @@
 (declare-fun pz () Half) (declare-fun nz () Half) (declare-fun uz () Half) (declare-fun lz () Half)
 (declare-fun start () Word)
 (define-fun parts ((p Half) (n Half)) Bool (and (bound p) (bound n) (or (= p #x0000) (= n #x0000))))
-; as one instruction multiplies: halves with a sign
+; the product of one instruction: signed halves
 (define-fun smlad ((p Half) (q Half) (u Half) (v Half) (to Word)) Word
   (bvadd (bvadd (bvmul (sext p) (sext u)) (bvmul (sext q) (sext v))) to))
 (define-fun upper_dsp () Word (smlad pz nz uz lz (smlad nx ny lx ly (smlad px py ux uy start))))
@@ -36,7 +36,7 @@
   (ite (distinct p #x0000) (bvmul (zext p) (zext u)) (bvmul (zext n) (zext l))))
 (define-fun upper_plain () Word
   (bvadd (bvadd (bvadd start (add_plain px nx ux lx)) (add_plain py ny uy ly)) (add_plain pz nz uz lz)))
-; the lower bound is the same with u and l exchanged (SMLADX, PMADDWD of swapped halves)
+; the lower bound, with u and l exchanged (SMLADX, PMADDWD of swapped halves)
 (push 1)
 (assert (and (bound ux) (bound lx) (bound uy) (bound ly) (bound uz) (bound lz)))
 (assert (and (parts px nx) (parts py ny) (parts pz nz)))
@@ -64,7 +64,7 @@
 (define-fun whole_sse2 ((s Word)) Half (let ((h (packs (cells s)))) (ite (bvslt h #x0000) #x0000 h)))
 (define-fun usat15 ((c Word)) Word
   (ite (bvslt c #x00000000) #x00000000 (ite (bvsgt c #x00007fff) #x00007fff c)))
-(define-fun vqshrun ((s Word)) Half  ; to 16 bits without a sign
+(define-fun vqshrun ((s Word)) Half  ; to 16 unsigned bits
   (ite (bvslt (cells s) #x00000000) #x0000
   (ite (bvsgt (cells s) #x0000ffff) #xffff ((_ extract 15 0) (cells s)))))
 (push 1) (assert (distinct (whole sum) (whole_plain sum other_sum)))
@@ -77,7 +77,7 @@
 (check-sat) ; unsat: USAT's cells differ
 (pop 1)
 
-; ---- the comparison: a sum of cells and another box's bound, from 1 on, is below the bias
+; ---- the comparison: the sum of cells and another box's bound, which is at least 1, is below the bias
 (declare-fun h () Half)
 (define-fun uqadd ((x Half) (y Half)) Half (ite (bvult (bvadd x y) x) #xffff (bvadd x y)))
 (push 1) (assert (and (bound h) (distinct h #x0000)))
@@ -85,7 +85,7 @@
                   (bvsge (uqadd (vqshrun sum) h) #x0000)))
 (check-sat) ; unsat: Helium's comparison differs
 (pop 1)
-; whole cells that a clamp cut off tell the same as the bound itself
+; cells cut off by a clamp compare like the bound itself
 (push 1) (assert (and (bound h) (distinct h #x0000)))
 (assert (distinct (bvsge (bvadd (cells sum) (zext h)) (_ bv@2 * kBoundBias@ 32))
                   (bvuge (bvadd ((_ extract 15 0) (whole sum)) h) (_ bv@2 * kBoundBias@ 16))))

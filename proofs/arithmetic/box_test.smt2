@@ -1,7 +1,7 @@
 ; the test of two boxes under a translation is that of unpacked integers, for all boxes and all translations within +-2^30
 ;
-; Bounds are within +-kMaxCoordinate. Packing, packed sums and thresholds, as box.hpp has them, against
-; max(lower) <= min(upper) in 64 bits. The other forms of the comparison: box_forms.smt2.
+; Bounds are within +-kMaxCoordinate. Compares packing, packed sums and thresholds of box.hpp with
+; max(lower) <= min(upper) in 64 bits. For the other forms of the comparison: box_forms.smt2.
 ; code: include/flashbvh/lattice.hpp | return static_cast<uint32_t>(bound + kBoundBias);
 ; code: include/flashbvh/lattice.hpp | return {join_halves(pack_bound(box.upper.x), pack_bound(box.upper.y)),
 ; code: include/flashbvh/lattice.hpp | join_halves(pack_bound(-box.lower.x), pack_bound(-box.lower.y)),
@@ -80,7 +80,7 @@
       (below (high sum0) (bvadd zero ty)) (below (high sum1) (bvsub zero ty))
       (below (low sum2) (bvadd zero tz)) (below (high sum2) (bvsub zero tz))))
 
-; ---- window_of_a(), window_of_b(): a box against what a leaf's box, seen from the other tree, asks
+; ---- window_of_a(), window_of_b(): a box against the limits of a leaf's box, seen from the other tree
 ; code: include/flashbvh/detail/lattice/box_packed.hpp | return {{subtract_halves(least.word[1], other.lower_xy),
 ; code: include/flashbvh/detail/bounds/box.hpp | return window({{least_.word[1], least_.word[0], swap_halves(least_.word[2])}}, b);
 (define-fun less ((x Half) (y Half)) Half (ite (bvugt x y) (bvsub x y) #x0000))

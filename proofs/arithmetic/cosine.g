@@ -1,10 +1,10 @@
 # cosine of up to an eighth of a turn is within 2^-29: polynomial and rounding together
 #
-# y: the angle in eighths of a turn; q: its square. t0 to t6: the terms of the series that a cosine
-# is, in intervals; `rest`: all after them, which is less than the next (terms shrink and alternate).
-# `off`: the polynomial less the series. c0 to c4: the code's coefficients; e1 to e3: its sums, exact;
-# u0 to u3: what rounding down takes from the square and from each product, f, g: halves that rounding
-# to the nearest adds or takes; d0 to d3: how far the code's sums are off.
+# y: the angle in eighths of a turn; q: its square. t0 to t6: the terms of the cosine's series, in intervals; `rest`:
+# all terms after them, which is less than the next one (terms shrink and alternate). `off`: the polynomial less the
+# series. c0 to c4: the code's coefficients; e1 to e3: its sums, exact; u0 to u3: the losses of the square and of each
+# product by rounding down; f, g: half a unit added or lost by rounding to the nearest; d0 to d3: the errors of the
+# code's sums.
 # code: src/lattice/sine.hpp | constexpr int32_t c[5] = {
 # code: src/lattice/sine.hpp | const int32_t square = times_high(y, y);
 # code: src/lattice/sine.hpp | cosine = c[i] + times_high(cosine, square);

@@ -12,5 +12,5 @@ s1 = q1 + q2; det = s1 + q3;
   |wx| <= @kMaxDifference@ /\ |wy| <= @kMaxDifference@ /\ |wz| <= @kMaxDifference@
   -> |det| <= @INT64_MAX@ /\ |s1| <= @INT64_MAX@ /\
      |q1| <= @INT64_MAX@ /\ |q2| <= @INT64_MAX@ /\ |q3| <= @INT64_MAX@ /\
-     |det| <= @6 * 2**60@ /\  # what triangle.hpp says
+     |det| <= @6 * 2**60@ /\  # the bound that triangle.hpp states
      |nx| <= @INT64_MAX@ /\ |ny| <= @INT64_MAX@ /\ |nz| <= @INT64_MAX@ }

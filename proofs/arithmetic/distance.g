@@ -2,15 +2,15 @@
 # code: include/flashbvh/detail/predicates/triangle_distance.hpp | constexpr int32_t kMaxApart = (1 << 17) - 1;
 # code: src/predicates/triangle_distance.cpp | return Width::product(ff, re) - Width::product(ef, rf);
 # Differences up to kMaxApart. A numerator is the square of r . (e x f), or a square length times an area.
-ee = a * a + b * b + c * c;             # also of e.f, r.e, r.f
+ee = a * a + b * b + c * c;             # also for e.f, r.e, r.f
 area = ee2 * ff - ef * ef;
 shares = ee2 * re - ef * ef2;         # first(), second()
 area64 = ee3 * ff3 - ef3 * rf3;         # differences below 2^14
 nx = a * b2 - b * a2; ny = nx2 + 0; nz = nx3 + 0;
 height = nx2 * a + nx3 * b + nx4 * c;
 squared = height2 * height2;
-cross = squared2 * below;               # of two fractions that are compared
-limit = squared2 * steps;               # against a ShortFraction
+cross = squared2 * below;               # the comparison of two fractions
+limit = squared2 * steps;               # the comparison with a ShortFraction
 limit2 = short * below;
 { |a| <= @kMaxApart@ /\ |b| <= @kMaxApart@ /\ |c| <= @kMaxApart@ /\ |a2| <= @kMaxApart@ /\ |b2| <= @kMaxApart@ /\
   ee2 in [0,@3 * kMaxApart**2@] /\ ff in [0,@3 * kMaxApart**2@] /\ |re| <= @3 * kMaxApart**2@ /\

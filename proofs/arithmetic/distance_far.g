@@ -2,7 +2,7 @@
 # code: include/flashbvh/detail/bounds/rotated_transform.hpp | constexpr int32_t kMaxFarOffset = 1 << 20;
 # code: include/flashbvh/detail/predicates/triangle_distance.hpp | constexpr int32_t kMaxFarApart = (1 << 20) + (1 << 16);
 # code: src/predicates/support_planes.cpp | return {length * way.x - along * edge.x,
-# Differences up to kMaxFarApart, of which the offset leaves 2^16: a lattice's corner is sqrt(3) kMaxCoordinate, 28,377,
+# Differences up to kMaxFarApart; the offset leaves 2^16 of it: a lattice's corner is sqrt(3) kMaxCoordinate, 28,377,
 # from its middle, and kMaxCoordinate along an axis. An edge is at most 2 sqrt(3) kMaxCoordinate long, and rounding adds
 # sqrt(3): 56,760. e.e, e.f and the components of e x f are at most its square.
 reach = 28377 + @kMaxCoordinate@;
@@ -13,8 +13,8 @@ shares = ee * re2 - ef * rf2;           # first(), second()
 height = nx * a + ny * b + nz * c;
 squared = height2 * height2;
 beside = rr2 * ee - re2 * re2;
-cross = squared2 * below;               # of two fractions that are compared
-limit = squared2 * steps;               # against a ShortFraction
+cross = squared2 * below;               # the comparison of two fractions
+limit = squared2 * steps;               # the comparison with a ShortFraction
 limit2 = short * below;
 line = ee * a - re2 * x;                # from_line(): a component is scaled to 54 bits
 high = h1 * a + h2 * b + h3 * c;        # along the high parts of a normal of ties

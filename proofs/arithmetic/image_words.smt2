@@ -23,7 +23,7 @@
 (check-sat) ; unsat: is_inside() differs
 (pop 1)
 
-; Node::data of 16 and of 32 bits: the top byte, with a sign, is the rank
+; Node::data of 16 and of 32 bits: the top byte, signed, is the rank
 (declare-fun d16 () Half) (declare-fun d32 () Word)
 (define-fun byte ((c Half)) Word ((_ sign_extend 24) ((_ extract 7 0) c)))
 (define-fun rank16 () Word (byte (bvlshr d16 #x0008)))

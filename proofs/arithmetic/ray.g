@@ -1,7 +1,7 @@
 # rays: turns about edges are below 2^57, shares' terms below 2^53
 # code: src/predicates/segment_hit.cpp | return dot(cross<WideVector>(difference(u, from), difference(v, u)), way);
 # code: src/predicates/segment_hit.cpp | const int64_t slope = dot(normal, way);
-# From `from` to a corner: kMaxRayCoordinate + 2^15; way: twice that of a ray's end; edges: below 2^15.
+# From `from` to a corner: kMaxRayCoordinate + 2^15; way: twice a ray's end; edges: below 2^15.
 cx = p * e - p2 * e2;
 turn = nx * w + ny * w2 + nz * w3;
 normal = e * e2 - e3 * e4;

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Case:
     name: str
-    what: str  # "path", "together" (and all open turns), "frame" (its size, and what is held at each call)
+    what: str  # "path", "together" (with all open turns), "frame" (its size, and the size at each call)
     # "cycles" or "reads" (of flash) on a Cortex-M4F, or "refused"
     code: str
     wanted: str

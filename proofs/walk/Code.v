@@ -1,6 +1,5 @@
-(* The code of a walk on the arrays of mesh.hpp: ranked.hpp, the loop of walk.hpp over pairs
-   of nodes, that of walk_below.hpp over what lies below a leaf that is taken as a shape, and
-   subtree.hpp. It makes the visits of Ranked.v.
+(* The code of a walk on the arrays of mesh.hpp: ranked.hpp, the loop of walk.hpp over pairs of nodes, the loop of
+   walk_below.hpp over the nodes below a leaf with planes, and subtree.hpp. It makes the visits of Ranked.v.
 
    Part 1  definitions: the array's format, the code.
    Part 2  the theorem, and its proof. *)
@@ -10,13 +9,13 @@ Import ListNotations.
 
 (* ============================================================== Part 1: definitions *)
 
-(* A node without its box; of a leaf, c_parent_rank means nothing. *)
+(* A node without its box; in a leaf, c_parent_rank has no meaning. *)
 Record Cell := { c_link : nat; c_rank : Z; c_parent_rank : Z }.
 
 Definition cell (cells : list Cell) (i : nat) : Cell := nth i cells (Build_Cell 0 (-1) 0).
 Definition is_leaf (cells : list Cell) (i : nat) : bool := (c_rank (cell cells i) <? 0)%Z.
 
-(* The format. `children` says which tree the array is meant to hold. *)
+(* The format. `children` is the intended tree. *)
 Record Post_indexed (cells : list Cell) (children : nat -> list nat) : Prop := {
   fmt_some : 0 < length cells;
   fmt_inside : forall n x, In x (children n) -> n < length cells /\ x < length cells;
@@ -55,7 +54,7 @@ Definition next_sibling (p : Place) : option Place :=
 Definition ascend (p : Place) : Place :=
   let i := node p - 1 in {| node := i; place_rank := c_parent_rank (cell cells i) |}.
 
-(* The loop, which `fuel` turns end at the latest. *)
+(* The loop, which ends after at most `fuel` turns. *)
 (* code: include/flashbvh/detail/walk/ranked.hpp | while (tree.nodes[index].link < index) { *)
 (* code: include/flashbvh/detail/walk/ranked.hpp | return tree.nodes[index - 1].rank(); *)
 Fixpoint last_sibling (fuel i : nat) : nat :=
@@ -75,8 +74,8 @@ Inductive Side := NoLeaf | LeafA | LeafB.
 
 Section Code.
 Variables cells_a cells_b : list Cell.
-(* What is tested of a pair: two boxes; a leaf's slabs against the box that it was reached with;
-   window and slabs of the leaf of `Side` against a box below. Functions of the pair. *)
+(* The tests of a pair: two boxes; a leaf's slabs against the box with which it was reached; window and slabs of the
+   leaf of `Side` against a box below. They are functions of the pair. *)
 Variable bound : nat -> nat -> bool.
 Variable begin : nat -> nat -> bool.
 Variable touch : Side -> nat -> nat -> bool.
@@ -88,12 +87,12 @@ Definition leaf (a b : Place) : Side :=
   then if is_leaf cells_a (node a) then LeafA else NoLeaf
   else if is_leaf cells_b (node b) then LeafB else NoLeaf.
 
-(* Where the code is; `resumed`: in walk_on_below(), not walk_pairs(). *)
+(* The place in the code; `resumed`: in walk_on_below(), not walk_pairs(). *)
 Inductive Code :=
 | CVisit (a b : Place)                       (* walk_pairs(), before a visit *)
 | CBehind (resumed : bool) (a b : Place)     (* before a turn of next() *)
 | CBelow (resumed visit : bool) (side : Side) (a b : Place) (i : nat)
-    (* walk_below(): at node i below one of a and b, the other one is the leaf *)
+    (* walk_below(): at node i below a or b; the other one is the leaf *)
 | CDone.
 
 (* The head of walk_on_below()'s loop: from a pair, or from behind it. *)
@@ -178,7 +177,7 @@ Definition code_turn (c : Code) : Code :=
 Fixpoint code_after (n : nat) (c : Code) : Code :=
   match n with O => c | S m => code_after m (code_turn c) end.
 
-(* The pair that a turn visits, and whether it is a pair of leaves that was found. *)
+(* The pair that a turn visits, and whether it finds a pair of leaves. *)
 Definition visited (c : Code) : option (nat * nat) :=
   match c with
   | CVisit a b => Some (node a, node b)
@@ -195,12 +194,12 @@ Definition finds (c : Code) : bool :=
   | _ => false
   end.
 
-(* walk() from a cursor: at the roots, of a walk that was not begun; or from a pair or behind it. *)
+(* walk() from a cursor: at the roots of a fresh walk; or from a pair or behind it. *)
 Definition begin_walk : Code := CVisit (place cells_a 0) (place cells_b 0).
 Definition resume_walk (visit : bool) (p : nat * nat) : Code :=
   enter visit (place cells_a (fst p)) (place cells_b (snd p)).
 
-(* All that is tested of a pair, as one function of it. *)
+(* All tests of a pair, as one function. *)
 Definition side_of (a b : nat) : Side :=
   if (a =? 0) && (b =? 0) then NoLeaf else leaf (place cells_a a) (place cells_b b).
 Definition tested (a b : nat) : bool :=
@@ -306,12 +305,12 @@ Proof.
   exists r. unfold first_child. now rewrite (fmt_first _ _ F _ _ _ K).
 Qed.
 
-(* What a Place holds stays what the constructor would find. *)
+(* A Place keeps the values that its constructor would find. *)
 Lemma place_descend n : In (first_child cells n) (children n) ->
   descend cells (place cells n) (c_rank (cell cells n)) = place cells (first_child cells n).
 Proof. intros I. unfold descend, place at 2. cbn [node place]. f_equal. symmetry. now apply find_kid. Qed.
 
-(* An index that is not the root has a parent, and follows a sibling or lies after it. *)
+(* An index other than the root's has a parent, and follows a sibling or lies after it. *)
 Lemma has_parent i : 0 < i < length cells -> exists n, In i (children n) /\
   (arr_next i = None /\ n = i - 1 \/ exists s, arr_next i = Some s /\ In s (children n) /\ s < i).
 Proof.
@@ -343,7 +342,7 @@ Proof.
   rewrite (fmt_parent_rank _ _ F _ _ J NL). symmetry. now apply find_kid.
 Qed.
 
-(* Of a node strictly below m: its parent is below m or is it, and ranks no higher. *)
+(* For a node strictly below m: its parent is below m or m, and ranks no higher. *)
 Lemma parent_under (m i n : nat) :
   Under (T := array_tree) m i -> i <> m -> In i (children n) ->
   Under (T := array_tree) m n /\ (c_rank (cell cells n) <= c_rank (cell cells m))%Z.
@@ -390,7 +389,7 @@ Definition state_at (visit : bool) (i j : nat) : State A B :=
   if visit then Visit (pair_at i j) else Behind (pair_at i j).
 Definition good (i j : nat) : Prop := inside i j /\ can_visit A B (pair_at i j).
 
-(* A state of the code stands for one of the loop in Ranked.v; every index is inside its array. *)
+(* A state of the code represents a state of the loop in Ranked.v; every index is inside its array. *)
 Inductive Stands_for : Code -> State A B -> Prop :=
 | For_visit i j : good i j -> side i j = NoLeaf ->
     Stands_for (CVisit (place cells_a i) (place cells_b j)) (state_at true i j)
@@ -416,8 +415,8 @@ Definition Simulates := forall c s, Stands_for c s ->
   Stands_for (step c) (turn A B overlap s) /\
   visited c = visits_of s /\ finds cells_a cells_b bound touch c = finds_of s.
 
-(* From the roots; from a pair that can be visited, or from behind it. (A run never ends before the
-   visit of the roots, so that is no position.) *)
+(* From the roots; from a pair that can be visited, or from behind it. No run ends before the visit of the roots, so
+   this is no cursor. *)
 Definition Starts :=
   Stands_for (begin_walk cells_a cells_b) (Visit (roots A B)) /\
   forall i j visit, good i j -> (visit = true -> (i, j) <> (0, 0)) ->

@@ -1,4 +1,4 @@
-(* The constants of lib/include/flashbvh/mesh.hpp, put in by proofs/prelude.py. *)
+(* The constants of lib/include/flashbvh/mesh.hpp, inserted by proofs/prelude.py. *)
 From Coq Require Import ZArith.
 Local Open Scope Z_scope.
 Definition kRootParentRank : Z := @kRootParentRank@.

@@ -1,11 +1,9 @@
-(* A query's answers, whole: of two images that were opened and however B is moved or turned, they are
-   exactly the pairs of triangles that have a common point, each once, wherever the query was cut.
-   Query.v leaves open what boxes and slabs reject, and Rejects.v who asks it; here is what each node
-   of an image has, and so what is asked of each pair.
+(* The complete answers of a query: for any two opened images and any pose, they are exactly the pairs of triangles with
+   a common point, each once, wherever the query is cut. Query.v leaves open which pairs boxes and slabs reject, and
+   Rejects.v which tests a query makes; this file has the data of each node of an image, and so the tests of each pair.
 
-   What stays a premise: that a rotation's columns are orthogonal within its defect (Near_rotation),
-   and that leaves share no triangle. Any directions of 13 bits will do for slabs. Widths of integers
-   are gappa's and cvc5's.
+   Remaining premises: a rotation's columns are orthogonal within its defect (Near_rotation), and leaves share no
+   triangle. Slabs may have any directions of 13 bits. gappa and cvc5 prove the widths of integers.
 
    Part 1  definitions.   Part 2  the theorems.   Part 3  their proofs. *)
 From Coq Require Import List ZArith Lia Bool FinFun.
@@ -19,15 +17,15 @@ Definition decide {P} (d : {P} + {~ P}) : bool := if d then true else false.
 Definition either {P Q} (d : {P} + {~ P}) (e : {Q} + {~ Q}) : {P \/ Q} + {~ (P \/ Q)}.
 Proof. destruct d; [left; now left|]. destruct e; [left; now right | right; tauto]. Defined.
 
-(* ---- An image: nodes, their boxes, and triangles by their positions; of a leaf, by its node, its
-   triangles and the directions of its slabs, its plane's first. *)
+(* ---- An image: nodes, their boxes, and triangles by their slots; for a leaf, by its node, its triangles and the
+   directions of its slabs, its plane's first. *)
 Record Image := { cells : list Cell; box : nat -> Box; corners : nat -> Point * Point * Point;
   own_triangles : nat -> list nat; directions : nat -> list Point }.
 Definition triangles m n := if (n <? length (cells m))%nat then own_triangles m n else [].
 Definition points (t : Point * Point * Point) : list Point := let '(p, q, r) := t in [p; q; r].
 Definition leaf_points m n := flat_map (fun i => points (corners m i)) (triangles m n).
 
-(* What opening looks at, beside what Image.v has.
+(* The checks of opening, in addition to those in Image.v.
    code: src/lattice/tree_check.cpp | return ((box.upper_xy | box.lower_xy | box.z) & 0x80008000u) == 0;
    code: src/lattice/tree_check.cpp | return is_inside(pack({p, p}), box) && is_inside(pack({q, q}), box) && is_inside(pack({r, r}), box); *)
 Definition is_inside (s t : Box) : bool :=
@@ -44,7 +42,7 @@ Definition sound m : Prop :=
   (forall n, NoDup (triangles m n)) /\
   (forall n k i, In i (triangles m n) -> In i (triangles m k) -> n = k).
 
-(* Where points lie along a direction.
+(* The coordinates of points along a direction.
    code: include/flashbvh/detail/bounds/slab.hpp | Extent along = {at, at}; along.add(dot(direction, q)); along.add(dot(direction, r));
    code: include/flashbvh/detail/walk/leaf_planes.hpp | extent.add(triangle(m, i).extent(direction)); *)
 Definition extreme (choose : Z -> Z -> Z) e (those : list Point) : Z :=
@@ -52,8 +50,8 @@ Definition extreme (choose : Z -> Z -> Z) e (those : list Point) : Z :=
 Definition least := extreme Z.min.
 Definition most := extreme Z.max.
 
-(* ---- Where B lies: moved by whole cells, or turned (rows a1 b1 c1, ... of 22 fraction bits, offsets
-   of 14) with a defect of kDefectBits. *)
+(* ---- The pose of B: translated by whole cells, or rotated (rows a1 b1 c1, ... of 22 fraction bits, offsets of 14)
+   with a defect of kDefectBits. *)
 Record Rotation := { a1 : Z; a2 : Z; a3 : Z; b1 : Z; b2 : Z; b3 : Z; c1 : Z; c2 : Z; c3 : Z;
   o1 : Z; o2 : Z; o3 : Z; defect : Z }.
 Inductive Pose := Moved (by_ : Point) | Turned (r : Rotation).
@@ -88,7 +86,7 @@ Definition put pose (u : Point) : Point :=
 Definition reach_along (c : Point -> Z) (t : Box) : Z := Z.max (c (high t)) (- c (low t)).
 Definition reach t : Z := reach_along x t + reach_along y t + reach_along z t.
 
-(* ---- What is asked of a pair. Under a translation, plain boxes (box_test.smt2). *)
+(* ---- The tests of a pair. Under a translation, plain boxes (box_test.smt2). *)
 Definition moved_boxes_reject o s t : Prop :=
   (x (high t) + x o < x (low s) \/ y (high t) + y o < y (low s) \/ z (high t) + z o < z (low s)) \/
   (x (high s) < x (low t) + x o \/ y (high s) < y (low t) + y o \/ z (high s) < z (low t) + z o).
@@ -116,8 +114,8 @@ Variables A B : Image.
 Variable pose : Pose.
 Let root_b := box B 0.
 
-(* Two boxes; the window of a leaf of one side, and its slabs, `beyond_` being whether something of the
-   other tree lies beyond one.
+(* Two boxes; the window of a leaf of one side, and its slabs; `beyond_`: whether a part of the other tree lies beyond
+   one.
    code: include/flashbvh/detail/walk/leaf_planes.hpp | window = side == Side::a ? rotated_->window_of_a(box) : rotated_->window_of_b(box);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window) && may_touch_both(plane, edge, box);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | return reached == nullptr || edge.may_touch *)
@@ -147,7 +145,7 @@ Definition slab_of_b e those (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : boo
       beyond_ seen lower upper (dot seen (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r))
   end.
 
-(* What Code.v leaves open. *)
+(* The parts that Code.v leaves open. *)
 Let leaf_a n := is_leaf (cells A) n.
 Let leaf_b n := is_leaf (cells B) n.
 Definition bound n k : bool := boxes_overlap (box A n) (box B k).
@@ -159,7 +157,7 @@ Definition box_passes_a n k : bool := slabs_pass_a (directions A n) n (box_beyon
 Definition box_passes_b n k : bool := slabs_pass_b (directions B k) k (box_beyond (box A n)).
 Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b k then box_passes_b n k else true.
 
-(* Below a leaf, a leaf whose box passes is held against the first slab, the plane's, by its corners.
+(* Below a leaf, a leaf whose box passes is tested against the first slab, the plane's, by its corners.
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[first].corner; const auto* const end = m.triangles[after].corner; if (plane.may_touch(m.vertices, corner, end)) { return false; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const uint32_t first = m.first_triangle(leaf); const uint32_t after = m.end_triangle(leaf);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
@@ -178,14 +176,14 @@ Definition touch (side : Side) n k : bool :=
       if leaf_a n then window_passes LeafA (box A n) (box B k) && box_passes_a n k && corners_pass_a n k else true
   end.
 
-(* All of A's triangles with each of B's, from the last ones on.
+(* Each of A's triangles with each of B's, from the last ones on.
    code: include/flashbvh/detail/query/query_run.hpp | return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
    code: include/flashbvh/detail/query/query_run.hpp | return b_->first_triangle(leaf_b_) + i / a_->triangles_in(leaf_a_); *)
 Definition pairs_of (p : nat * nat) : list (nat * nat) :=
   flat_map (fun j => map (fun i => (i, j)) (rev (triangles A (fst p)))) (rev (triangles B (snd p))).
 
-(* A triangle of A and one of B as it lies in A's lattice have a point in common; and what the code
-   says of that, with the normal of B's at hand or without.
+(* A triangle of A and one of B, placed in A's lattice, have a common point; and the code's answer, with or without
+   B's current normal.
    code: include/flashbvh/detail/query/triangle_test.hpp | return narrow_ ? near_triangles_intersect(a, kept_b_, normal_) : wide_triangles_intersect(a, kept_b_); *)
 Definition of_pair {T} (f : Point -> Point -> Point -> Point -> Point -> Point -> T) (i j : nat) : T :=
   let '(p, q, r) := corners A i in let '(s, t, o) := corners B j in f p q r (put pose s) (put pose t) (put pose o).
@@ -198,19 +196,19 @@ End Two.
 
 Definition has m i := exists n, is_leaf (cells m) n = true /\ In i (triangles m n).
 
-(* Runs of a query from a position to another, and the answers on the way. *)
+(* Runs of a query from one cursor to another, with their answers. *)
 Definition runs A B pose narrow := Rounds (cells A) (cells B) (bound A B pose) (begin A B pose) (touch A B pose)
   (nat * nat) (pairs_of A B) (intersects A B pose narrow).
 
-(* Of two images that open accepts, wherever B lies and however a query is cut into runs: its answers
-   are the pairs of triangles that have a common point, each once. *)
+(* For two images that open accepts, any pose of B and any division of a query into runs: its answers are the pairs of
+   triangles with a common point, each once. *)
 Definition Answers_are_the_pairs_with_a_common_point := forall A B pose narrow,
   opens A = true -> opens B = true -> sound A -> sound B -> fits pose ->
   forall answers, runs A B pose narrow Fresh answers Finished ->
   (forall i j, In (i, j) answers <-> has A i /\ has B j /\ common_point A B pose i j) /\ NoDup answers.
 
-(* What a query tells before it walks changes nothing: roots that are far apart are rejected, too; and
-   a triangle of B beside the box of A's leaf meets none of its triangles.
+(* The decisions of a query before its walk change nothing: roots far apart are rejected in any case; and a triangle
+   of B outside the box of A's leaf meets none of its triangles.
    code: src/bounds/rotated_transform.cpp | return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias || (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
    code: src/bounds/rotated_transform.cpp | on_a[axis] = start_of(row, offset, kWidestMargin);
    code: src/predicates/triangle.cpp | return (((above - u) & (above - v) & (above - w)) | ((negated_below + u) & (negated_below + v) & (negated_below + w))) < 0; *)
@@ -305,7 +303,7 @@ Hypothesis pose_fits : fits pose.
 Hypothesis sound_a : sound A.
 Hypothesis sound_b : sound B.
 
-(* Some of A and some of B, as it lies. *)
+(* Some points of A, and some of B in its pose. *)
 Definition apart (these those : Point -> Prop) := Apart these (fun v => exists u, those u /\ v = put pose u).
 
 Lemma apart_no_common these those i j : apart these those ->
@@ -325,7 +323,7 @@ Proof.
     (Z.abs (rest (c3 r))). clear. intros. repeat split; rewrite !Z.max_le_iff; auto 8 using Z.le_refl.
 Qed.
 
-(* Boxes of two nodes that have something in them. *)
+(* Boxes of two nodes that contain some points. *)
 Definition filled m n := (n < length (cells m))%nat /\ exists p, in_box (box m n) p.
 
 Lemma filled_of m O n k i : Under (T := array_tree _ _ (proj1 (is_tree m O))) n k -> In i (triangles m k) -> filled m n.
@@ -378,7 +376,7 @@ Proof.
     + intros u U. now apply (in_reach k); auto; apply FK.
 Qed.
 
-(* A test that is right of what lies beyond a slab: of a box, and of corners. *)
+(* A test that correctly decides whether a box, or corners, lie beyond a slab. *)
 Definition right_of (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) (other : Point -> Prop) :=
   forall e lower upper offset margin, beyond_ e lower upper offset margin = true ->
   beyond e lower upper offset margin other.
@@ -421,7 +419,7 @@ Proof.
     try (now apply (in_reach k); auto); now apply extreme_bounds.
 Qed.
 
-(* ---- What Query.v asks of each test. *)
+(* ---- The premises of Query.v on each test. *)
 Let exact_meets (exact : nat * nat -> bool) := forall i j, exact (i, j) = true <-> common_point A B pose i j.
 Let safely exact := rejects_safely (cells A) (cells B) _ _ FA FB (nat * nat) (pairs_of A B) exact.
 
@@ -603,7 +601,7 @@ Proof.
   destruct H as [H | [H | H]]; [left | right; left | right; right]; apply far_is_rejected; auto; lia.
 Qed.
 
-(* ---- The premises can be met, by tests that reject something: two triangles, and a quarter turn. *)
+(* ---- The premises can be met, by tests that reject some pairs: two triangles, and a quarter turn. *)
 Definition at_ p q r := {| x := p; y := q; z := r |}.
 Definition two : Image := {|
   cells := [ {| c_link := 3; c_rank := 5; c_parent_rank := kRootParentRank |};
@@ -624,8 +622,8 @@ Proof.
   - intros [|[|[|n]]] [|[|[|k]]] i; unfold triangles; cbn; intuition congruence.
 Qed.
 
-(* Corners reject what all boxes let by, of either side's leaf, under a translation and under a rotation,
-   here by no angle. *)
+(* The corners' test rejects leaves that all boxes pass, of either side, under a translation and under a rotation, here
+   by no angle. *)
 Definition near_by := Moved (at_ 3 (- 3) 0).
 Definition rotated_near_by := Turned {| a1 := one22; a2 := 0; a3 := 0; b1 := 0; b2 := one22; b3 := 0; c1 := 0; c2 := 0;
   c3 := one22; o1 := 5 * cell14; o2 := -5 * cell14; o3 := 0; defect := 0 |}.

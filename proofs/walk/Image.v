@@ -1,8 +1,7 @@
-(* What lib/src/lattice/tree_check.cpp accepts is a tree: its one pass over the nodes of a post-indexed
-   image, climbing after each leaf, proves the format that Code.v takes for granted, and that each
-   node's box lies in its parent's.
+(* lib/src/lattice/tree_check.cpp accepts only trees: its single pass over the nodes of a post-indexed image, climbing
+   after each leaf, proves the format that Code.v assumes, and that each node's box lies in its parent's.
 
-   Not in this model: levels, leaf numbers, triangles and vertices, which have checks of their own.
+   Not in this model: levels, leaf numbers, triangles and vertices, which have separate checks.
 
    Part 1  definitions.   Part 2  the theorem.   Part 3  its proof. *)
 From Coq Require Import List ZArith Lia Bool.
@@ -31,7 +30,7 @@ Definition node_fits (i : nat) : bool := leaf i || ((1 <=? rank i) && (rank i <=
 Definition root_fits : bool :=
   (link 0 =? count) && (leaf 0 || (above 0 =? kRootParentRank)%Z).
 
-(* children_belong_to(), from one of the children on. Loops end by `fuel`, and then refuse. *)
+(* children_belong_to(), from one of the children on. Loops end after `fuel` turns, and then refuse. *)
 (* code: src/lattice/tree_check.cpp | for (uint32_t child = tree_.first_child(parent);; child = tree_.next_sibling(child)) { *)
 (* code: src/lattice/tree_check.cpp | node.is_leaf() || (node.parent_rank() == above.rank() && node.rank() <= above.rank()); *)
 (* code: src/lattice/tree_check.cpp | if (!ranks || !is_inside(node.box, above.box)) { *)
@@ -73,7 +72,7 @@ Definition accepts : bool :=
   forallb enters (seq 1 (count - 1)) &&
   leaf (count - 1) && leave_to count (count - 1) 0.
 
-(* The tree that is meant: the siblings from one on, in order; the children of a node. *)
+(* The intended tree: the siblings from one on, in order; the children of a node. *)
 Fixpoint siblings_from (fuel i : nat) : list nat :=
   i :: match fuel with
        | O => []
@@ -155,7 +154,7 @@ Inductive Path : nat -> nat -> Prop :=
 | Path_self x : Path x x
 | Path_up x y : 0 < last x -> Path (last x - 1) y -> Path x y.
 
-(* The same with what leave_to() checks on the way. *)
+(* The climb with the checks of leave_to(). *)
 Inductive Climb : nat -> nat -> Prop :=
 | Climb_self x : Climb x x
 | Climb_up x place : place < x -> link (last x) = x -> children_belong_to (last x - 1) = true ->
@@ -201,7 +200,7 @@ Hypothesis root_link : link 0 = count.
 Hypothesis fits : forall i, i < count -> node_fits i = true.
 Hypothesis entered : forall i, 0 < i < count -> enters i = true.
 
-(* A step of the pass: what it says of the next node. *)
+(* A step of the pass: its properties of the next node. *)
 Lemma enter i : i + 1 < count ->
   (leaf i = false /\ last (i + 1) = i + 1) \/
   (leaf i = true /\ exists k, k <= i /\ link (i + 1) = k /\ last (i + 1) = last k /\ Climb i k).
@@ -215,7 +214,7 @@ Proof.
     destruct (Nat.ltb_spec (link (i + 1)) (i + 1)); lia.
 Qed.
 
-(* A "sibling" of the root: no pass ends with one. *)
+(* A "sibling" of the root: no accepted pass ends with one. *)
 Definition Stray b := 0 < b < count /\ last b = 0.
 
 Lemma no_stray_above x place b : Climb x place -> Path x b -> Stray b -> b <= place.
@@ -227,7 +226,7 @@ Qed.
 Lemma path_up x y : Path x y -> y <> x -> 0 < last x /\ Path (last x - 1) y.
 Proof. destruct 1; auto. easy. Qed.
 
-(* What lies on the path of node i goes on to lie on that of i + 1, unless the climb closed it. *)
+(* The nodes on the path of node i remain on that of i + 1, unless the climb closed them. *)
 Lemma path_on i k z : last (i + 1) = last k -> Climb i k -> Path i z -> z < k -> Path (i + 1) z.
 Proof.
   intros E C P L. pose proof (climb_rest _ _ C z P ltac:(lia)) as K.

@@ -1,11 +1,11 @@
-(* What is proved of the walk, put together, and that the premises can be met: a false premise would
-   make every theorem true and worthless. *)
+(* The proved properties of the walk, combined, with evidence that the premises can be met: a false premise would make
+   every theorem true and worthless. *)
 From Coq Require Import List ZArith Lia Bool.
 Require Import Constants Ranked Code Query Image.
 Import ListNotations.
 
-(* Two images that were opened, and whatever tests of boxes and slabs that reject safely: every cut
-   of a query into runs gives exactly the pairs of triangles that intersect. *)
+(* For two opened images, and any tests of boxes and slabs that reject safely: every division of a query into runs gives
+   exactly the pairs of triangles that intersect. *)
 Theorem opened_and_asked cells_a cells_b inside_a inside_b
     (A : accepts cells_a inside_a = true) (B : accepts cells_b inside_b = true) :
   let FA := proj1 (accepted_is_tree cells_a inside_a A) in
@@ -41,7 +41,7 @@ Lemma a_opens : accepts tree_a all_inside = true. Proof. vm_compute. reflexivity
 Lemma b_opens : accepts tree_b all_inside = true. Proof. vm_compute. reflexivity. Qed.
 Lemma a_leaf_opens : accepts [leaf_at 1] all_inside = true. Proof. vm_compute. reflexivity. Qed.
 
-(* A walk in which some pairs overlap, of leaves' shapes, too, finds pairs of leaves and ends. *)
+(* A walk in which some pairs overlap, also by leaf planes, finds pairs of leaves and ends. *)
 Definition some (a b : nat) : bool := negb ((a * 3 + b * 5) mod 7 =? 4).
 Definition shape_meets (_ : Side) (a b : nat) : bool := negb ((a + b) mod 5 =? 3).
 Example finds_some :
@@ -51,7 +51,7 @@ Example finds_some :
     [(7, 4); (6, 4); (3, 4); (2, 4); (7, 3); (7, 2); (6, 3); (4, 2); (3, 2); (2, 2)].
 Proof. vm_compute. split; reflexivity. Qed.
 
-(* The check finds faults: a rank that grows, a node that no one has, a sibling of the root. *)
+(* The check finds faults: a rank that grows, a node without a parent, a sibling of the root. *)
 Example rank_grows : accepts
   [ {| c_link := 3; c_rank := 5; c_parent_rank := kRootParentRank |};
     {| c_link := 1; c_rank := 6; c_parent_rank := 5 |}; leaf_at 2 ] all_inside = false.

@@ -1,6 +1,6 @@
-(* A query cut into runs (lib/include/flashbvh/detail/query/query_run.hpp): batches of pairs of leaves, positions, and
-   what is left of a pair of leaves. Wherever runs end, the answers are the same: all pairs of
-   triangles that the exact test says yes of, each once.
+(* A query cut into runs (lib/include/flashbvh/detail/query/query_run.hpp): batches of pairs of leaves, cursors, and the
+   rest of a pair of leaves. Wherever runs end, the answers are equal: all pairs of triangles that pass the exact
+   test, each once.
 
    Part 1  definitions.   Part 2  the theorems.   Part 3  their proofs. *)
 From Coq Require Import List ZArith Lia Bool.
@@ -9,7 +9,7 @@ Import ListNotations.
 
 (* ============================================================== Part 1: definitions *)
 
-(* QueryPosition; `untested`: how many pairs of triangles the pair of leaves still has. *)
+(* QueryPosition; `untested`: the number of remaining pairs of triangles of the pair of leaves. *)
 Inductive Position :=
 | Fresh
 | At_pair (p : nat * nat)
@@ -25,7 +25,7 @@ Variable bound begin : nat -> nat -> bool.
 Variable touch : Side -> nat -> nat -> bool.
 
 Variable Triangles : Type.                           (* a triangle of A and one of B *)
-Variable pairs_of : nat * nat -> list Triangles.     (* of two leaves, in the order of their test *)
+Variable pairs_of : nat * nat -> list Triangles.     (* of two leaves, in the order of testing *)
 Variable intersect : Triangles -> bool.              (* the exact test *)
 
 Let step := code_turn cells_a cells_b bound begin touch.
@@ -34,7 +34,7 @@ Let finds := finds cells_a cells_b bound touch.
 Definition answers (p : nat * nat) : list Triangles := filter intersect (pairs_of p).
 Definition last_of (u : nat) (p : nat * nat) := skipn (length (pairs_of p) - u) (pairs_of p).
 
-(* The walk that a run begins with. Its order is Ranked: that of near_first.hpp is left out. *)
+(* The walk that a run begins. Its traversal is Ranked; near_first.hpp's is left out. *)
 (* code: include/flashbvh/detail/walk/ranked.hpp | using OfTranslations = Ranked; *)
 (* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<typename Traversal::OfTranslations>(bound, shapes, run, state_); *)
 (* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<Traversal>(ByReference<decltype(bound)>{&bound}, shapes, run, state_); *)
@@ -56,8 +56,8 @@ Fixpoint found_in (n : nat) (c : Code) : list (nat * nat) :=
   end.
 Let go := code_after cells_a cells_b bound begin touch.
 
-(* Where a walk of n turns may stop: before a visit, for want of work; behind a pair of leaves that
-   it found, the last of the batch; at the end. *)
+(* Where a walk of n turns may stop: before a visit, without work; behind a found pair of leaves, the last of the batch;
+   at the end. *)
 Inductive Stops (c : Code) : nat -> Position -> Prop :=
 | Stops_before n p : visited (go n c) = Some p -> Stops c n (At_pair p)
 | Stops_behind n p : visited (go n c) = Some p -> finds (go n c) = true ->
@@ -67,23 +67,23 @@ Inductive Stops (c : Code) : nat -> Position -> Prop :=
 Definition nothing_untested (at_ : Position) : Prop :=
   match at_ with At_leaf_pair _ u => u = 0 | Finished => False | _ => True end.
 
-(* Where a walk goes on below the root that the one before it kept, walk_below() and walk_pairs() go on
-   as they would have in one go: here they are one walk, tested in parts. *)
+(* When a walk resumes below the root that the previous one kept, walk_below() and walk_pairs() continue as in one run:
+   here they are one walk, tested in parts. *)
 (* code: include/flashbvh/detail/walk/walk.hpp | shapes.keep_root(leaf == Side::a ? at.index_b() : at.index_a()); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | State end = walk_below(shapes, run, root, after); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | run.node = root; run.side = Side::none; shapes.keep_root(0); end = State::at_leaf_pair; *)
-(* What a query does in one go, as far as it gets: for want of work, because the batch is full, or
-   because the caller's array is. `Round at answers at'`. *)
+(* A single run of a query, up to its end: without work, with a full batch, or with a full array of the caller.
+   `Round at answers at'`. *)
 (* code: include/flashbvh/detail/query/query_run.hpp | const uint32_t kept = untested_ == 0 ? 0 : pay(untested_, work); *)
 (* code: include/flashbvh/detail/query/query_run.hpp | batch.current().a, batch.current().b); *)
 (* code: include/flashbvh/detail/query/query_run.hpp | if (untested_ == 0) { end = walk(work, batch, shapes, room()); } *)
 (* code: include/flashbvh/detail/walk/leaf_pairs.hpp | if (progress.work_left < work) { unpaid_ = true; return false; } *)
 Inductive Round : Position -> list Triangles -> Position -> Prop :=
-| Tests p u v : v <= u <= length (pairs_of p) ->     (* v of the pairs of triangles left *)
+| Tests p u v : v <= u <= length (pairs_of p) ->     (* v of the remaining pairs of triangles *)
     Round (At_leaf_pair p u) (filter intersect (firstn v (last_of u p))) (At_leaf_pair p (u - v))
 | Walks at_ n at' : nothing_untested at_ -> 1 <= n -> Stops (load at_) n at' ->
     Round at_ (flat_map answers (found_in n (load at_))) at'      (* a batch, tested to its end *)
-| Leaves_off at_ n l p r v :                         (* a batch, left inside a pair of leaves *)
+| Leaves_off at_ n l p r v :                         (* a batch, stopped inside a pair of leaves *)
     nothing_untested at_ -> found_in n (load at_) = l ++ p :: r -> v <= length (pairs_of p) ->
     Round at_ (flat_map answers l ++ filter intersect (firstn v (pairs_of p)))
       (At_leaf_pair p (length (pairs_of p) - v)).
@@ -92,7 +92,7 @@ Inductive Rounds : Position -> list Triangles -> Position -> Prop :=
 | No_round at_ : Rounds at_ [] at_
 | And_round at_ e at' f at'' : Round at_ e at' -> Rounds at' f at'' -> Rounds at_ (e ++ f) at''.
 
-(* What resume() accepts. (A query's own position is never before the visit of the roots.) *)
+(* The cursors that resume() accepts. (A query's own cursor is never before the visit of the roots.) *)
 Definition accepted (at_ : Position) : Prop :=
   match at_ with
   | At_pair (i, j) => good cells_a cells_b children_a children_b FA FB i j /\ (i, j) <> (0, 0)
@@ -103,24 +103,24 @@ Definition accepted (at_ : Position) : Prop :=
 
 (* ============================================================== Part 2: the theorems *)
 
-(* From each position that is accepted all cuts that get to the end give the same answers, and every
-   position on the way is one that is accepted. *)
+(* From each accepted cursor, all divisions that reach the end give equal answers, and every cursor in between is
+   accepted. *)
 Definition Cuts_agree := forall at_, accepted at_ -> exists all,
   (forall e, Rounds at_ e Finished -> e = all) /\
   (forall e at', Rounds at_ e at' -> accepted at' /\ exists left_, all = e ++ left_ /\
      forall f, Rounds at' f Finished -> f = left_).
 
-(* And the end is always in reach. *)
+(* The end can always be reached. *)
 Definition Can_end := forall at_, accepted at_ -> exists e, Rounds at_ e Finished.
 
-(* What is rejected by boxes or slabs has no answer in it. *)
+(* Pairs that boxes or slabs reject contain no answer. *)
 Definition Below_a := Under (T := array_tree cells_a children_a FA).
 Definition Below_b := Under (T := array_tree cells_b children_b FB).
 Definition rejects_safely (test : nat -> nat -> bool) : Prop := forall a b x y t,
   Below_a a x -> Below_b b y -> children_a x = [] -> children_b y = [] ->
   In t (pairs_of (x, y)) -> intersect t = true -> test a b = true.
 
-(* Exactly the pairs of triangles of all leaves that intersect; each once, if leaves share none. *)
+(* Exactly the intersecting pairs of triangles of all leaves; each once, if leaves share none. *)
 Definition Answers_are_exact :=
   rejects_safely bound -> rejects_safely begin -> (forall side, rejects_safely (touch side)) ->
   forall e, Rounds Fresh e Finished ->
@@ -170,7 +170,7 @@ Proof.
   cbn [Nat.add trace after]. now rewrite IH, app_assoc.
 Qed.
 
-(* The answers left from a state of the loop. *)
+(* The remaining answers from a state of the loop. *)
 Definition Left (s : State A B) (l : list Triangles) : Prop :=
   exists n t, Run A B overlap n s t Done /\ l = flat_map answers (Found t).
 
@@ -211,7 +211,7 @@ Proof.
   - destruct H as [G _]. destruct (E (i, j)) as [_ [l L]]; [now apply in_trees | apply G | eauto].
 Qed.
 
-(* What load() makes of a position stands for it. *)
+(* The state that load() makes of a cursor represents it. *)
 Definition state_of (at_ : Position) : State A B :=
   match at_ with
   | Fresh => Visit (roots A B)

@@ -1,9 +1,9 @@
-(* The order of lib/include/flashbvh/detail/walk/ranked.hpp on trees: a loop without a stack that makes
-   the visits of a recursion.
+(* The traversal of lib/include/flashbvh/detail/walk/ranked.hpp on trees: a loop without a stack that makes the
+   visits of a recursion.
 
    Part 1  definitions: a tree, the recursion, the loop.
    Part 2  the theorems.
-   Part 3  their proofs; who trusts Coq need not read on. Then the theorems again, by name. *)
+   Part 3  their proofs, which readers who trust Coq can skip. Then the theorems again, by name. *)
 From Coq Require Import List ZArith Lia Bool.
 Require Import Constants.
 Import ListNotations.
@@ -11,18 +11,18 @@ Local Open Scope Z_scope.
 
 (* ============================================================== Part 1: definitions *)
 
-(* Ranks go up to `most`; a root's missing parent has `top`, above all. *)
+(* Ranks are at most `most`; a root's missing parent has `top`, which is larger. *)
 Class Limits := { most : Z; top : Z; limit : 0 < top /\ most < top }.
 
-(* A rooted, ordered tree as the walk sees it. What a node is stays open: an index, a pointer. *)
+(* A rooted, ordered tree as the walk uses it. Nodes are abstract: an index, a pointer. *)
 Record Tree {limits : Limits} := {
   Node : Type;
   root : Node;
-  kids : Node -> list Node;    (* in order; of a leaf: none *)
+  kids : Node -> list Node;    (* in order; empty for a leaf *)
   rank : Node -> Z;            (* Node::rank() *)
   parent_rank : Node -> Z;     (* Place::parent_rank *)
   next : Node -> option Node;  (* Place::next_sibling() *)
-  up : Node -> Node;           (* Place::ascend(): asked of last children only *)
+  up : Node -> Node;           (* Place::ascend(): called for last children only *)
   is_root : Node -> bool;
   height : Node -> nat;        (* anything that shrinks from a node to its children *)
 
@@ -50,12 +50,12 @@ Inductive Under {limits : Limits} {T : Tree} : Node T -> Node T -> Prop :=
 Section Walk.
 Context {limits : Limits}.
 Variables A B : Tree.
-Variable overlap : Node A -> Node B -> bool.  (* what is tested of a pair: any predicate *)
+Variable overlap : Node A -> Node B -> bool.  (* the test of a pair: any predicate *)
 
 Definition Pair : Type := Node A * Node B.
 Definition roots : Pair := (root A, root B).
 
-(* The rule: into the node of the larger rank, into A on a tie. *)
+(* The rule: into the node of larger rank, into A on a tie. *)
 Definition expand (p : Pair) : list Pair :=
   let (a, b) := p in
   if rank A a <? rank B b then map (fun y => (a, y)) (kids B b)
@@ -74,13 +74,13 @@ Fixpoint dfs (depth : nat) (p : Pair) : list Pair :=
 Definition size (p : Pair) : nat := height A (fst p) + height B (snd p).
 Definition enough (depth : nat) : Prop := (size roots < depth)%nat.
 
-(* The loop: about to visit a pair, or behind a pair and all below it, or done. *)
+(* The loop's states: before the visit of a pair, behind a pair and all pairs below it, or done. *)
 Inductive State :=
 | Visit (p : Pair)
 | Behind (p : Pair)
 | Done.
 
-(* One turn: a function of the pair alone. descend() after a visit, one turn of next(). *)
+(* One turn, a function of the pair alone: descend() after a visit, one turn of next(). *)
 Definition turn (s : State) : State :=
   match s with
   | Visit (a, b) =>
@@ -104,7 +104,7 @@ Definition turn (s : State) : State :=
   | Done => Done
   end.
 
-(* Where n turns lead, and the visits on the way. *)
+(* The state after n turns, and their visits. *)
 Fixpoint after (n : nat) (s : State) : State :=
   match n with O => s | S m => after m (turn s) end.
 
@@ -129,8 +129,7 @@ Definition In_trees (p : Pair) : Prop := Under (root A) (fst p) /\ Under (root B
 Definition is_leaf_pair (p : Pair) : bool := (rank A (fst p) <? 0) && (rank B (snd p) <? 0).
 Definition found (p : Pair) : bool := overlap (fst p) (snd p) && is_leaf_pair p.
 
-(* Rejecting is safe: what is rejected has no pair of leaves below it that `hit` says yes of, the
-   exact test. *)
+(* Rejecting is safe: a rejected pair has no pair of leaves below it that passes `hit`, the exact test. *)
 Definition safe (hit : Pair -> bool) : Prop := forall a b x y,
   Under a x -> Under b y -> kids A x = [] -> kids B y = [] -> hit (x, y) = true ->
   overlap a b = true.
@@ -146,35 +145,33 @@ Variable overlap : Node A -> Node B -> bool.
 Let visits depth := dfs A B overlap depth (roots A B).
 Let run := Run A B overlap.
 
-(* From the roots the loop makes the visits of the recursion, in its order, and ends: two turns a
-   visit, the amortised cost, too. *)
+(* From the roots the loop makes the visits of the recursion, in its order, and ends: in two turns per visit, which is
+   also the amortised cost. *)
 Definition Walk_is_dfs := forall depth, enough A B depth ->
   run (2 * length (visits depth)) (Visit (roots A B)) (visits depth) Done.
 
-(* From any visited pair, knowing nothing else, it makes the visits that are left. *)
+(* From any visited pair, without other data, it makes the remaining visits. *)
 Definition Resumes := forall depth before p rest, enough A B depth ->
   visits depth = before ++ p :: rest -> exists n, run n (Visit p) (p :: rest) Done.
 
-(* From behind a pair that nothing followed, likewise. *)
+(* From behind a pair that nothing followed, it makes the remaining visits, too. *)
 Definition Resumes_behind := forall depth before p rest, enough A B depth ->
   visits depth = before ++ p :: rest -> descents A B overlap p = [] ->
   exists n, run n (Behind p) rest Done.
 
 Definition Visits_once := forall depth, enough A B depth -> NoDup (visits depth).
 
-(* can_visit() holds of every visited pair, and of no others than those that are visited where all
-   boxes overlap. *)
+(* can_visit() holds for every visited pair, and only for pairs that are visited if all boxes overlap. *)
 Definition Visited_can_be := forall depth p, enough A B depth ->
   In p (visits depth) -> In_trees A B p /\ can_visit A B p.
 Definition Can_be_visited := forall depth p, enough A B depth ->
   In_trees A B p -> can_visit A B p -> In p (dfs A B (fun _ _ => true) depth (roots A B)).
 
-(* From every pair of which can_visit() holds, also one that this walk never comes to, it ends. *)
+(* From every pair with can_visit(), even one that this walk never reaches, it ends. *)
 Definition Ends_from_everywhere := forall p, In_trees A B p -> can_visit A B p ->
   Ends A B overlap (Visit p) /\ Ends A B overlap (Behind p).
 
-(* Of all pairs of leaves exactly those that the exact test says yes of are found and pass it, each
-   once. *)
+(* Exactly the pairs of leaves that pass the exact test are found and pass it, each once. *)
 Definition Finds_each_once := forall depth hit, enough A B depth -> safe A B overlap hit ->
   let answers := filter (fun p => found A B overlap p && hit p) (visits depth) in
   NoDup answers /\
@@ -210,7 +207,7 @@ Proof.
   pose proof (rank_limit A (root A)). pose proof (rank_limit B (root B)). lia.
 Qed.
 
-(* It goes down with the rule. *)
+(* The walk descends by the rule. *)
 Lemma Inv_child p q : Inv p -> In q (expand p) -> Inv q.
 Proof.
   destruct p as [a b]. intros [I1 I2]. cbn [Ranked.expand].
@@ -219,8 +216,8 @@ Proof.
   - pose proof (rank_monotone A _ _ I). pose proof (parent_rank_of_kid A _ _ I). cbn. lia.
 Qed.
 
-(* The heart: behind a finished pair, the walk goes to the next one from the same pair p, or is
-   behind p; the finished pair is all that it has to tell by. *)
+(* The central lemma: behind a finished pair, the walk continues with the next pair below p, or is behind p. It knows
+   only the finished pair. *)
 Lemma turn_behind p l q r :
   Inv p -> expand p = l ++ q :: r ->
   turn (Behind q) = match r with z :: _ => Visit z | [] => Behind p end.
@@ -294,7 +291,7 @@ Qed.
 Lemma dfs_not_empty d p : (size p < d)%nat -> (0 < length (dfs d p))%nat.
 Proof. destruct d; cbn; lia. Qed.
 
-(* The loop does with a pair what the recursion does, in two turns a visit, and is then behind it. *)
+(* The loop treats a pair like the recursion, in two turns per visit, and is then behind it. *)
 Lemma finishes d : forall p, (size p < d)%nat -> Inv p ->
   Run (2 * length (dfs d p) - 1) (Visit p) (dfs d p) (Behind p).
 Proof.
@@ -357,7 +354,7 @@ Proof.
   now apply (G _ []).
 Qed.
 
-(* ---- Which pairs are visited. *)
+(* ---- The visited pairs. *)
 
 Lemma Under_trans (T : Tree) (x y z : Node T) : Under x y -> Under y z -> Under x z.
 Proof. induction 1; eauto. Qed.
@@ -394,7 +391,7 @@ Proof.
   - rewrite (parent_rank_of_kid T _ _ I). now apply rank_monotone.
 Qed.
 
-(* Every pair with the invariant but the roots follows from one with the invariant. *)
+(* Every pair with the invariant, except the roots, follows from one with the invariant. *)
 Lemma came_from q : In_trees A B q -> Inv q ->
   q = roots \/ exists p, In_trees A B p /\ Inv p /\ In q (expand p).
 Proof.
@@ -460,7 +457,7 @@ Proof.
   eapply Ends_run; [apply (finishes (S (size p)) p); auto | now apply ends_behind].
 Qed.
 
-(* ---- What is found. *)
+(* ---- The found pairs. *)
 
 Lemma dfs_reaches d hit : safe A B overlap hit -> forall a b x y,
   (size (a, b) < d)%nat -> Under a x -> Under b y ->

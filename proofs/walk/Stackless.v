@@ -1,8 +1,8 @@
-(* The paper's stackless algorithm on post-indexed trees, tests/reference/stackless.hpp: it
-   makes the visits of the recursion that steps into both trees in turn. Any number of children.
+(* The paper's stackless algorithm on post-indexed trees, tests/reference/stackless.hpp: it makes the visits of the
+   recursion that descends into both trees alternately. Any number of children.
 
-   That rule is one of ranks: -2 level, and less 1 in A. So Ranked.v has the order; what is proved here
-   is that next(), which jumps up both trees at once, is Ranked.v's turns, a step up at a time.
+   This rule is a rule of ranks: -2 level, and less 1 in A. So Ranked.v gives the order. This file proves that next(),
+   which jumps up both trees at once, equals Ranked.v's turns, a step up at a time.
 
    Part 1  definitions.   Part 2  the theorems.   Part 3  their proofs. *)
 From Coq Require Import List ZArith Lia Bool.
@@ -23,7 +23,7 @@ Record Levelled (children : nat -> list nat) (count : nat) (levels rcls : list n
   rcl_of_other : forall n l x y r, children n = l ++ x :: y :: r -> nth x rcls 0 = 0
 }.
 
-(* What a read outside an array or a level above the root leads to is None. *)
+(* A read outside an array, or a level above the root, gives None. *)
 Notation "'let*' x := e 'in' f" := (match e with Some x => f | None => None end)
   (at level 200, x pattern, f at level 200).
 
@@ -48,7 +48,7 @@ End Mesh.
 
 Section Walk.
 Variables a_ b_ : Mesh.
-Variable overlap : nat -> nat -> bool.  (* what is tested of a pair: any predicate *)
+Variable overlap : nat -> nat -> bool.  (* the test of a pair: any predicate *)
 
 Record At := { at_a : nat; at_b : nat; lead : Z }.
 Inductive Turned := Goes (to : At) | Ends.
@@ -113,7 +113,7 @@ Definition next_of_b (s : At) : option Turned :=
 Definition next_ (s : At) : option Turned :=
   if (0 <=? lead s)%Z then next_of_a s else next_of_b s.
 
-(* A visit and the way to the next one. *)
+(* A visit and the step to the next one. *)
 Definition visit (s : At) : option Turned :=
   if overlap (at_a s) (at_b s) then
     let* to := descend s in match to with Some s' => Some (Goes s') | None => next_ s end
@@ -123,13 +123,13 @@ Definition visit (s : At) : option Turned :=
 Definition start (p : nat * nat) : At := {| at_a := fst p; at_b := snd p;
   lead := Z.of_nat (level a_ (fst p)) - Z.of_nat (level b_ (snd p)) |}.
 
-(* `Loop s l`: from s on the loop visits l and then ends, and has read nothing outside. *)
+(* `Loop s l`: from s on, the loop visits l, then ends, and reads nothing outside. *)
 Inductive Loop : At -> list (nat * nat) -> Prop :=
 | Loop_ends s : visit s = Some Ends -> Loop s [(at_a s, at_b s)]
 | Loop_goes s s' l : visit s = Some (Goes s') -> Loop s' l -> Loop s ((at_a s, at_b s) :: l).
 
-(* The recursion that it replaces (the paper's algorithm 3, section 8.1): into the node of lower level, into B
-   on ties; if one is a leaf, into the other one. *)
+(* The recursion that it replaces (the paper's algorithm 3, section 8.1): into the node of lower level, into B on
+   ties; if one is a leaf, into the other one. *)
 Variables children_a children_b : nat -> list nat.
 Let level_a := level a_.
 Let level_b := level b_.
@@ -167,21 +167,20 @@ Let visits depth := search a_ b_ overlap children_a children_b depth (0, 0).
 Let Loop := Loop a_ b_ overlap.
 Let start := start a_ b_.
 
-(* From the roots the loop makes the visits of the recursion, in its order, no pair twice, and ends;
-   from any of them, knowing nothing else, those that are left. *)
+(* From the roots the loop makes the visits of the recursion, in its order, no pair twice, and ends; from any of them,
+   without other data, it makes the remaining ones. *)
 Definition Stackless_is_search := forall depth, deep_enough a_ b_ depth ->
   Loop (start (0, 0)) (visits depth) /\ NoDup (visits depth) /\
   (forall before p rest, visits depth = before ++ p :: rest -> Loop (start p) (p :: rest)).
 
-(* It ends from every pair that can_visit() accepts; those are the pairs that are visited where all
-   boxes overlap. *)
+(* It ends from every pair that can_visit() accepts; these are the pairs that are visited if all boxes overlap. *)
 Definition Stackless_positions := forall p, inside a_ b_ p ->
   (can_visit a_ b_ p = true -> exists l, Loop (start p) (p :: l)) /\
   (forall depth, deep_enough a_ b_ depth -> can_visit a_ b_ p = true <->
      In p (search a_ b_ (fun _ _ => true) children_a children_b depth (0, 0))).
 
-(* Of all pairs of leaves exactly those that `hit` says yes of are visited and pass it, each once, if what
-   is rejected has none of them below it. *)
+(* Exactly the pairs of leaves that pass `hit` are visited and pass it, each once, if rejected pairs have none of them
+   below. *)
 Definition Stackless_finds := forall depth (hit : nat * nat -> bool), deep_enough a_ b_ depth ->
   (forall a b x y, Under (T := array_tree _ _ FA) a x -> Under (T := array_tree _ _ FB) b y ->
      children_a x = [] -> children_b y = [] -> hit (x, y) = true -> overlap a b = true) ->
@@ -214,7 +213,7 @@ Proof.
   specialize (IH n). unfold level in IH. lia.
 Qed.
 
-(* Of a node: a last child, another child, or the root. *)
+(* The kinds of a node: a last child, another child, or the root. *)
 Lemma kind i : i < count ->
   (i = 0 /\ rcl i = 0 /\ level i = 0) \/
   (exists n, In i (children n) /\ 0 < i /\ level i = S (level n) /\
@@ -236,7 +235,7 @@ Proof.
       f_equal. now apply (fmt_sibling _ _ F) in K.
 Qed.
 
-(* As ranks. *)
+(* Levels as ranks. *)
 Variable limit_ : nat.
 Hypothesis limit_large : count < limit_.
 Variable less : Z.                       (* 1 in A, 0 in B *)
@@ -410,7 +409,7 @@ Ltac same_reads := rewrite ?level_up_before by lia; compare_all;
 Ltac no_reads K V := compare_all; cbn [level_up Nat.leb]; rewrite Nat.sub_0_r, K; unfold goes;
   rewrite ?Z.sub_0_r, ?Z.add_0_r; destruct V as [-> | ->]; reflexivity.
 
-(* From a last child it goes on as from the parent; from another one, or the root, to what it links to. *)
+(* From a last child it continues as from the parent; from another node, or the root, to the node's link. *)
 Lemma next_up_a a b : inside (a, b) -> 0 < a -> level_a a = S (level_a (a - 1)) -> rcl_a a = S (rcl_a (a - 1)) ->
   level_b b <= level_a a -> next_ a_ b_ (start (a, b)) = next_ a_ b_ (start (a - 1, b)).
 Proof. intros [Ia Ib] P V R L. cbn [fst snd] in *. next_cases a b. rewrite V, R in *. same_reads. Qed.
@@ -455,7 +454,7 @@ Proof.
   now rewrite (nth_error_nth' _ (Build_Cell 0 (-1) 0) H).
 Qed.
 
-(* Of an internal node: the link of the node behind it. *)
+(* For an internal node: the link of the node behind it. *)
 Lemma first_kid m children (F : Post_indexed (cells m) children)
   (L : Levelled children (length (cells m)) (levels m) (rcls m)) i : is_leaf (cells m) i = false ->
   exists x r, children i = x :: r /\ first_child m i = Some x /\ level m x = S (level m i).
@@ -583,7 +582,7 @@ Proof.
   intros d D. now apply (visited_where_all_overlap a_ b_ children_a children_b FA FB LA LB).
 Qed.
 
-(* The premises can be met; the walk of two small trees, of which the second has one child a node. *)
+(* The premises can be met: the walk of two small trees; the second one has one child per node. *)
 Definition leaf_of l := {| c_link := l; c_rank := -1; c_parent_rank := 0 |}.
 Definition node_of l p := {| c_link := l; c_rank := 1; c_parent_rank := p |}.
 Definition tree_a := {| cells := [node_of 5 kRootParentRank; node_of 4 1; leaf_of 3; leaf_of 2; leaf_of 1];

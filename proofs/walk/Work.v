@@ -1,5 +1,5 @@
-(* Work: a run does at most what it was granted and the rest of one step. Of all steps, whatever they
-   are: a step is begun while some work is left, and what it takes beyond that is let off. *)
+(* Work: a run does at most its budget and the rest of one step, for any kind of steps: a step begins if some work is
+   left, and the excess of its cost is forgiven. *)
 From Coq Require Import List ZArith Lia.
 Import ListNotations.
 Local Open Scope Z_scope.
@@ -8,7 +8,7 @@ Local Open Scope Z_scope.
    code: include/flashbvh/detail/walk/walk_run.hpp | const uint32_t spent = work < work_left ? work : work_left; work_left -= spent; *)
 Definition take (left spent : Z) : Z := if spent <? left then left - spent else 0.
 
-(* The steps that are done of those to come, each with what it takes.
+(* The executed steps of all steps to come, each with its cost.
    code: include/flashbvh/detail/walk/walk_below.hpp | if (work_left == 0) { end = State::at_pair; break; } --work_left;
    code: include/flashbvh/detail/walk/walk.hpp | if (work_left == 0) { end = State::at_pair; break; } --work_left;
    code: include/flashbvh/detail/query/query_run.hpp | if (end == State::done || work == 0) { return status(); } *)
@@ -19,7 +19,7 @@ Fixpoint done (left : Z) (steps : list Z) : list Z :=
   end.
 Definition sum := fold_right Z.add 0.
 
-(* Pairs of triangles: as many as are paid for, the last one for what is left.
+(* Pairs of triangles: as many as the work pays for, the last one for the remaining work.
    code: include/flashbvh/detail/walk/work.hpp | return work / pair_work + (work % pair_work != 0 ? 1 : 0); *)
 Definition paid (work : Z) : Z :=
   work / @kTrianglePairWork@ + if work mod @kTrianglePairWork@ =? 0 then 0 else 1.
