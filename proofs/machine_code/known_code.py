@@ -104,7 +104,7 @@ RISCV = [
 CASES = {"arm": ARM, "riscv": RISCV}
 
 TURNS = "movs r0, #3; /4; 1: nop; /2; nop; subs r0, #1; bne 1b; bx lr"
-# The inner loop's turns are those of a whole call; its cut lies in every turn of the outer loop, too.
+# The inner loop's count is that of a whole call; its cut lies in every turn of the outer loop, too.
 NESTED = ("movs r0, #3; /2; 1: movs r1, #3; /3; 2: subs r1, #1; bne 2b; /2; subs r0, #1; bne 1b; "
           "bx lr")
 # A small walk: irreducible, since it may start in the middle.

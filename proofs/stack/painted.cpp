@@ -51,7 +51,7 @@ constexpr TestPose kTestPoses[] = {
     {{1, 0, 0, 0}, {1000, 500, 0}},      // coplanar and crossing
     {{1, 0, 0, 0}, {1000, 0, 0}},        // segments on one line
     {{1, 0, 0, 0}, {0, 0, 0}},           // the mesh on itself
-    {{1, 0, 0, 0}, {400, 300, 50}},      // all crosses
+    {{1, 0, 0, 0}, {400, 300, 50}},      // crosses everywhere
     {{1, 0, 0, 0}, {17000, 300, 50}},    // crossing, and more than 2^15 wide together
     {{1, 0, 0, 1}, {1000, 500, 0}},      // a quarter turn, coplanar
     {{0, 0, 0, 1}, {1000, 10000, 0}},    // a half turn: segments on one line
@@ -318,8 +318,8 @@ int main() {
       bend(in.triangles);
       in.floats = kFloats[round % length(kFloats)];
       in.distance = (where.cells[0] == kFarCells ? kFarDistances : kDistances)[i];
-      pair.stop = (i == 0 ? 4095 : 32760) << 8;  // near ones have triangles within it, far ones too
-      pair.warn = UINT32_MAX;                    // so that spheres don't do
+      pair.stop = (i == 0 ? 4095 : 32760) << 8;  // near and far pairs have triangles within it
+      pair.warn = UINT32_MAX;                    // so that spheres do not suffice
       ask_all(in.pose->is_translation());
     }
   }

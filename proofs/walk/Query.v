@@ -56,8 +56,9 @@ Fixpoint found_in (n : nat) (c : Code) : list (nat * nat) :=
   end.
 Let go := code_after cells_a cells_b bound begin touch.
 
-(* Where a walk of n turns may stop: before a visit, without work; behind a found pair of leaves, the last of the batch;
-   at the end. *)
+(* The stops of a walk of n turns: before a visit, without work; behind a found pair of leaves, the last of the batch;
+at
+   the end. *)
 Inductive Stops (c : Code) : nat -> Position -> Prop :=
 | Stops_before n p : visited (go n c) = Some p -> Stops c n (At_pair p)
 | Stops_behind n p : visited (go n c) = Some p -> finds (go n c) = true ->

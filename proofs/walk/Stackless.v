@@ -12,7 +12,7 @@ Local Open Scope nat_scope.
 
 (* ============================================================== Part 1: definitions *)
 
-(* Levels and right child levels, as BasicMeshWithLevels has them. *)
+(* Levels and right child levels, as in BasicMeshWithLevels. *)
 Record Levelled (children : nat -> list nat) (count : nat) (levels rcls : list nat) : Prop := {
   level_count : length levels = count;
   rcl_count : length rcls = count;
@@ -391,7 +391,7 @@ Proof. intros P. destruct i; [lia|]. cbn. now rewrite Nat.sub_0_r. Qed.
 Lemma level_up_one i k : 0 < i -> k = 1 -> level_up i k = Some (i - 1).
 Proof. intros P ->. now destruct i. Qed.
 
-(* next() from a pair: its cases, and what it reads. *)
+(* next() from a pair: its cases, and its reads. *)
 Ltac next_cases a b := unfold next_, next_of_a, next_of_b, escape_from, Stackless.start; cbn [fst snd lead at_a at_b];
   rewrite ?(read_rcl a_ _ LA a), ?(read_rcl b_ _ LB b), ?(read_rcl a_ _ LA (a - 1)), ?(read_rcl b_ _ LB (b - 1)) by lia.
 Ltac compare_all := repeat match goal with

@@ -22,7 +22,7 @@ static bool start(void) {
 
 typedef enum verdict { PENDING, NO_CONTACT, STOP } verdict;
 
-/** Do surfaces intersect where the peg is to go? The query points at the pose. */
+/** Whether surfaces intersect at the peg's target. The query points at the pose. */
 typedef struct check {
   flashbvh_pose pose;
   flashbvh_query query;

@@ -52,7 +52,7 @@ bool is_clear(const flashbvh::Pose& peg_in_plate, float length) {
 
 enum class Verdict { pending, no_contact, stop };
 
-/// Do surfaces intersect where the peg is to go? One call of tick() a period.
+/// Whether surfaces intersect at the peg's target. One call of tick() per period.
 class Check {
  public:
   explicit Check(const flashbvh::Pose& pose) : pose_(pose), query_(plate, peg, pose_) {}

@@ -38,10 +38,10 @@ class Motions {
   /// `percent`: of the top speed of the slowest joint; the other joints take equally long.
   explicit Motions(uint32_t percent) : percent_(percent) {}
 
-  /// Where the arm begins, at 0.
+  /// The current joint values, at first 0.
   const JointCoordinate* values() const { return values_; }
 
-  /// A period on.
+  /// Moves on by a period.
   void next() {
     if (at_ == periods_) {
       begin();

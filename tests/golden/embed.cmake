@@ -1,4 +1,4 @@
-# cmake -DFOLDER=... -DOUT=... -P embed.cmake: FOLDER's *.fbvh and answers.txt as a C++ file.
+# cmake -DFOLDER=... -DOUT=... -P embed.cmake: writes FOLDER's *.fbvh and answers.txt as a C++ file.
 file(GLOB images ${FOLDER}/*.fbvh)
 list(SORT images)
 set(arrays "")

@@ -31,7 +31,7 @@ sed 's/^  *//; s/#/[0-9]*/g' "$ROOT/firmware_examples/robot_guard/cell_arm/expec
 echo "as it should be" >>expected
 runs robot_guard
 
-# As the page shows it.
+# The page's commands.
 cp "$ROOT"/firmware_examples/quick_start/*.obj .
 shown Arduino >command
 PATH=$(dirname "$FLASHBVH"):$PATH quietly sh -e command

@@ -15,7 +15,7 @@ done
 cd tree
 FLASHBVH_PREFIX=$WORK/root/usr quietly debian/tests/consumer
 
-# As the page shows it.
+# The page's commands.
 cd "$WORK"
 mkdir page
 cp tree/tests/packaging/consumer/main.cpp tree/firmware_examples/quick_start/*.obj page

@@ -82,15 +82,15 @@ bool suits_table(const Expected& counts) {
   switch (counts.table) {
     case 3:  // separation: one visit decides
       return counts.volume == 1;
-    case 4:  // close proximity: hundreds of leaf overlaps, none of geometry
+    case 4:  // close proximity: hundreds of leaf overlaps, no triangle overlaps
       return counts.leaf_pairs >= 200 && counts.triangle_pairs == 0;
-    case 5:  // small proximity: a few leaf overlaps, none of geometry
+    case 5:  // small proximity: a few leaf overlaps, no triangle overlaps
       return counts.volume <= 1000 && counts.leaf_pairs >= 1 && counts.leaf_pairs <= 100 &&
              counts.triangle_pairs == 0;
-    case 7:  // different sizes: the boxes overlap, the alternating rule is far behind
+    case 7:  // different sizes: the boxes overlap, the alternating rule is far worse
       return counts.volume > 1 && counts.triangle_pairs == 0 &&
              counts.alternating >= 20 * counts.volume;
-    default:  // intersection: the geometry overlaps in a part of the many leaf overlaps
+    default:  // intersection: triangles overlap in a part of the many leaf overlaps
       return counts.leaf_pairs >= 500 && counts.triangle_pairs >= 100 &&
              counts.triangle_pairs <= counts.leaf_pairs / 2;
   }

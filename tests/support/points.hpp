@@ -37,7 +37,7 @@ inline Triangle shifted(const Triangle& t, const Point& by) {
   return {{sum(t.corner[0], by), sum(t.corner[1], by), sum(t.corner[2], by)}};
 }
 
-/// Corner `i` in the n-th of six orders; the last three wind the triangle the other way round.
+/// Corner `i` in the n-th of six orders; the last three reverse the winding.
 inline Triangle ordered(const Triangle& t, int n) {
   constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
   const int* const i = kOrders[n];

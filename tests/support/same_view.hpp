@@ -1,4 +1,4 @@
-// Whether two views hold the same numbers.
+// Whether two views contain equal numbers.
 #pragma once
 
 #include <stdint.h>

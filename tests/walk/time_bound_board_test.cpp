@@ -40,7 +40,7 @@ TEST_CASE("bound: instructions are a start, a step that a run may overdraw by, a
 }
 
 TEST_CASE("bound: a mesh against itself passes by siblings at each ascent") {
-  // 6 later siblings of both sides, and a look.
+  // 6 later siblings of both sides, and a test that finds none.
   STATIC_REQUIRE(most_instructions(kCosts, kA, 100) ==
                  1000 + 18 * (10 + 7 * 6) + 6 * 6 + 2 * 50 + 131 * (200 + 7 * 6));
   STATIC_REQUIRE(most_instructions(kCosts, kOneLeaf, 1) == 1000 + 32 * 206);

@@ -156,7 +156,7 @@ TEST_CASE(
       CAPTURE(work, x);
       const GuardAnswer answer = guard.update(values(x, 0.2).data(), work);
       CHECK(answer.verdict == Verdict::free);
-      CHECK(answer.distance > answer.work);  // not 0
+      CHECK(answer.distance > answer.work);  // it is not 0
     }
   }
 }

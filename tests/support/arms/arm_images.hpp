@@ -23,8 +23,8 @@ struct NamedImage {
   std::vector<std::uint32_t> words;
 };
 
-/// Joints of every type, mimics of a limited joint and of one without limits, a branch, and links
-/// of a few triangles.
+/// An arm with joints of every type, mimics of a limited joint and of one without limits, a branch,
+/// and links of a few triangles.
 FixedArm every_joint_arm();
 /// All images; the first is of every_joint_arm().
 const std::vector<NamedImage>& arm_images();

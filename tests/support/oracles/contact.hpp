@@ -5,7 +5,7 @@
 // these, 6 + 6 + 9, and keeps those in both triangles, tested one by one. It needs no case for
 // coplanar or degenerate input, no intervals, no order, no rounding.
 //
-// Range: corners within 114,000 < 2^17 of the first one, as those of triangles that intersect are.
+// Range: corners within 114,000 < 2^17 of the first one, which holds for triangles that intersect.
 // A point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
 #pragma once
 
