@@ -47,8 +47,7 @@ class PairSpace {
   /// need no proof.
   Answer prove(const Box& box, double need, double refuse, std::size_t most_boxes,
                const std::function<bool(const Box&)>& excused = {});
-  /// Values with a common point of both links, by descent from `starts` places; empty if none is
-  /// found.
+  /// Values with a common point of both links, by descent from `starts` places; empty if not found.
   std::vector<double> find_contact(int starts);
   /// Whether some triangles less than `near` apart are proven to stay less than `most` apart in the
   /// box. False proves nothing.

@@ -135,8 +135,7 @@ class Search {
       const Vec speed = slides ? link.axis : cross(link.axis, point - link.origin);
       const double way =
           slides ? link.half : 2 * std::sin(std::min(link.half, M_PI) / 2) * length(speed);
-      // A point turns about this axis after the joints between the axis and the point have moved
-      // it.
+      // A point turns about this axis after the joints between the axis and the point have moved.
       lever[i] = slides ? 1 : length(speed) + inner;
       inner += slides ? link.half : lever[i] * link.half;
       plain += way;

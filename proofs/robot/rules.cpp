@@ -215,8 +215,7 @@ class Rules {
   bool is_sound_ = true;
 };
 
-/// The summed lengths of translations, slides and the sphere from base to far side of a link, in
-/// cells.
+/// The sum of translations, slides and the sphere from base to far side of a link, in cells.
 double extent_of(const Robot& robot, std::uint32_t link) {
   const Link& of = robot.links[link];
   const auto size = [](const std::int32_t(&v)[3]) {

@@ -8,8 +8,7 @@ constexpr int kSteps = 72;
 /// The parts of a whole turn into which arcs are divided.
 constexpr double kParts = 128;
 
-/// The index of the direction with x and y in steps; the bits of `face` are the signs of x, y and
-/// z.
+/// The index of the direction with x and y in steps; `face` has the signs of x, y and z as bits.
 std::size_t place_of(int face, int x, int y) {
   const int row = face * (kSteps + 1) + x;
   return static_cast<std::size_t>(row) * (kSteps + 1) + static_cast<std::size_t>(y);

@@ -1,6 +1,5 @@
 // The largest extent of a body in any direction, with its sweep by joints. The support function is
-// convex, so interpolating between known directions, on the faces of an octahedron, is never too
-// small.
+// convex: interpolating between known directions, on an octahedron's faces, is never too small.
 #pragma once
 
 #include <vector>
@@ -16,8 +15,7 @@ class Support {
 
   /// An upper bound of the dot product of the direction, of any length, with any point of the body.
   double operator()(const Vec& direction) const;
-  /// The support of the body's sweep by a joint within its limits, in the frame of the joint's
-  /// parent.
+  /// The support of the body's sweep by a joint within its limits, in the joint's parent's frame.
   Support swept(const Joint& joint) const;
   /// An upper bound of any point's distance from the z axis.
   double from_axis() const;

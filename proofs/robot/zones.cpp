@@ -11,8 +11,7 @@ namespace {
 constexpr int kLooks = 33;
 /// The share of the radius below which a link's pieces are not divided again.
 constexpr double kPiece = 1.0 / 32;
-/// The share of a guard's stop distance and slack within which triangles excuse contact in a joint
-/// box.
+/// The share of a guard's stop distance and slack within which triangles excuse contact in a box.
 constexpr double kCertain = 0.75;
 /// The rounding error of corners, in cells.
 constexpr double kRounded = 1;

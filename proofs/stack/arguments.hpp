@@ -2,8 +2,7 @@
 //
 // Linked alone, an entry gives its query's code size; it is the root of the query's call graph. The
 // firmware of painted.cpp calls it through a pointer, so the painted depth is that of the call
-// graph's machine code. The caller's memory for a query lies in Arguments, and does not count as
-// stack.
+// graph's machine code. The caller's memory for a query lies in Arguments: it is no stack.
 #pragma once
 
 #include <stddef.h>

@@ -1,6 +1,5 @@
 // The painted stack of every entry, measured on the target: "stack NAME painted BYTES", the largest
-// over queries built to take the deepest paths. Uses neither Catch2 nor a heap, so it runs on every
-// board.
+// over queries built to take the deepest paths. Needs neither Catch2 nor a heap: for every board.
 #include "deep_post.fbvh.h"
 #include "deep_pre.fbvh.h"
 #include "flashbvh/image.hpp"
@@ -94,8 +93,7 @@ constexpr Triangle kPairs[][2] = {
 
 constexpr float kRigidFloats[12] = {0.6f, -0.8f, 0, 0.8f, 0.6f, 0, 0, 0, 1, 1.25f, -7, 0.125f};
 
-/// A matrix and a translation, row by row; the first seven also serve as a quaternion and a
-/// translation.
+/// A matrix and a translation, row by row; the first seven are also a quaternion and a translation.
 constexpr float kFloats[][12] = {
     {0.6f, -0.8f, 0, 1.25f, 0.8f, 0.6f, 0, -7, 0, 0, 1, 0.125f},
     {1, 0, 0, 0, 2000.5f, -3, 0.75f, 0, 0, 0, 0, 0},

@@ -1,5 +1,4 @@
-// Measures periods of the guard of a small arm with hard meshes, for comparison with the proven
-// bounds:
+// Measures periods of a small arm's guard with hard meshes, to compare with the proven bounds:
 //   run period WORK JOINTS PAIRS BETWEEN TABLED DEPTH LEAF_SIZE INSTRUCTIONS
 // WORK: the budget. BETWEEN: joints between the links of all pairs; TABLED: pairs with one or two
 // such joints. DEPTH and LEAF_SIZE: the largest of two meshes, and of any.

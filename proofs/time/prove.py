@@ -50,8 +50,7 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     # Loading a leaf's planes: reached, or the next one after the leaf at which a run resumed.
     reached = part("reach-leaf").total + part("below-reached").total
     shape = made + max(reached + below.fixed + below.term("climb"), again + turn)
-    # Transformed, tested, and possibly reported. triangle-pair-general: of triangles with area that do not lie in one
-    # plane.
+    # Transformed, tested, and possibly reported. triangle-pair-general: of triangles with area, not in one plane.
     transform = max(part("translate").total, part("rotate").total)
     pair = compared + part("found").total + tests + sum(map(answer.term, ("row", "triangle"))) + transform
     walks = [part(f"walk-{kind}") for kind in ("translated", "rotated")]

@@ -1,5 +1,4 @@
-// Leaf planes save visits and change nothing else: each answer is compared with a query on boxes
-// alone.
+// Leaf planes save visits and change nothing else: answers are compared with those of boxes alone.
 #include "support/any_mesh.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"

@@ -1,5 +1,5 @@
 // The output of live_answers.cpp, from the library in a page: exports of arm.cpp, with a robot
-// opened.
+// open.
 const answers_of = (arm, count) => {
   const { next, add, hash } = drawing();
   const ends = [];

@@ -1,4 +1,4 @@
-// Drives a robot's page like a reader, and reports claims. The trajectory begins free and ends in a
+// Drives a robot's page like a reader, and reports claims. The trajectory begins free, ends in a
 // stop.
 const drive_trajectory = async () => {
   const { trajectory } = live;
@@ -10,8 +10,7 @@ const drive_trajectory = async () => {
   const { period } = trajectory;
   await wait();
   claim("and halts", trajectory.period === period);
-  // A period's verdict covers the motion to its values, too; the last verdict is that of these
-  // values.
+  // A period's verdict covers the motion to its values, too; the last one is that of these values.
   const stop = trajectory.verdicts.indexOf("3");
   trajectory.place.value = 100;
   trajectory.place.dispatchEvent(new Event("input"));

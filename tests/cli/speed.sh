@@ -1,6 +1,6 @@
 #!/bin/sh
-# speed.sh: times pages' first picture, and their frames per second while all moves, each frame with its queries, in
-# headless Chromium on one core without a GPU: a KUKA KR5's robot page and the page of two of its links. Prints both
+# speed.sh: times the first picture of pages, and their frames per second while all moves, each frame with its queries.
+# In headless Chromium on one core without a GPU: a KUKA KR5's robot page and the page of two of its links. Prints both
 # numbers of each, for a running browser and a newly started one, and the idle share of the core. FLASHBVH is the
 # program, by default that of build/native.
 set -eu

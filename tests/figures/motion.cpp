@@ -1,4 +1,4 @@
-// Motions of the KR5's links through the near poses of kr5.cpp: 100 cells each, B straight, and
+// Motions of the KR5's links through the near poses of kr5.cpp: 100 cells each, B straight,
 // turning.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"

@@ -20,8 +20,7 @@ namespace {
 
 /// Setups with fewer visits do not measure the loop.
 constexpr uint32_t kMostVisitsOfSeparated = 10;
-/// Stack entries for every setup; the program checks this, since stack traversals trust their
-/// array.
+/// Stack entries for every setup; the program checks this: stack traversals trust their array.
 constexpr uint32_t kStackEntries = 64;
 
 struct Counted {

@@ -1,8 +1,7 @@
 // Arbitrary bytes as one of the tool's text formats other than meshes: read, or refused with a
 // message that names the place.
 //
-// The input is a line with the kind (urdf, srdf, limits, poses, values: a trajectory), then the
-// file.
+// The input: a line with the kind (urdf, srdf, limits, poses, values: a trajectory), then the file.
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -14,8 +14,7 @@ struct BakedImage {
   std::vector<std::uint32_t> words;
 };
 
-/// All golden images: small, of different meshes, in both layouts and index widths, by both
-/// builders.
+/// All golden images: small, of several meshes, in both layouts and index widths, by both builders.
 std::vector<BakedImage> bake_golden_images();
 
 /// An image from the repository, aligned to 4 bytes.

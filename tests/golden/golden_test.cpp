@@ -1,5 +1,4 @@
-// Golden images bake again to equal bytes, open, and answer as recorded, on the host and on every
-// core.
+// Golden images bake again to equal bytes, open, and answer as recorded, on the host and all cores.
 #include "golden/golden.hpp"
 #include "flashbvh/image.hpp"
 #include "support/test.hpp"

@@ -94,8 +94,7 @@ function(flashbvh_add_test name)
   set_tests_properties(${test} PROPERTIES FAIL_REGULAR_EXPRESSION "No tests ran" ${properties})
 endfunction()
 
-# flashbvh_add_tests(room [OPTIMISED]): the tests of the folder `room`. The suffix of a file's name selects where it
-# runs:
+# flashbvh_add_tests(room [OPTIMISED]): the tests of the folder `room`. A file's suffix selects where it runs:
 #                     the target board_tests builds them all
 #   *_cost_test.cpp   on boards of measured cores, counting instructions
 #   *_host_test.cpp   only on this machine, optimised, with GMP for exact rationals

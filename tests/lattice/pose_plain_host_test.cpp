@@ -57,8 +57,7 @@ void check_same(const flashbvh_pose& by_library, const Pose& wanted) {
   }
 }
 
-/// Numbers at which forms may differ: not a number, limits, subnormals, and halves between two
-/// results.
+/// Numbers at which forms may differ: no number, limits, subnormals, halves between two results.
 float any_odd_number(Random& random) {
   constexpr float odd[] = {0.0f,
                            -0.0f,

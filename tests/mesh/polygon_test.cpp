@@ -113,8 +113,7 @@ TEST_CASE("what lies in the long triangles of a star is found among few corners"
     const double radius = i % 2 == 0 ? 1 : 0.5;
     star.push_back({radius * std::cos(turn), radius * std::sin(turn)});
   }
-  // A fan from the end of the first ray, as the cut makes it: thin triangles between one side's
-  // rays.
+  // A fan from the end of the first ray, as it is cut: thin triangles between one side's rays.
   tool::CornerTree tree(star);
   const std::uint32_t kLast = kCount / 8;
   bool all_empty = true;

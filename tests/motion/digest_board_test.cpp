@@ -43,8 +43,7 @@ struct Scene {
   }
 };
 
-/// Adds the contacts in slices; the number of slices must be equal on all cores. Passes each
-/// `close`.
+/// Adds the contacts in slices, whose number must be equal on all cores. Passes each `close`.
 [[gnu::noinline]] void add_contacts(FirstContact& query, uint32_t slice, digest::Hash& hash,
                                     int (&outcomes)[3]) {
   for (;;) {

@@ -1,5 +1,4 @@
-// First contacts in slices: equal answers, also in a new object for each slice, and after passed
-// contacts.
+// First contacts in slices: equal answers, also in a new object per slice, and after passed ones.
 #include "flashbvh/first_contact.hpp"
 #include "support/any_motion.hpp"
 #include "support/test.hpp"

@@ -63,8 +63,7 @@ struct BasicMeshWithLevels<IndexType, Layout::post_indexed>
   uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; }
   /// The link of the first left child above the node.
   uint32_t escape(uint32_t node) const { return this->nodes[node - rcl(node)].link; }
-  /// Replaces a node of known RCL by its escape index; returns 0 if this is the end node: the
-  /// root's.
+  /// Replaces a node of known RCL by its escape index; returns 0 if it is the end node: the root's.
   uint32_t escape_from(uint32_t& node, uint32_t rcl) const {
     const uint32_t left_child = node - rcl;
     node = this->nodes[left_child].link;

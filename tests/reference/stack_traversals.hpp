@@ -231,8 +231,7 @@ constexpr uint64_t volume(const PackedBox& box) {
   return uint64_t{detail::extent_x(box)} * detail::extent_y(box) * detail::extent_z(box);
 }
 
-/// Descends into the larger box, into A on ties: by the paper's line 9, into B if A has less
-/// volume.
+/// Descends into the larger box, into A on ties: the paper's line 9 says B if A has less volume.
 struct VolumeRule {
   template <class Tree, class Node>
   static detail::Side into(const Tree&, const Node* a, const Tree&, const Node* b) {

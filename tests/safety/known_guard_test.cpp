@@ -1,5 +1,4 @@
-// The known guard's verdicts are right, by brute force over all pairs of triangles at each period's
-// end.
+// The known guard's verdicts are right, by brute force over all pairs of triangles in each period.
 #include "robot/known_guard.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"

@@ -1,5 +1,4 @@
-// Coarser meshes: within their limit in both directions, complete, with few triangles,
-// reproducible.
+// Coarser meshes: within their limit both ways, complete, with few triangles, reproducible.
 #include "simplify/coarsening.hpp"
 
 #include "bake/quantise.hpp"

@@ -1,5 +1,4 @@
-// Queries under any pose: every traversal and layout against brute force over transformed
-// triangles.
+// Queries under any pose: each traversal and layout against brute force on transformed triangles.
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"

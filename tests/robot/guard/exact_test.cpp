@@ -191,8 +191,7 @@ TEST_CASE("at the stop and the warn distance itself, not beyond them") {
     Values values = {30 * kFrameCell};
     walk.answer = walk.guard.prime(values.data());
     REQUIRE(walk.answer.verdict == Verdict::free);
-    // At 1/256 cell per period, without measurements, the reported distance decreases by one each
-    // time.
+    // At 1/256 cell per period, unmeasured, the reported distance decreases by one each time.
     while (walk.answer.distance >= pair.warn) {
       values[0] += kFrameCell / 256;
       walk.answer = walk.guard.update(values.data(), 0);

@@ -5,8 +5,7 @@
 
 namespace {
 
-/// A change to every_joint_arm()'s image, whose checksum and hash are repaired, and the expected
-/// status.
+/// A change to every_joint_arm()'s image, with repaired checksum and hash, and the expected status.
 struct Crafted {
   const char* what;
   void (*change)(Parts parts);

@@ -1,8 +1,7 @@
 // Distances of links, by queries only if boxes and the pair's last query do not decide.
 //
-// Computed in doubles, with nothing that the guard uses. Seen from A, the corner of B's box that
-// moves farthest bounds the travel of all its points, since the difference of two placements is
-// affine.
+// In doubles, with nothing that the guard uses. Seen from A, the corner of B's box that moves
+// farthest bounds the travel of all its points: the difference of two placements is affine.
 #pragma once
 
 #include <array>

@@ -46,8 +46,7 @@ double from_axis(const tool::Transform& axis, const Vector3& p) {
   return std::hypot(at[0], at[1]);
 }
 
-/// Adds the triangle's part beyond the cylinder about an axis, of triangles cut in four; not all of
-/// it.
+/// Adds the part beyond the cylinder about an axis, of triangles cut in four; not all of it.
 void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, double radius, int cuts,
                 std::vector<DrawnTriangle>& beyond) {
   const Vector3 centre = simplify::centre_of(triangle);
