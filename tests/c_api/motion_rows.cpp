@@ -86,7 +86,7 @@ struct Contacts {
                 query.status());
   }
 
-  /// Resumes by cursors in new objects, after a wrong one; only a suspended query accepts any.
+  /// Resumes by cursors in new objects, after a wrong one; only a suspended query accepts one.
   bool move() {
     const FirstContact::Cursor at = query.cursor();
     const flashbvh_contact_cursor c_at = flashbvh_first_contact_cursor(&c);

@@ -1,4 +1,4 @@
-// The known guard's verdicts are right, by brute force over all pairs of triangles in each period.
+// The known guard's verdicts are right, by brute force on all triangle pairs at each period's end.
 #include "robot/known_guard.hpp"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"

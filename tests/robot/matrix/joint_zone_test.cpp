@@ -216,7 +216,7 @@ TEST_CASE("where what touches grows towards a limit, the zone does not") {
 TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range they meet") {
   // Each link is one piece: a hub with a fin from two of its corners. The base's fin stands upright
   // at a right angle and reaches out to 0.3. The arm's fin lies flat, 15 degrees wide at its hub,
-  // and meets it from an angle of 1.44 on: at the end of a range to 1.6, and amid one to 2.8.
+  // and meets it from an angle of 1.44 on: the end of a range to 1.6, the middle of one to 2.8.
   const auto made = [](double upper) {
     Neighbours fins = hub_and_arm(0.2, upper);
     bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
@@ -242,7 +242,7 @@ TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range 
 }
 
 TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a millimetre") {
-  // Rail and rib are one piece; the rib is across the end, at 0.5. The carriage begins 0.05 ahead.
+  // Rail and rib are one piece, the rib across the end at 0.5. The carriage's front is 0.05 ahead.
   const auto made = [](double upper) {
     Neighbours rail;
     bake::SourceMesh ribbed = box({-0.1, -0.05, -0.05}, {0.5, 0.05, 0});
