@@ -1,6 +1,6 @@
 // Self-tests, on a scene's image as constant memory.
 #include "c_api/scene.hpp"
-#include "flashbvh/self_test.h"
+#include "flashbvh/flashbvh.h"
 #include "flashbvh/self_test.hpp"
 
 namespace flashbvh::test {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "flashbvh/body_motion.hpp"
+#include "flashbvh/first_contact.hpp"
 #include "support/boxes.hpp"
 #include "support/record.hpp"
 #include "support/rotations.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "flashbvh/triangle.hpp"
+#include "flashbvh/lattice.hpp"
 
 namespace flashbvh::bake {
 namespace {

@@ -27,8 +27,7 @@ struct Budget {
   double cycles() const { return mhz * 1e6 / hz; }  ///< per period
   /// In cycles; where no cycles are proven, an estimate of one per instruction.
   RunCosts costs() const {
-    return core.cycles ? flashbvh::detail::with_waits(*core.cycles, flash_wait_states().at(flash))
-                       : core.costs;
+    return core.cycles ? costs_in_cycles(*core.cycles, flash_wait_states().at(flash)) : core.costs;
   }
 };
 

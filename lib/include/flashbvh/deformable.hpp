@@ -19,7 +19,6 @@
 
 #include "flashbvh/detail/query/refit.hpp"
 #include "flashbvh/mesh.hpp"
-#include "flashbvh/run_result.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {

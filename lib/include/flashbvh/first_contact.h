@@ -1,5 +1,5 @@
-/* flashbvh for C: whether two bodies are apart at every moment of a motion. body_motion.hpp defines
- * motions, first_contact.hpp the certified result.
+/* flashbvh for C: whether two bodies are apart at every moment of a motion. See
+ * first_contact.hpp.
  *
  *     flashbvh_body_motion motion;
  *     flashbvh_first_contact_query query;

@@ -18,7 +18,6 @@
 #include "flashbvh/detail/query/query_run.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
-#include "flashbvh/run_result.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-/* Robots: robot/robot.hpp and frame.hpp -------------------------------------------------------- */
+/* Robots: robot/robot.hpp and pose.hpp --------------------------------------------------------- */
 
 /** An invalid coordinate: the result for a float that is not a number, or too large. */
 #define FLASHBVH_NO_COORDINATE INT32_MIN

@@ -14,9 +14,9 @@
 
 #include "flashbvh/detail/walk/work.hpp"
 #include "flashbvh/mesh.hpp"
-#include "flashbvh/plain/results.h"
 #include "flashbvh/plain/core_costs.h"
 #include "flashbvh/plain/core_cycles.h"
+#include "flashbvh/plain/results.h"
 
 namespace flashbvh {
 
@@ -110,10 +110,8 @@ constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& mesh
          (uint64_t{work} + detail::kTrianglePairWork - 1) * (costs.work + passed);
 }
 
-namespace detail {
-
 /// Returns the costs in cycles if each read of flash takes this many wait states.
-constexpr RunCosts with_waits(const RunCycles& core, uint32_t wait_states) {
+constexpr RunCosts costs_in_cycles(const RunCycles& core, uint32_t wait_states) {
   const RunCosts& cycles = core.cycles;
   const RunCosts& reads = core.reads;
   return {cycles.start + wait_states * reads.start, cycles.ascent + wait_states * reads.ascent,
@@ -122,18 +120,16 @@ constexpr RunCosts with_waits(const RunCycles& core, uint32_t wait_states) {
           cycles.work + wait_states * reads.work};
 }
 
-}  // namespace detail
-
 /// As most_instructions(), in cycles. `wait_states`: at most 1000, for each read of the memory of
 /// code and meshes; 0 for RAM. Assumes no cache hits.
 constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& a,
                                const TreeSize& b, uint32_t work) {
-  return most_instructions(detail::with_waits(core, wait_states), a, b, work);
+  return most_instructions(costs_in_cycles(core, wait_states), a, b, work);
 }
 /// For a mesh against itself.
 constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& mesh,
                                uint32_t work) {
-  return most_instructions(detail::with_waits(core, wait_states), mesh, work);
+  return most_instructions(costs_in_cycles(core, wait_states), mesh, work);
 }
 
 namespace detail {
@@ -163,12 +159,12 @@ constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, con
 /// for most_cycles().
 constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
                                const TreeSize& a, const TreeSize& b) {
-  return work_within(cycles, detail::with_waits(core, wait_states), a, b);
+  return work_within(cycles, costs_in_cycles(core, wait_states), a, b);
 }
 /// For a mesh against itself.
 constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
                                const TreeSize& mesh) {
-  return work_within(cycles, detail::with_waits(core, wait_states), mesh);
+  return work_within(cycles, costs_in_cycles(core, wait_states), mesh);
 }
 
 }  // namespace flashbvh

@@ -1,5 +1,5 @@
 // The C interface to self-tests.
-#include "flashbvh/self_test.h"
+#include "flashbvh/flashbvh.h"
 
 #include "flashbvh/self_test.hpp"
 #include "objects.hpp"

@@ -1,5 +1,5 @@
 // Construction of body motions, and the body's pose at a time.
-#include "flashbvh/body_motion.hpp"
+#include "flashbvh/first_contact.hpp"
 
 #include "../lattice/sine.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"

@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/lattice/packed_vector.hpp"
-#include "flashbvh/frame.hpp"
 #include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
 
 namespace flashbvh::detail {
 

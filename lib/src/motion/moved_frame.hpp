@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#include "flashbvh/body_motion.hpp"
-#include "flashbvh/frame.hpp"
+#include "flashbvh/first_contact.hpp"
+#include "flashbvh/pose.hpp"
 
 namespace flashbvh::detail {
 

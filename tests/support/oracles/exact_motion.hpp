@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "flashbvh/body_motion.hpp"
+#include "flashbvh/first_contact.hpp"
 #include "flashbvh/mesh.hpp"
 #include "support/oracles/float_distance.hpp"
 

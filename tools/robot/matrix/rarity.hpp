@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flashbvh/run_result.hpp"
+#include "flashbvh/status.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/matrix/matrix.hpp"
 

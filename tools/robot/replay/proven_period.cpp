@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
@@ -19,33 +18,41 @@ constexpr CoreCosts kCores[] = {FLASHBVH_FOR_EACH_GUARD_CORE(FLASHBVH_CORE_OF)};
 
 /// None if no cycles are proven.
 std::optional<GuardCosts> guard_cycles_on(const std::string& core, std::uint32_t wait_states) {
-#define FLASHBVH_CORE_OF(name, c_name, text, ...)                 \
-  if (core == (text)) {                                           \
-    return detail::with_waits(kGuardCyclesOn##name, wait_states); \
+#define FLASHBVH_CORE_OF(name, c_name, text, ...)              \
+  if (core == (text)) {                                        \
+    return costs_in_cycles(kGuardCyclesOn##name, wait_states); \
   }
   FLASHBVH_FOR_EACH_GUARD_CORE_IN_CYCLES(FLASHBVH_CORE_OF)
 #undef FLASHBVH_CORE_OF
   return std::nullopt;
 }
 
+/// Adds the subtree of a node at this depth to the size.
+void add_subtree(const Mesh& mesh, std::uint32_t node, std::uint32_t depth, TreeSize& size) {
+  size.depth = std::max(size.depth, depth);
+  if (mesh.nodes[node].is_leaf()) {
+    size.leaf_size = std::max(size.leaf_size, mesh.triangles_in(mesh.nodes[node].leaf()));
+    return;
+  }
+  std::uint32_t children = 1;
+  std::uint32_t child = mesh.first_child(node);
+  for (; !mesh.is_last_child(node, child); child = mesh.next_sibling(child), ++children) {
+    add_subtree(mesh, child, depth + 1, size);
+  }
+  add_subtree(mesh, child, depth + 1, size);
+  size.arity = std::max(size.arity, children);
+}
+
 /// None if the proof does not cover one of the trees.
 std::optional<GuardSize> size_of(const Robot& robot) {
-  std::uint32_t depth = 0;
-  std::uint32_t leaf_size = 0;
+  TreeSize size{};
   for (std::uint32_t i = 0; i < robot.link_count; ++i) {
-    detail::TreeShape shape{};
-    if (detail::check_tree(robot.meshes[i], detail::ImageLevels<std::uint16_t>{}, shape) !=
-            Status::done ||
-        shape.arity > kMostBoundedArity) {
-      return std::nullopt;
-    }
-    depth = std::max(depth, shape.depth);
-    leaf_size = std::max(leaf_size, shape.leaf_size);
+    add_subtree(robot.meshes[i], 0, 0, size);
   }
-  if (leaf_size > kMostBoundedLeaf) {
+  if (size.arity > kMostBoundedArity || size.leaf_size > kMostBoundedLeaf) {
     return std::nullopt;
   }
-  return guard_size_of(robot, 2 * depth, leaf_size);
+  return guard_size_of(robot, 2 * size.depth, size.leaf_size);
 }
 
 }  // namespace

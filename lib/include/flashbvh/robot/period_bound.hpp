@@ -74,10 +74,8 @@ constexpr GuardSize guard_size_of(const Robot& robot, uint32_t depth, uint32_t l
   return size;
 }
 
-namespace detail {
-
 /// Returns the costs in cycles if each read of flash takes this many wait states.
-constexpr GuardCosts with_waits(const GuardCycles& core, uint32_t wait_states) {
+constexpr GuardCosts costs_in_cycles(const GuardCycles& core, uint32_t wait_states) {
   const auto cost = [&](uint32_t GuardCosts::*of) {
     return core.cycles.*of + wait_states * core.reads.*of;
   };
@@ -86,6 +84,8 @@ constexpr GuardCosts with_waits(const GuardCycles& core, uint32_t wait_states) {
           cost(&GuardCosts::measure), cost(&GuardCosts::ascent),  cost(&GuardCosts::within),
           cost(&GuardCosts::work)};
 }
+
+namespace detail {
 
 /// As in guard_measure.cpp: work to start measuring a pair, and to measure its witness.
 constexpr uint32_t kBeginWork = 16;
@@ -130,7 +130,7 @@ constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& s
 /// code and robot; 0 for RAM. Assumes no cache hits.
 constexpr uint64_t most_cycles(const GuardCycles& core, uint32_t wait_states, const GuardSize& size,
                                uint32_t work) {
-  return most_instructions(detail::with_waits(core, wait_states), size, work);
+  return most_instructions(costs_in_cycles(core, wait_states), size, work);
 }
 
 /// Returns the most work with which a period takes at most this many instructions; 0 if there is
@@ -147,7 +147,7 @@ constexpr uint32_t work_within(uint64_t instructions, const GuardCosts& costs,
 /// Within this many cycles; arguments as for most_cycles().
 constexpr uint32_t work_within(uint64_t cycles, const GuardCycles& core, uint32_t wait_states,
                                const GuardSize& size) {
-  return work_within(cycles, detail::with_waits(core, wait_states), size);
+  return work_within(cycles, costs_in_cycles(core, wait_states), size);
 }
 
 }  // namespace flashbvh

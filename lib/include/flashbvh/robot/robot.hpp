@@ -11,9 +11,9 @@
 
 #include <stdint.h>
 
-#include "flashbvh/frame.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/plain/robot_parts.h"
+#include "flashbvh/pose.hpp"
 
 namespace flashbvh {
 

@@ -4,11 +4,16 @@
 
 #include <stdint.h>
 
-#include "flashbvh/body_motion.hpp"
-#include "flashbvh/frame.hpp"
 #include "flashbvh/lattice.hpp"
+#include "flashbvh/plain/motion_parts.h"
+#include "flashbvh/pose.hpp"
 
-namespace flashbvh::detail {
+namespace flashbvh {
+
+class BodyMotion;
+using Move = flashbvh_move;
+
+namespace detail {
 
 /// Source: lib/docs/derivations.md, "Motions of two bodies".
 class BodyReach {
@@ -37,6 +42,7 @@ class BodyReach {
   uint32_t radius_;    ///< in 1/2,048 cell
 };
 
-}  // namespace flashbvh::detail
+}  // namespace detail
+}  // namespace flashbvh
 
 #endif

@@ -14,7 +14,6 @@
 #include "flashbvh/detail/walk/walk.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
-#include "flashbvh/run_result.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh::detail {
