@@ -5,7 +5,7 @@ set -eu
 build=$(cd "$(dirname "$0")" && pwd)
 flashbvh=$build/native-sanitize/bin/flashbvh
 made=$build/baked/new.$$
-before= folder= depfile= asked=$(stat -c %y "$flashbvh")
+before= folder= depfile= request=$(stat -c %y "$flashbvh")
 for argument; do
   shift
   key=$argument
@@ -15,11 +15,11 @@ for argument; do
     *) [ ! -f "$argument" ] || key="${argument##*/} $(cksum <"$argument")" ;;
   esac
   before=$argument
-  asked="$asked
+  request="$request
 $key"
   set -- "$@" "$argument"
 done
-kept=$build/baked/$(echo "$asked" | sha1sum | cut -c 1-40)
+kept=$build/baked/$(echo "$request" | sha1sum | cut -c 1-40)
 if [ ! -d "$kept" ]; then
   mkdir -p "$made"
   "$flashbvh" "$@"

@@ -35,12 +35,12 @@ def lines(name, *kinds):
             yield words
 
 
-def ask(flashbvh, *arguments):
+def run(flashbvh, *arguments):
     return subprocess.run([flashbvh, *arguments], check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
 def host(flashbvh):
-    cell = json.loads(ask(flashbvh, "info", DEMO / "kr5/palm.fbvh", "--json"))["cell"]
+    cell = json.loads(run(flashbvh, "info", DEMO / "kr5/palm.fbvh", "--json"))["cell"]
     poses = defaultdict(list)
     for _, configuration, a, b, *numbers in lines("target", "pose"):
         entries = [int(number) / 2**30 for number in numbers[:9]]
@@ -54,7 +54,7 @@ def host(flashbvh):
         file.write_text("".join(f"{pose}\n" for _, pose in of_pair))
         for traversal in TRAVERSALS:
             images = DEMO / ("kr5/pre" if traversal == "stackless" else "kr5")
-            answers = ask(flashbvh, "collide", images / f"{a}.fbvh", images / f"{b}.fbvh", "--poses", file,
+            answers = run(flashbvh, "collide", images / f"{a}.fbvh", images / f"{b}.fbvh", "--poses", file,
                           "--algorithm", traversal, "--json").splitlines()
             for (configuration, _), answer in zip(of_pair, map(json.loads, answers)):
                 counts = " ".join(str(answer[count]) for count in COUNTS)

@@ -96,13 +96,13 @@ python3 tools/demo.py compact || status=1
 
 step "7. A page in which the arm's links answer: flash, RAM, time"
 # Leaves out neighbours, which the arm does not test.
-rm -rf $demo/asked
-cp -r $demo/poses $demo/asked
+rm -rf $demo/queried
+cp -r $demo/poses $demo/queried
 for link in $links; do
-  rm -f $demo/asked/$last-$link
+  rm -f $demo/queried/$last-$link
   last=$link
 done
-$flashbvh report $(for link in $links; do echo $demo/kr5/$link.fbvh; done) --poses $demo/asked \
+$flashbvh report $(for link in $links; do echo $demo/kr5/$link.fbvh; done) --poses $demo/queried \
   --core $board --hz 1000 --clock 168MHz -o $demo/arm.html
 echo "Open $PWD/$demo/arm.html"
 

@@ -13,8 +13,9 @@ mkdir -p $texts
 echo '""' | tee $texts/guard_costs.inc >$texts/guard_cycles.inc  # CMake makes them for tools/robot
 : >$texts/flash.inc  # and for tools/evaluate
 steps=20000
-dear=-clang-analyzer-*,-performance-unnecessary-value-param,-bugprone-stringview-nullptr,-bugprone-reserved-identifier
-[ "${1:-}" != --deep ] || { steps=225000; dear=; }
+expensive=-clang-analyzer-*,-performance-unnecessary-value-param
+expensive=$expensive,-bugprone-stringview-nullptr,-bugprone-reserved-identifier
+[ "${1:-}" != --deep ] || { steps=225000; expensive=; }
 status=0
 python=$(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')
 
@@ -37,26 +38,26 @@ lint cycles "" ports/cycles/*.cpp
 # Components whose names do not clash are checked together: the standard library's headers are half of the work.
 # Sources that replace others, where there are no processes or readers, are checked separately.
 instead="tools/mesh/import_here.cpp tools/robot/read/foreign_unread.cpp"
-lint bakes "$dear" $(printf '%s\n' tools/text/*.cpp tools/mesh/*.cpp tools/bake/*.cpp tools/image/*.cpp \
+lint bakes "$expensive" $(printf '%s\n' tools/text/*.cpp tools/mesh/*.cpp tools/bake/*.cpp tools/image/*.cpp \
   tools/robot/*.cpp tools/robot/*/*.cpp | grep -vxF "$(printf '%s\n' $instead)")
-lint instead "$dear" $instead
-lint cli "$dear" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
+lint instead "$expensive" $instead
+lint cli "$expensive" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
     # There are two programs; one needs the headers of libsdformat.
-    readers) lint readers "$dear" tools/readers/reader.cpp tools/readers/mjcf*.cpp ;;
+    readers) lint readers "$expensive" tools/readers/reader.cpp tools/readers/mjcf*.cpp ;;
     # tools/compare needs the headers of the libraries that it compares, tools/release has no source, and
     # tools/npm has sources for another machine.
     compare | npm | release) ;;
-    live) lint live "$dear" tools/live/live_section.cpp ;; # arm.cpp is for another machine
+    live) lint live "$expensive" tools/live/live_section.cpp ;; # arm.cpp is for another machine
     python)
       if [ -e "$python/Python.h" ] && [ -e /usr/include/pybind11/pybind11.h ]; then
-        lint python "$dear" tools/python/*.cpp
+        lint python "$expensive" tools/python/*.cpp
       else
         echo "tools/python is left out: apt-get install python3-dev pybind11-dev"
       fi ;;
-    *) lint "$(basename "$room")" "$dear" "$room"*.cpp ;;
+    *) lint "$(basename "$room")" "$expensive" "$room"*.cpp ;;
   esac
 done
 exit $status

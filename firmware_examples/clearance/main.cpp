@@ -106,7 +106,7 @@ void print_mm(uint32_t distance) {
 
 /// Prints a line: the verdict of the pose that `make_pose` returns.
 template <class MakePose>
-Verdict tell(Guard& guard, const MakePose& make_pose) {
+Verdict print_verdict(Guard& guard, const MakePose& make_pose) {
   Known known = {Verdict::stop, 0};
   const uint32_t instructions = port::instructions_of([&] { known = guard.at(make_pose()); });
   print_mm(known.lower);
@@ -123,12 +123,12 @@ int main() {
   Verdict last = Verdict::free;
   for (unsigned i = 0; i < kSteps; ++i) {
     port::print("step ", i, ": ");
-    last = tell(guard, [&] { return approach.pose(); });
+    last = print_verdict(guard, [&] { return approach.pose(); });
     approach.step();
   }
   // As sensors may report at reset. The distance alone would report the gripper as free.
   port::print("bar in the palm: ");
-  const Verdict inside = tell(guard, [] {
+  const Verdict inside = print_verdict(guard, [] {
     return pose_of(UnitQuaternion{1, 0, 0, 0}, {0, 0, -36.0f}, bar_CELLS_PER_UNIT);
   });
   return last == Verdict::stop && inside == Verdict::stop ? 0 : 1;

@@ -106,7 +106,7 @@ void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
 }
 
 /// Runs all queries of a frame. Not inlined, because the stack measurement needs its frame.
-Costs ask(const Mesh& mesh, Cloth& cloth, Frame& frame) {
+Costs run_queries(const Mesh& mesh, Cloth& cloth, Frame& frame) {
   Costs costs;
   costs.link = port::instructions_of([&] {
     PairQuery query(link, mesh, kInPlace);
@@ -141,7 +141,7 @@ Costs ask(const Mesh& mesh, Cloth& cloth, Frame& frame) {
   return costs;
 }
 
-void tell(int number, const Frame& frame, const Costs& costs) {
+void print_frame(int number, const Frame& frame, const Costs& costs) {
   port::print("frame ", number, ": link ", frame.of_link, " near ", frame.near_link, ", itself ",
               frame.of_itself, " near ", frame.near_itself, ", digest ", frame.digest,
               "; instructions: ");
@@ -170,12 +170,12 @@ int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
     }
     Frame frame;
     frame.digest ^= digest;
-    Costs costs = ask(mesh.mesh(), cloth, frame);
+    Costs costs = run_queries(mesh.mesh(), cloth, frame);
     costs.refit = refit;
     digest = frame.digest;
     most.raise_to(costs);
     if (number % 10 == 0 || number == kFrames - 1) {
-      tell(number, frame, costs);
+      print_frame(number, frame, costs);
     }
 #if defined(FLASHBVH_CLOTH_PAGE)
     page.add(number, mesh.mesh(), link);

@@ -83,7 +83,7 @@ void print_mm(uint16_t mm) {
   port::print(mm < 10 ? "    " : mm < 100 ? "   " : mm < 1000 ? "  " : " ", unsigned{mm});
 }
 
-Scan tell(const Place& place) {
+Scan print_scan(const Place& place) {
   Scan scan = {};
   const uint32_t instructions = port::instructions_of([&] { scan = scan_at(place); });
   port::print(place.name, ": ");
@@ -106,7 +106,7 @@ bool agree(uint16_t measured, uint16_t expected) {
 }
 
 /// Prints the zones whose measurement differs from the map; returns their number.
-int tell_differences(const Scan& scan, const uint16_t (&measured)[kZones]) {
+int print_differences(const Scan& scan, const uint16_t (&measured)[kZones]) {
   int count = 0;
   for (int zone = 0; zone < kZones; ++zone) {
     if (!agree(measured[zone], scan.mm[zone])) {
@@ -121,9 +121,9 @@ int tell_differences(const Scan& scan, const uint16_t (&measured)[kZones]) {
 }  // namespace
 
 int main() {
-  const bool scanned = tell(kAtTheDoor).is_valid && tell(kOverTheTable).is_valid;
-  const Scan shelves = tell(kAtTheShelves);
-  const int differences = tell_differences(shelves, kMeasuredAtTheShelves);
-  const Scan wrong = tell(kInThePillar);
+  const bool scanned = print_scan(kAtTheDoor).is_valid && print_scan(kOverTheTable).is_valid;
+  const Scan shelves = print_scan(kAtTheShelves);
+  const int differences = print_differences(shelves, kMeasuredAtTheShelves);
+  const Scan wrong = print_scan(kInThePillar);
   return scanned && shelves.is_valid && differences == 1 && !wrong.is_valid ? 0 : 1;
 }

@@ -165,7 +165,7 @@ Pose made_of_numbers(const Pose& pose) {
   return Pose::rigid(rotation, cells, fraction);
 }
 
-void ask(const Configuration& configuration, const ArmPose& arm, int a, int b) {
+void measure_pair(const Configuration& configuration, const ArmPose& arm, int a, int b) {
   const Pose pose = made_of_numbers(Pose::relative(arm.link[a], arm.link[b]));
   const Case what = {configuration.name, a, b, pose};
   print_pose(what);
@@ -190,13 +190,13 @@ void check(const Configuration& configuration) {
   port::print("\nanswer ", configuration.name, yes ? " yes " : " no ", whole, "\n");
 }
 
-void ask_all(const Configuration& configuration, int nearest) {
+void measure_pairs(const Configuration& configuration, int nearest) {
   ArmPose arm = arm_pose(configuration);
   const uint32_t kinematics = port::instructions_of([&] { arm = arm_pose(configuration); });
   port::print("kinematics ", configuration.name, " ", kinematics, "\n");
   for (int a = 0; a < kLinkCount; ++a) {
     for (int b = a + nearest; b < kLinkCount; ++b) {
-      ask(configuration, arm, a, b);
+      measure_pair(configuration, arm, a, b);
     }
   }
 }
@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
   for (const Configuration& configuration : kConfigurations) {
     check(configuration);
     // Neighbours are tested once: they intersect in every configuration.
-    ask_all(configuration, &configuration == kConfigurations ? 1 : 2);
+    measure_pairs(configuration, &configuration == kConfigurations ? 1 : 2);
   }
   return failed ? 1 : 0;
 }

@@ -38,7 +38,7 @@ struct Run {
 };
 
 /// Queries the set point, or spends more work on its unfinished query.
-GuardAnswer ask(Run& run, JointCoordinate* values) {
+GuardAnswer query_set_point(Run& run, JointCoordinate* values) {
   float joints[kMostVariables];
   set_point(run.motion, run.periods, joints);
   set_values(robot, joints, values);
@@ -64,7 +64,7 @@ void digest(Run& run) {
 /// The timer's interrupt handler; true if the motion goes on.
 bool control(Run& run) {
   JointCoordinate values[ARM(VARIABLE_COUNT)];
-  run.last = ask(run, values);
+  run.last = query_set_point(run, values);
   digest(run);
   run.work = run.last.work > run.work ? run.last.work : run.work;
   if (!may_go(run.last)) {
@@ -113,7 +113,7 @@ const char* name_of(uint8_t variable) {
 }
 
 /// Prints the links and the distance at the stop; true if the links are still apart.
-bool tell_stop(Run& run) {
+bool print_stop(Run& run) {
   const RobotPair& pair = robot.pairs[run.last.pair];
   const uint32_t left = distance_at(run.held, pair);
   port::print(", stopped with ", link_name(ARM(robot_image), pair.a), " and ",
@@ -129,7 +129,7 @@ bool tell_stop(Run& run) {
 }
 
 /// Runs a motion and prints its result; true if the motion ended as expected.
-bool tell(const Motion& motion) {
+bool run_motion(const Motion& motion) {
   Run run = {motion, Guard(robot, state), {}, 0, 0, 0, 0, 2166136261u, {}};
   float joints[kMostVariables];
   set_point(motion, 0, joints);
@@ -141,7 +141,7 @@ bool tell(const Motion& motion) {
               run.waited);
   bool is_right = run.last.status == Status::done;
   if (is_right && run.last.verdict == Verdict::stop) {
-    is_right = tell_stop(run);
+    is_right = print_stop(run);
   }
   const uint32_t in_time = time.periods - time.late;
   port::print(", answers' digest ", run.digest, "\n  a period: ", run.work, " work at most, ",
@@ -156,7 +156,7 @@ bool tell(const Motion& motion) {
 int main() {
   bool is_right = true;
   for (const Motion& motion : kMotions) {
-    is_right = tell(motion) && is_right;
+    is_right = run_motion(motion) && is_right;
   }
   port::print("RAM: ", unsigned{sizeof state}, " bytes, for views of the robot ",
               unsigned{sizeof meshes + sizeof robot},

@@ -39,7 +39,7 @@ int read_arguments(char*** argv) {
     char* text;
     uintptr_t length;
   } block = {line, sizeof line - 1};
-  if (ask_host(HostCall::get_command_line, &block) != 0) {
+  if (call_host(HostCall::get_command_line, &block) != 0) {
     line[0] = '\0';
   }
   int count = 0;

@@ -26,14 +26,14 @@ bool read_result(Result* result) {
   static const char kName[] = "flashbvh.cycles";
   constexpr uintptr_t kModeReadBinary = 1;
   const uintptr_t open[3] = {reinterpret_cast<uintptr_t>(kName), kModeReadBinary, sizeof kName - 1};
-  const int32_t file = ask_host(HostCall::open, open);
+  const int32_t file = call_host(HostCall::open, open);
   if (file < 0) {
     return false;
   }
   const uintptr_t read[3] = {static_cast<uintptr_t>(file), reinterpret_cast<uintptr_t>(result),
                              sizeof *result};
-  ask_host(HostCall::read, read);
-  ask_host(HostCall::close, read);
+  call_host(HostCall::read, read);
+  call_host(HostCall::close, read);
   return true;
 }
 

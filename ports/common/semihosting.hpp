@@ -21,9 +21,9 @@ enum class HostCall : uint32_t {
 
 /// Makes one call. `argument` depends on the call: mostly the address of a block of words.
 #if defined(__xtensa__) || defined(__wasm__)
-int32_t ask_host(HostCall call, const void* argument);  // host.cpp
+int32_t call_host(HostCall call, const void* argument);  // host.cpp
 #else
-inline int32_t ask_host(HostCall call, const void* argument) {
+inline int32_t call_host(HostCall call, const void* argument) {
 #if defined(__riscv)
   register uint32_t a0 __asm__("a0") = static_cast<uint32_t>(call);
   register const void* a1 __asm__("a1") = argument;
@@ -64,10 +64,10 @@ enum ExitStatus : int {
   constexpr uintptr_t kApplicationExit = 0x20026;
   constexpr uintptr_t kRunTimeError = 0x20023;
   const uintptr_t block[2] = {kApplicationExit, static_cast<uintptr_t>(status)};
-  ask_host(HostCall::exit_extended, block);
+  call_host(HostCall::exit_extended, block);
   // A host without the extended call distinguishes only success and failure.
   const uintptr_t reason = status == 0 ? kApplicationExit : kRunTimeError;
-  ask_host(HostCall::exit, reinterpret_cast<const void*>(reason));
+  call_host(HostCall::exit, reinterpret_cast<const void*>(reason));
   for (;;) {
   }
 }

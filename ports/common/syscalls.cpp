@@ -19,7 +19,7 @@ uintptr_t standard_output() {
   constexpr uintptr_t kModeWrite = 4;
   static const uintptr_t block[3] = {reinterpret_cast<uintptr_t>(kTerminal), kModeWrite,
                                      sizeof kTerminal - 1};
-  static const int32_t handle = port::ask_host(port::HostCall::open, block);
+  static const int32_t handle = port::call_host(port::HostCall::open, block);
   return static_cast<uintptr_t>(handle);
 }
 
@@ -49,12 +49,12 @@ void* _sbrk(ptrdiff_t bytes) {
 int _write(int, const char* text, int length) {
   const uintptr_t block[3] = {standard_output(), reinterpret_cast<uintptr_t>(text),
                               static_cast<uintptr_t>(length)};
-  const int32_t not_written = port::ask_host(port::HostCall::write, block);
+  const int32_t not_written = port::call_host(port::HostCall::write, block);
   return length - not_written;
 }
 
 int _gettimeofday(struct timeval* time, void*) {
-  const int32_t centiseconds = port::ask_host(port::HostCall::clock, nullptr);
+  const int32_t centiseconds = port::call_host(port::HostCall::clock, nullptr);
   time->tv_sec = centiseconds / 100;
   time->tv_usec = (centiseconds % 100) * 10000;
   return 0;

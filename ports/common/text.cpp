@@ -33,7 +33,7 @@ void put_signed(Signed value) {
 }  // namespace
 
 void put(const char* text) {
-  ask_host(HostCall::write0, text);
+  call_host(HostCall::write0, text);
 }
 
 void put(int value) {

@@ -7,7 +7,7 @@
 
 namespace port {
 
-int32_t ask_host(HostCall call, const void* argument) {
+int32_t call_host(HostCall call, const void* argument) {
   switch (call) {
     case HostCall::write0: {
       const char* const text = static_cast<const char*>(argument);

@@ -53,7 +53,7 @@ int32_t get_command_line(char* line, uint32_t size) {
 
 }  // namespace
 
-int32_t ask_host(HostCall call, const void* argument) {
+int32_t call_host(HostCall call, const void* argument) {
   const uint32_t* const block = static_cast<const uint32_t*>(argument);
   switch (call) {
     case HostCall::open:  // only the terminal exists

@@ -10,7 +10,7 @@ namespace {
 
 int put_character(char character, FILE*) {
   const char text[] = {character, '\0'};
-  port::ask_host(port::HostCall::write0, text);
+  port::call_host(port::HostCall::write0, text);
   return 0;
 }
 

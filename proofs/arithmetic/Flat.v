@@ -152,7 +152,7 @@ Proof.
 Qed.
 
 (* The properties of each answer. *)
-Lemma flat_tells a0 a1 a2 b0 b1 b2 : let flat u v := turn u v a0 a1 a2 = 0 in
+Lemma flat_decides a0 a1 a2 b0 b1 b2 : let flat u v := turn u v a0 a1 a2 = 0 in
   let apart u v := edge_separates u v a0 a1 a2 b0 b1 b2 || edge_separates u v b0 b1 b2 a0 a1 a2 in
   if flat_intersect a0 a1 a2 b0 b1 b2 then (exists u v, axes u v /\ apart u v = false /\ ~ flat u v) \/
     coplanar a0 a1 a2 b0 b1 b2 = true /\ (forall u v, axes u v -> apart u v = false /\ flat u v)
@@ -171,7 +171,7 @@ Qed.
 
 Theorem no_is_right : No_is_right.
 Proof.
-  intros a0 a1 a2 b0 b1 b2 H F M. pose proof (flat_tells a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
+  intros a0 a1 a2 b0 b1 b2 H F M. pose proof (flat_decides a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
   destruct T as [(u & v & X & E) | [C T]].
   - apply orb_true_iff in E as [E | E]; apply edge_apart in E; auto. now apply meet_swap in M.
   - rewrite segments_meet_flat in C; [discriminate | | now apply (skew_no_area a0 a1 a2) | exact M].
@@ -287,7 +287,8 @@ Qed.
 
 Theorem yes_is_right : Yes_is_right.
 Proof.
-  intros a0 a1 a2 b0 b1 b2 PA PB Some_ F. pose proof (flat_tells a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
+  intros a0 a1 a2 b0 b1 b2 PA PB Some_ F. pose proof (flat_decides a0 a1 a2 b0 b1 b2) as T. cbv zeta in T.
+  rewrite F in T.
   destruct T as [(u & v & X & E & A) | [_ T]].
   - apply orb_false_iff in E as [S S']. apply (area_yes u v); auto. intros A'. apply A. unfold turn. now rewrite A'.
   - assert (no_area a0 a1 a2) as NA by (apply turns_no_area; apply T; unfold axes; auto).

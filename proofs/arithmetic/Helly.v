@@ -215,7 +215,7 @@ Definition no_edge a0 a1 a2 b0 b1 b2 := let s := Z.sgn (det a0 a1 a2) in
   some_inner s a0 a1 b0 b1 b2 /\ some_inner s a1 a2 b0 b1 b2 /\ some_inner s a2 a0 b0 b1 b2.
 Definition corner p := z p = 1.
 
-Theorem edges_tell a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
+Theorem edges_decide a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> corner b0 -> corner b1 -> corner b2 ->
   det a0 a1 a2 <> 0 -> det b0 b1 b2 <> 0 -> no_edge a0 a1 a2 b0 b1 b2 -> no_edge b0 b1 b2 a0 a1 a2 ->
   somewhere (both (inside_all a0 a1 a2) (inside_all b0 b1 b2)).
 Proof.
@@ -286,7 +286,7 @@ Theorem areas_meet a0 a1 a2 b0 b1 b2 : corner a0 -> corner a1 -> corner a2 -> co
   meet a0 a1 a2 b0 b1 b2.
 Proof.
   intros A0 A1 A2 B0 B1 B2 DA DB E F.
-  destruct (edges_tell a0 a1 a2 b0 b1 b2) as (p & P & PA & PB); auto.
+  destruct (edges_decide a0 a1 a2 b0 b1 b2) as (p & P & PA & PB); auto.
   apply inside_hull in PA as (v & V & PA); auto. apply inside_hull in PB as (w & W & PB); auto.
   apply hulls_meet; auto. exists (mix (v * w) p 0 p).
   split; [unfold mix; cbn [z]; assert (0 < v * w * z p) by (repeat apply Z.mul_pos_pos; auto); lia|].

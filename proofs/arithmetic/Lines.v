@@ -210,7 +210,7 @@ Qed.
 
 Theorem segments_are_exact : Segments_are_exact.
 Proof.
-  intros a0 a1 a2 b0 b1 b2 NA NB Boxes F. pose proof (flat_tells a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
+  intros a0 a1 a2 b0 b1 b2 NA NB Boxes F. pose proof (flat_decides a0 a1 a2 b0 b1 b2) as T. cbv zeta in T. rewrite F in T.
   clear F. destruct T as [(u & v & X & _ & A) | [F C]]; [destruct A; unfold turn; now rewrite (no_area_flat u v)|].
   assert (forall u v, axes u v -> edge_separates u v a0 a1 a2 b0 b1 b2 = false /\
     edge_separates u v b0 b1 b2 a0 a1 a2 = false) as Clear by (intros u v X; apply orb_false_iff; now apply C).

@@ -62,7 +62,7 @@ Definition offset_along (cells fraction kx ky kz ox oy oz : Z) : Z :=
    code: src/bounds/rotated_transform.cpp | constexpr int32_t most = kMaxOffset * kSplitOne >> (32 - kRestBits);
    code: src/bounds/rotated_transform.cpp | if (static_cast<uint32_t>(high + most) < 2u * most) { return static_cast<int32_t>(sum >> kRestBits); } *)
 Definition farthest := @kMaxOffset * 2**kSplitBits@.
-Theorem high_word_tells sum : let most := farthest / 2 ^ 24 in
+Theorem high_word_decides sum : let most := farthest / 2 ^ 24 in
   - most <= sum / 2 ^ 32 < most -> Z.abs (sum / rest8) <= farthest.
 Proof.
   intros most H. change most with 46 in H. change (2 ^ 32) with 4294967296 in H. change rest8 with 256.
@@ -449,7 +449,7 @@ Proof.
 Qed.
 End Axis.
 
-Print Assumptions high_word_tells.
+Print Assumptions high_word_decides.
 Print Assumptions near_offset.
 Print Assumptions entries_of_word.
 Print Assumptions near_sums_fit.

@@ -81,7 +81,7 @@ Definition General_case_is_exact := forall a0 a1 a2 b0 b1 b2,
 
 (* An intermediate result, for any corners named so that the tips are above. *)
 
-Definition Signs_tell := forall p q r s t o,
+Definition Signs_decide := forall p q r s t o,
   tip (height s t o p) (height s t o q) (height s t o r) ->
   tip (height p q r s) (height p q r t) (height p q r o) ->
   (volume p q s t <= 0 /\ 0 <= volume p r s o <-> meet p q r s t o).
@@ -257,7 +257,7 @@ Proof.
 Qed.
 End Sufficient.
 
-Theorem signs_tell : Signs_tell.
+Theorem signs_decide : Signs_decide.
 Proof.
   intros p q r s t o G H. split.
   - intros [V W]. now apply sufficient.
@@ -321,15 +321,15 @@ Proof.
   rewrite <- !HB in A. rewrite <- !HA in B.
   assert (forall ha la hb lb, (ha, la) = (if up_b then (na, pa) else (pa, na)) ->
     (hb, lb) = (if up_a then (nb, pb) else (pb, nb)) ->
-    (volume ta ha tb hb <= 0 /\ 0 <= volume ta la tb lb <-> meet ta ha la tb hb lb)) as Tell.
-  { intros ha la hb lb EA EB. apply signs_tell.
+    (volume ta ha tb hb <= 0 /\ 0 <= volume ta la tb lb <-> meet ta ha la tb hb lb)) as Decides.
+  { intros ha la hb lb EA EB. apply signs_decide.
     - destruct up_a, up_b; injection EA as -> ->; injection EB as -> ->; rewrite ?(height_flip tb nb pb);
         auto using tip_swap.
     - destruct up_a, up_b; injection EA as -> ->; injection EB as -> ->; rewrite ?(height_flip ta na pa);
         auto using tip_swap. }
   destruct (if up_b then (na, pa) else (pa, na)) as [ha la] eqn:EA,
     (if up_a then (nb, pb) else (pb, nb)) as [hb lb] eqn:EB.
-  rewrite andb_true_iff, !Z.leb_le, (Tell ha la hb lb eq_refl eq_refl).
+  rewrite andb_true_iff, !Z.leb_le, (Decides ha la hb lb eq_refl eq_refl).
   destruct up_a, up_b; injection EA as <- <-; injection EB as <- <-; split; intros M; auto using meet_flip;
     apply meet_swap, meet_flip, meet_swap; auto using meet_flip.
 Qed.

@@ -89,5 +89,5 @@
 (push 1) (assert (and (bound h) (distinct h #x0000)))
 (assert (distinct (bvsge (bvadd (cells sum) (zext h)) (_ bv@2 * kBoundBias@ 32))
                   (bvuge (bvadd ((_ extract 15 0) (whole sum)) h) (_ bv@2 * kBoundBias@ 16))))
-(check-sat) ; unsat: a clamped bound tells otherwise
+(check-sat) ; unsat: a clamped bound decides otherwise
 (pop 1)

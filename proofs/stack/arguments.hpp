@@ -17,8 +17,8 @@
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/first_contact.hpp"
 #include "flashbvh/flashbvh.h"
-#include "flashbvh/image.hpp"
 #include "flashbvh/float.hpp"
+#include "flashbvh/image.hpp"
 #include "flashbvh/ray.h"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
@@ -26,9 +26,9 @@
 #include "flashbvh/robot/self_test.hpp"
 #include "flashbvh/robot/workcell.hpp"
 #include "flashbvh/self.hpp"
+#include "flashbvh/self_test.hpp"
 #include "flashbvh/shape.h"
 #include "flashbvh/solid.h"
-#include "flashbvh/self_test.hpp"
 #include "flashbvh/solid.hpp"
 #include "reference/leaf.hpp"
 #include "reference/stack_traversals.hpp"
@@ -126,13 +126,13 @@ struct Arguments {
     ends(counted.status);
   }
   /// Counts all pairs of a query.
-  template <class Asked>
-  [[gnu::always_inline]] void counts(Asked& asked) {
-    const auto count = [this](const typename Asked::Pair&) {
+  template <class QueryType>
+  [[gnu::always_inline]] void counts(QueryType& query) {
+    const auto count = [this](const typename QueryType::Pair&) {
       ++answer;
       return true;
     };
-    ends(asked.run(UINT32_MAX, count).status);
+    ends(query.run(UINT32_MAX, count).status);
   }
 
   flashbvh_pair* c_found() { return reinterpret_cast<flashbvh_pair*>(found); }

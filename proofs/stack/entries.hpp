@@ -12,27 +12,28 @@ using stack_proof::make_in;
 namespace entries {
 
 /// Not inlined, so that its frame is gone when a slice runs.
-template <class Asked>
-[[gnu::noinline]] void make_query(Arguments& in, const typename Asked::Mesh& a,
-                                  const typename Asked::Mesh& b) {
-  make_in<Asked>(in.query, [&] {
-    if constexpr (__is_constructible(typename Asked::Cursor)) {
-      return Asked(a, b, *in.pose);
+template <class QueryType>
+[[gnu::noinline]] void make_query(Arguments& in, const typename QueryType::Mesh& a,
+                                  const typename QueryType::Mesh& b) {
+  make_in<QueryType>(in.query, [&] {
+    if constexpr (__is_constructible(typename QueryType::Cursor)) {
+      return QueryType(a, b, *in.pose);
     } else {  // the array of pairs of traversals with a stack
-      return Asked(a, b, *in.pose, typename Asked::Cursor(in.stack, stack_proof::kStackEntries));
+      return QueryType(a, b, *in.pose,
+                       typename QueryType::Cursor(in.stack, stack_proof::kStackEntries));
     }
   });
 }
 
 /// Makes the query if the work budget is 0, else runs it for a slice.
-template <class Asked>
-[[gnu::always_inline]] inline void make_or_run(Arguments& in, const typename Asked::Mesh& a,
-                                               const typename Asked::Mesh& b) {
+template <class QueryType>
+[[gnu::always_inline]] inline void make_or_run(Arguments& in, const typename QueryType::Mesh& a,
+                                               const typename QueryType::Mesh& b) {
   if (in.work == 0) {
-    make_query<Asked>(in, a, b);
+    make_query<QueryType>(in, a, b);
     return;
   }
-  const RunResult step = as<Asked>(in.query).run(in.work, in.found, in.capacity);
+  const RunResult step = as<QueryType>(in.query).run(in.work, in.found, in.capacity);
   in.answer += step.count;
   in.status = static_cast<uint8_t>(step.status);
 }
@@ -57,8 +58,8 @@ template <class Call>
 }
 
 /// All runs in C of a started query.
-template <class Run, class Asked>
-[[gnu::always_inline]] inline void run_all(Arguments& in, const Run& run, Asked& query) {
+template <class Run, class QueryType>
+[[gnu::always_inline]] inline void run_all(Arguments& in, const Run& run, QueryType& query) {
   RunResult step;
   do {
     step = run(&query, UINT32_MAX, in.c_found(), in.capacity);
@@ -106,13 +107,13 @@ W pair_of(uint16_t i) {
 }
 
 /// Queries a deformable mesh against itself.
-template <class Asked, class... Predicate>
-[[gnu::always_inline]] inline void ask_itself(Arguments& in, const Predicate&... question) {
+template <class QueryType, class... Predicate>
+[[gnu::always_inline]] inline void query_itself(Arguments& in, const Predicate&... question) {
   const auto make = [&]() __attribute__((noinline)) {
-    make_in<Asked>(in.query, [&] { return Asked(*in.bent, question...); });
+    make_in<QueryType>(in.query, [&] { return QueryType(*in.bent, question...); });
   };
   make();
-  in.counts(as<Asked>(in.query));
+  in.counts(as<QueryType>(in.query));
 }
 
 [[gnu::always_inline]] inline Guard& updated_guard(Arguments& in) {

@@ -64,7 +64,7 @@ FLASHBVH_TEST_RUN_STACK(Ranked, Mesh, Mesh32);
 
 /// The queries of collide.hpp and contact.hpp.
 template <class TreeType>
-uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
+uint32_t run_queries(const TreeType& a, const TreeType& b, const Pose& pose) {
   using Pair = TrianglePair<typename TreeType::Index>;
   Pair found[2];
   Triangle transformed[2];
@@ -76,8 +76,8 @@ uint32_t ask(const TreeType& a, const TreeType& b, const Pose& pose) {
   (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
   return sum + (transform_pair(a, b, pose, found[0], transformed[0], transformed[1]) ? 1u : 0u);
 }
-template uint32_t ask(const Mesh&, const Mesh&, const Pose&);
-template uint32_t ask(const Mesh32&, const Mesh32&, const Pose&);
+template uint32_t run_queries(const Mesh&, const Mesh&, const Pose&);
+template uint32_t run_queries(const Mesh32&, const Mesh32&, const Pose&);
 
 Pose pose_of_matrix(const float (&rotation)[3][3], const float (&translation)[3], float scale) {
   return pose_of(rotation, translation, scale);

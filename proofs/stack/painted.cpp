@@ -19,7 +19,7 @@ extern "C" {
 
 namespace {
 
-enum class Kind : uint8_t { ticked, translated, asked };
+enum class Kind : uint8_t { ticked, translated, single };
 
 struct Entry {
   const char* name;
@@ -252,12 +252,12 @@ void call(uint32_t entry) {
   most[entry] = bytes > most[entry] ? bytes : most[entry];
 }
 
-void ask(uint32_t entry) {
+void run_entry(uint32_t entry) {
   in.status = static_cast<uint8_t>(Status::done);
   in.answer = 0;
   in.capacity = length(in.found);
   in.work = 0;
-  if (kEntries[entry].kind == Kind::asked) {
+  if (kEntries[entry].kind == Kind::single) {
     in.work = UINT32_MAX;
     call(entry);
     check(in.status <= static_cast<uint8_t>(Status::full), "status", kEntries[entry].name);
@@ -274,11 +274,11 @@ void ask(uint32_t entry) {
   answers[entry] += in.answer;
 }
 
-void ask_all(bool translated) {
+void run_entries(bool translated) {
   for (uint32_t entry = 0; entry < kEntryCount; ++entry) {
     if (translated || kEntries[entry].kind != Kind::translated) {
       prepare();
-      ask(entry);
+      run_entry(entry);
     }
   }
 }
@@ -318,7 +318,7 @@ int main() {
       in.distance = (where.cells[0] == kFarCells ? kFarDistances : kDistances)[i];
       pair.stop = (i == 0 ? 4095 : 32760) << 8;  // near and far pairs have triangles within it
       pair.warn = UINT32_MAX;                    // so that spheres do not suffice
-      ask_all(in.pose->is_translation());
+      run_entries(in.pose->is_translation());
     }
   }
   report();

@@ -40,8 +40,8 @@ Pose any_pose(Random& random, int32_t reach) {
   return Pose::translated(x, y, random.below(2) == 0 ? 0 : random.between(-far, far));
 }
 
-template <class Asked>
-void measure_run(const Asked& query, void (*run)(void*), const char* kind, const Side& a,
+template <class QueryType>
+void measure_run(const QueryType& query, void (*run)(void*), const char* kind, const Side& a,
                  const Side& b) {
   const QueryStats before = query.stats();
   const bool pending = query.cursor().untested != 0;

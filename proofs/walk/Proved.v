@@ -6,7 +6,7 @@ Import ListNotations.
 
 (* For two opened images, and any tests of boxes and slabs that reject safely: every division of a query into runs gives
    exactly the pairs of triangles that intersect. *)
-Theorem opened_and_asked cells_a cells_b inside_a inside_b
+Theorem opened_and_queried cells_a cells_b inside_a inside_b
     (A : accepts cells_a inside_a = true) (B : accepts cells_b inside_b = true) :
   let FA := proj1 (accepted_is_tree cells_a inside_a A) in
   let FB := proj1 (accepted_is_tree cells_b inside_b B) in
@@ -71,4 +71,4 @@ Print Assumptions ends_from_everywhere.
 Print Assumptions finds_each_once.
 Print Assumptions simulates.
 Print Assumptions starts.
-Print Assumptions opened_and_asked.
+Print Assumptions opened_and_queried.

@@ -28,7 +28,7 @@ namespace {
 using Pairs = std::vector<std::pair<unsigned, unsigned>>;
 
 template <class Traversal>
-Pairs ask(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
+Pairs pairs_of(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
   const flashbvh::Pose pose = flashbvh::Pose::translated(48, 16, 8);
   flashbvh::Query<Traversal> query(a, b, pose);
   Pairs pairs;
@@ -52,10 +52,11 @@ int main() {
   const auto wide = view_unchecked<Mesh32>(wide_image);
   const auto early = view_with_levels<PreMeshWithLevels>(early_image);
   const auto levels = view_with_levels<MeshWithLevels>(levels_image);
-  const Pairs pairs = ask<Ranked<Mesh>>(ring, view_unchecked<Mesh>(_2nd_ring_image));
-  const bool equal =
-      pairs == ask<Ranked<Mesh>>(grouped, ring) && pairs == ask<StacklessPost>(levels, levels) &&
-      pairs == ask<Stackless>(early, early) && pairs == ask<Ranked<Mesh32>>(wide, wide);
+  const Pairs pairs = pairs_of<Ranked<Mesh>>(ring, view_unchecked<Mesh>(_2nd_ring_image));
+  const bool equal = pairs == pairs_of<Ranked<Mesh>>(grouped, ring) &&
+                     pairs == pairs_of<StacklessPost>(levels, levels) &&
+                     pairs == pairs_of<Stackless>(early, early) &&
+                     pairs == pairs_of<Ranked<Mesh32>>(wide, wide);
   for (const auto& pair : pairs) {
     std::printf("0 %u %u\n", pair.first, pair.second);
   }

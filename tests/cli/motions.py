@@ -42,16 +42,16 @@ def free_before(start, moves, share):
 
 def check_motion(start, moves, way):
     """Checks the outcome of a motion that keeps a cell's distance, and the reported details."""
-    ask = "motion", *IMAGES, "--from", line(start), *way, "--json"
-    kept = flashbvh(*ask, "--within", CELL, code=(0, 1)).json()[0]
+    command = "motion", *IMAGES, "--from", line(start), *way, "--json"
+    kept = flashbvh(*command, "--within", CELL, code=(0, 1)).json()[0]
     if kept["outcome"] == "free":
-        hold(flashbvh(*ask).json()[0]["outcome"] == "free", "a larger distance is free")
+        hold(flashbvh(*command).json()[0]["outcome"] == "free", "a larger distance is free")
         free_before(start, moves, 1)
         return "free"
     if kept["from"] == 0:
         return "at once"
     free_before(start, moves, kept["from"])
-    found = flashbvh(*ask, "--all", code=(0, 1)).json()[-1]
+    found = flashbvh(*command, "--all", code=(0, 1)).json()[-1]
     if found["outcome"] == "contact":
         hold(kept["from"] <= found["to"], f"{kept}, {found}")
         for share, pose in (found["from"], found["from_pose"]), (found["to"], found["to_pose"]):

@@ -36,10 +36,10 @@ def inside():
 126.01 0 -1000
 100 20 -1002
 1e4 0 0""")
-    ask = "inside", "far/far.fbvh", "--points"
-    found = [answer["where"] for answer in flashbvh(*ask, "points", "--json").json()]
+    command = "inside", "far/far.fbvh", "--points"
+    found = [answer["where"] for answer in flashbvh(*command, "points", "--json").json()]
     hold(found == ["outside", "inside", "inside", "surface", "outside", "inside", "outside"], found)
-    said = flashbvh(*ask, "points")
+    said = flashbvh(*command, "points")
     hold(sum(line.split()[1:2] == ["inside"] for line in said.splitlines()) == 3, said)
 
     write("open.obj", "\n".join(Path("far.obj").read_text().splitlines()[:-1]))
@@ -47,7 +47,7 @@ def inside():
     refused("is no closed surface and has no inside", "inside", "open/open.fbvh", "--points", "points", "--json")
     bake("pre", "far.obj", options="--layout pre --cell 0.01")
     refused("pre-indexed", "inside", "pre/far.fbvh", "--points", "points", "--json")
-    refused_lines([*ask, "bad", "--json"], (
+    refused_lines([*command, "bad", "--json"], (
         ("bad:1: has 2 numbers; a point has 3", "1 2"), ("bad:1: 'x' is no finite number", "1 2 x"),
         ("bad:1: the point lies at 1e+09", "1 2 1e9"), ("bad: is empty", "# none")))
 
@@ -64,18 +64,18 @@ def ray():
 90 11 4  150 11 4     # past them
 90 5 4  2 0 0  60     # the first again, by a direction of any length
 90 5 4  1 0 0  9.5    # too short""")
-    ask = "ray", "shut/boxes.fbvh", "--rays"
-    answers = flashbvh(*ask, "rays", "--json").json()
+    command = "ray", "shut/boxes.fbvh", "--rays"
+    answers = flashbvh(*command, "rays", "--json").json()
     hold([answer["hit"] for answer in answers] == [True, True, True, True, False, True, False], answers)
     hold([answers[0][name] for name in ("distance", "point", "side")] == [10, [100, 5, 4], "front"], answers[0])
     hold([answers[i]["distance"] for i in (3, 5)] == [5, 10], answers)
     hold([answer["crossings"] for answer in answers] == [0, -1, 0, 0, 0, 0, 0], answers)
     hold([answer["unit"] for answer in answers] == ["mm"] * 7, answers)
 
-    first = flashbvh(*ask, "rays", "--all", "--json").splitlines()[0]
+    first = flashbvh(*command, "rays", "--all", "--json").splitlines()[0]
     hold(re.findall('"distance":([0-9.]*)', first) == ["10.0", "20.0", "30.0", "40.0"], first)
     hold(re.findall('"side":"([a-z]*)"', first) == ["front", "back"] * 2, first)
-    said = flashbvh(*ask, "rays")
+    said = flashbvh(*command, "rays")
     said.holds(r"\Aboxes, distances in mm$")
     hold(sum(line.split()[1:2] == ["10"] for line in said.splitlines()) == 4, said)
 
@@ -85,7 +85,7 @@ def ray():
     hold("crossings" not in flashbvh("ray", "open/open.fbvh", "--rays", "rays", "--json"), "crossings")
     bake("pre", "boxes.obj", options="--layout pre --cell 0.01")
     refused("pre-indexed", "ray", "pre/boxes.fbvh", "--rays", "rays")
-    refused_lines([*ask, "bad"], (
+    refused_lines([*command, "bad"], (
         ("bad:1: has 5 numbers; a ray has 6", "1 2 3 4 5"), ("bad:1: 'x' is no finite number", "1 2 3 4 5 x"),
         ("bad:1: is no ray", "1 2 3 0 0 0 1"), ("bad:1: is no ray", "1 2 3 0 0 1 -1"),
         # As a float it is 0.
@@ -143,9 +143,9 @@ def contacts():
 
     # A summary equals --bound for the same poses, and the bound for all poses.
     bake("post", *RING_AND_COARSE, options="--cell 0.01")
-    ask = "collide", "post/ring.fbvh", "post/coarse.fbvh", "--poses", write("poses", any_poses(40, 5, 20))
-    bound = flashbvh(*ask, "--bound", "--json").json()[0]
-    said = flashbvh(*ask, "--summary", "--json")
+    command = "collide", "post/ring.fbvh", "post/coarse.fbvh", "--poses", write("poses", any_poses(40, 5, 20))
+    bound = flashbvh(*command, "--bound", "--json").json()[0]
+    said = flashbvh(*command, "--summary", "--json")
 
     def number(name, of):
         return int(re.search(rf'"{name}":\{{[^}}]*"{of}":(\d+)', said)[1])
@@ -157,18 +157,18 @@ def contacts():
     least = int(re.search(r'"Cortex-M4F".* (\d+)\)', costs)[1])
     work = number("work", "most")
     hold(work * least < number("Cortex-M4F", "most") < work * (least + 12) + 20000, said)
-    flashbvh(*ask, "--summary").holds("^work  *[0-9]* *[0-9]* *[0-9]*$", "^Cortex-M0 ", "^RV32IMAC ")
-    hold("Cortex" not in flashbvh(*ask, "--summary", "--algorithm", "leaf"), "proven of ranked alone")
-    refused("excludes", *ask, "--summary", "--pairs", "out")
+    flashbvh(*command, "--summary").holds("^work  *[0-9]* *[0-9]* *[0-9]*$", "^Cortex-M0 ", "^RV32IMAC ")
+    hold("Cortex" not in flashbvh(*command, "--summary", "--algorithm", "leaf"), "proven of ranked alone")
+    refused("excludes", *command, "--summary", "--pairs", "out")
 
 
 def kept_inputs():
     """No command replaces a file that it reads. Tries every output of every command with every input."""
     bake("images", "meshes/ring.stl", options="--format image")
     write("poses", f"{HOME} 0 0 0")
-    for folder in "asked", "elsewhere":
+    for folder in "queried", "elsewhere":
         Path(folder).mkdir()
-    shutil.copy("poses", "asked/ring-ring")
+    shutil.copy("poses", "queried/ring-ring")
     shutil.copy("meshes/tetrahedron.stl", "elsewhere/part.stl")
     write("arm.urdf", """<robot name="arm"><link name="base"><collision><geometry>
 <mesh filename="elsewhere/part.stl" scale="0.1 0.1 0.1"/></geometry></collision></link>
@@ -197,7 +197,7 @@ def kept_inputs():
     for command, *options in (("report", "-o"), ("collide", "--pairs"), ("clearance", "--within", "1", "--pairs"),
                               ("collide", "--contacts")):
         kept([a, "poses"], "to/x", command, a, a, "--poses", "poses", *options, "to/x")
-    kept(["asked/ring-ring"], "to/x", "report", a, a, "--poses", "asked", "-o", "to/x")
+    kept(["queried/ring-ring"], "to/x", "report", a, a, "--poses", "queried", "-o", "to/x")
     robot = "robot", "arm.urdf", "--srdf", "arm.srdf", "-o", "to"
     read = "arm.urdf", "arm.srdf", "elsewhere/part.stl"
     for ending in "", ".h", ".c":
@@ -215,11 +215,11 @@ def clearance():
     write("there.obj", box(1000, 1000, 1000, 8))
     write("here.obj", box(size=8))
     bake("mm", "there.obj", "here.obj", options="--cell 0.01 --unit mm")
-    ask = "clearance", "mm/there.fbvh", "mm/here.fbvh", "--poses"
+    command = "clearance", "mm/there.fbvh", "mm/here.fbvh", "--poses"
     # Face to face, edge to edge, corner to corner, touching, intersecting, and one inside the other.
     write("poses", "\n".join(f"{HOME}  {place}" for place in (
         "1020.5 1001 1002", "1011 1012 1002", "1010 1014 1011", "1008 1000 1000", "1004 1003 1002")))
-    answers = flashbvh(*ask, "poses", "--json").json()
+    answers = flashbvh(*command, "poses", "--json").json()
     for name, wanted in (("distance", [12.5, 5, 7, 0, 0]), ("lower", [12.5, 5, 7, 0, 0]),
                          ("upper", [12.5, 5, 7, 0, 0]), ("status", ["ok"] * 5), ("unit", ["mm"] * 5)):
         hold([answer[name] for answer in answers] == wanted, f"{name}: {answers}")
@@ -227,20 +227,20 @@ def clearance():
     hold([answers[2]["point_a"], answers[2]["point_b"]] == [[1008, 1008, 1008], [1010, 1014, 1011]], answers[2])
     a, b = answers[0]["point_a"], answers[0]["point_b"]
     hold([a[0], b[0]] == [1008, 1020.5] and a[1:] == b[1:], answers[0])
-    flashbvh(*ask, "poses").holds("^ *2 *7 mm ")
-    cold = [answer["distance"] for answer in flashbvh(*ask, "poses", "--cold", "--json").json()]
+    flashbvh(*command, "poses").holds("^ *2 *7 mm ")
+    cold = [answer["distance"] for answer in flashbvh(*command, "poses", "--cold", "--json").json()]
     hold(cold == [12.5, 5, 7, 0, 0], cold)
 
     # Within is closed, to the last digit, with all pairs.
     for length, third in (7, True), (6.999, False):
-        said = flashbvh(*ask, "poses", "--within", length, "--json")
+        said = flashbvh(*command, "poses", "--within", length, "--json")
         hold([answer["within"] for answer in said.json()] == [False, True, third, True, True], said)
         hold("distance" not in said, f"that of any pair is not the meshes': {said}")
-    flashbvh(*ask, "poses", "--within", 0, "--pairs", "near")
-    flashbvh("collide", *ask[1:], "poses", "--pairs", "found")
+    flashbvh(*command, "poses", "--within", 0, "--pairs", "near")
+    flashbvh("collide", *command[1:], "poses", "--pairs", "found")
     same("near", "found", ": within nothing at all are the pairs that intersect")
     hold(Path("near").stat().st_size, "nothing touches")
-    flashbvh(*ask, "poses", "--within", 13, "--pairs", "near")
+    flashbvh(*command, "poses", "--within", 13, "--pairs", "near")
     hold({line.split()[0] for line in Path("near").read_text().splitlines()} == set("01234"), "not all poses")
 
     # Any tree and rotation of the meshes gives one answer.
@@ -258,31 +258,31 @@ def clearance():
     # As far away as 400,000 cells, still exact; then so far that the answer is only "at least". The truth is 19,043.7,
     # from 18,992, 992 and 992; each reported bound holds.
     write("far", f"{HOME}  5000 0 0\n{HOME}  20000 0 0")
-    exact, answer = flashbvh(*ask, "far", "--json").json()
+    exact, answer = flashbvh(*command, "far", "--json").json()
     hold(abs(exact["distance"] - hypot(3992, 992, 992)) < 1e-9 and exact["status"] == "ok", exact)
     hold(exact["lower"] <= exact["distance"] <= exact["upper"] and exact["triangles"] is not None, exact)
     hold(answer["status"] == "out_of_range" and 0 < answer["lower"] <= 19043 and 19044 <= answer["upper"] < 19200,
          answer)
     hold([answer[name] for name in ("distance", "triangles", "point_a", "point_b")] == [None] * 4, answer)
-    flashbvh(*ask, "far").holds(">= .* out of range")
+    flashbvh(*command, "far").holds(">= .* out of range")
     # Farther than 1/256 cells can express; the next pose starts without a hint.
     write("farther", f"{HOME}  5000000 0 0\n{HOME}  1020.5 1001 1002")
-    answers = flashbvh(*ask, "farther", "--json").json()
+    answers = flashbvh(*command, "farther", "--json").json()
     hold(answers[0]["upper"] is None and answers[-1]["distance"] == 12.5, answers)
-    flashbvh(*ask, "far", "--within", 5)
-    near = flashbvh(*ask, "far", "--within", 4300, "--json").json()
+    flashbvh(*command, "far", "--within", 5)
+    near = flashbvh(*command, "far", "--within", 4300, "--json").json()
     hold([answer["within"] for answer in near] == [True, False], near)
     write("beyond", f"{HOME}  20000 1000 1000")
-    refused("not decidable; use less than 10000", *ask, "beyond", "--within", 10485)
-    said = flashbvh(*ask, "beyond", "--within", 10000, "--json")
+    refused("not decidable; use less than 10000", *command, "beyond", "--within", 10485)
+    said = flashbvh(*command, "beyond", "--within", 10000, "--json")
     hold(not said.json()[0]["within"], said)
 
-    refused("0 to 10485.8, 2^20 cells", *ask, "poses", "--within", 10486)
-    refused("--within -1: is out of range", *ask, "poses", "--within", -1)
-    refused("--within", *ask, "poses", "--pairs", "out")
-    refused("poses", *ask[:3])
-    refused("excludes", *ask, "poses", "--within", 1, "--cold")
-    refused("poses", *ask, "poses", "--within", 1, "--pairs", "poses")
+    refused("0 to 10485.8, 2^20 cells", *command, "poses", "--within", 10486)
+    refused("--within -1: is out of range", *command, "poses", "--within", -1)
+    refused("--within", *command, "poses", "--pairs", "out")
+    refused("poses", *command[:3])
+    refused("excludes", *command, "poses", "--within", 1, "--cold")
+    refused("poses", *command, "poses", "--within", 1, "--pairs", "poses")
     bake("pre", "there.obj", "here.obj", options="--cell 0.01 --layout pre")
     refused("pre-indexed, which has no distances", "clearance", "pre/there.fbvh", "pre/here.fbvh",
             "--poses", "poses")
@@ -309,8 +309,8 @@ def bound():
         bake("baked", *(f"star{size}.obj" for size in range(1, 9)), options=f"--cell 0.01 {options}")
         sizes = range(1, 9) if not options else (1, 2, 5, 8) if THOROUGH else (5, 8)
         for a, b in ((a, b) for a in sizes for b in sizes):
-            ask = "collide", f"baked/star{a}.fbvh", f"baked/star{b}.fbvh", "--json", "--poses", "here"
-            most, found = flashbvh(*ask, "--bound").json()[0], flashbvh(*ask).json()[0]
+            command = "collide", f"baked/star{a}.fbvh", f"baked/star{b}.fbvh", "--json", "--poses", "here"
+            most, found = flashbvh(*command, "--bound").json()[0], flashbvh(*command).json()[0]
             hold(most["most_visits"] == found["visits"] and most["most_leaf_pairs"] == found["leaf_pairs"]
                  and most["most_triangle_pairs"] == a * b
                  and found["visits"] + 32 * a * b <= most["poses_most_work"] <= most["most_work"],
@@ -323,19 +323,19 @@ def bound():
             ("post", "ranked ranked-stack volume-stack alternating-stack stackless-post leaf"),
             ("pre", "stackless volume-stack alternating-stack leaf")):
         for algorithm in algorithms.split():
-            ask = ("collide", f"{images}/ring.fbvh", f"{images}/coarse.fbvh", "--json", "--algorithm", algorithm)
-            most = flashbvh(*ask, "--bound").json()[0]["most_visits"]
-            visits = [answer["visits"] for answer in flashbvh(*ask, "--poses", "poses").json()]
-            of = flashbvh(*ask, "--poses", "poses", "--bound").json()[0]
+            command = ("collide", f"{images}/ring.fbvh", f"{images}/coarse.fbvh", "--json", "--algorithm", algorithm)
+            most = flashbvh(*command, "--bound").json()[0]["most_visits"]
+            visits = [answer["visits"] for answer in flashbvh(*command, "--poses", "poses").json()]
+            of = flashbvh(*command, "--poses", "poses", "--bound").json()[0]
             hold(0 < of["poses_mean_work"] <= of["poses_99_percent_work"] <= of["poses_most_work"] <= of["most_work"]
                  and of["poses"] == 40, f"{algorithm}: {of}")
             hold(len(visits) == 40 and max(visits) <= most, f"{algorithm}: more than {most}: {visits}")
 
-    ask = "collide", "post/ring.fbvh", "post/coarse.fbvh"
-    said = flashbvh(*ask, "--bound")
+    command = "collide", "post/ring.fbvh", "post/coarse.fbvh"
+    said = flashbvh(*command, "--bound")
     said.holds("^any pose: at most [0-9]* work: [0-9]* visits, of which [0-9]* pairs of leaves")
     hold(said.count("\n") == 3, said)
-    said = flashbvh(*ask, "--bound", "--poses", "poses")
+    said = flashbvh(*command, "--bound", "--poses", "poses")
     said.holds("^40 poses: at most [0-9]* work, 99 % of them at most [0-9]*, the mean [0-9]*$")
     hold(said.count("\n") == 4, said)
     # Of 100 poses, 99 are disjoint and need one visit's work.
@@ -343,6 +343,6 @@ def bound():
     of = flashbvh("collide", "baked/star8.fbvh", "baked/star8.fbvh", "--bound", "--poses", "hundred",
                   "--json").json()[0]
     hold(of["poses_99_percent_work"] == 1 and of["poses_most_work"] > 64, of)
-    refused("--poses or --bound", *ask)
+    refused("--poses or --bound", *command)
     for option in ["--first"], ["--pairs", "found"]:
-        refused("excludes", *ask, "--bound", *option)
+        refused("excludes", *command, "--bound", *option)

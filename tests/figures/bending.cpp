@@ -29,22 +29,22 @@ void crumple() {
   }
 }
 
-template <class Asked>
-bool ask(const char* what, const char* how, Asked query) {
+template <class QueryType>
+bool measure_query(const char* what, const char* how, QueryType query) {
   Status status{};
   measure({{"bending", what, how}}, [&] {
-    status = query.run(UINT32_MAX, [](const typename Asked::Pair&) { return true; }).status;
+    status = query.run(UINT32_MAX, [](const typename QueryType::Pair&) { return true; }).status;
   });
   add_count({{"bending", "pairs", what, how}}, query.stats().triangle_pairs);
   add_to_digest(query.stats());
   return status == Status::done;
 }
 
-bool ask_all(DeformableMesh& bent, const char* how) {
+bool measure_all(DeformableMesh& bent, const char* how) {
   Status status{};
   measure({{"bending", "refit", how}}, [&] { status = bent.refit().status; });
-  const bool itself = ask("itself", how, SelfQuery(bent.mesh()));
-  return ask("band", how, SelfWithinQuery(bent.mesh(), within(20 * 256))) && itself &&
+  const bool itself = measure_query("itself", how, SelfQuery(bent.mesh()));
+  return measure_query("band", how, SelfWithinQuery(bent.mesh(), within(20 * 256))) && itself &&
          status == Status::done;
 }
 
@@ -53,8 +53,8 @@ bool ask_all(DeformableMesh& bent, const char* how) {
 
 int main() {
   DeformableMesh bent(figures::sheet, figures::nodes, figures::vertices);
-  const bool flat = figures::ask_all(bent, "flat");
+  const bool flat = figures::measure_all(bent, "flat");
   figures::crumple();
-  const bool crumpled = figures::ask_all(bent, "crumpled");
+  const bool crumpled = figures::measure_all(bent, "crumpled");
   return figures::print_all("bending", flat && crumpled);
 }

@@ -2,8 +2,8 @@
 // pose 10 cells away as a hint. Exits with 1 if the two differ.
 #include "flashbvh/clearance.hpp"
 
-#include "asked.hpp"
 #include "measure.hpp"
+#include "query_pose.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -24,21 +24,21 @@ struct Timed : Predicate {
 
   bool test(const Triangle& a, const Triangle& b, uint32_t i, uint32_t j) {
     bool yes = false;
-    const auto ask = [&] { yes = Predicate::test(a, b, i, j); };
-    name == nullptr ? ask() : static_cast<void>(measure(*name, ask));
+    const auto run = [&] { yes = Predicate::test(a, b, i, j); };
+    name == nullptr ? run() : static_cast<void>(measure(*name, run));
     return yes;
   }
 };
 
 template <class Predicate>
-void run_all(const AskedPair& pair, const Pose& pose, const Predicate& question) {
+void run_all(const MeshPair& pair, const Pose& pose, const Predicate& question) {
   Query<Ranked<Mesh>, Predicate> query(*pair.a, *pair.b, pose, {}, question);
   (void)query.run(UINT32_MAX, [](const TrianglePair<uint16_t>&) { return true; });
 }
 
 /// Tests of pairs of triangles that queries reach: within the distance, and possibly nearer than
 /// the nearest pair.
-void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t>& known,
+void add_tests(const MeshPair& pair, const Pose& pose, const Clearance<uint16_t>& known,
                const char* motion) {
   const Name of_within = part("within", motion);
   Timed<Within> within;
@@ -64,7 +64,7 @@ void add_tests(const AskedPair& pair, const Pose& pose, const Clearance<uint16_t
 }
 
 template <class Shapes>
-Walked walk_within(const AskedPair& pair, const Transform& transform, const Within& question) {
+Walked walk_within(const MeshPair& pair, const Transform& transform, const Within& question) {
   const auto no_leaf_pair = [](uint32_t, uint32_t) {};
   Shapes shapes(*pair.a, *pair.b, transform);
   if (question.is_kept(transform)) {
@@ -78,7 +78,7 @@ Walked walk_within(const AskedPair& pair, const Transform& transform, const With
 }
 
 /// Walks without triangle tests, over pairs within the distance.
-void add_walks(const AskedPair& pair, const Pose& pose, uint32_t distance, const char* motion) {
+void add_walks(const MeshPair& pair, const Pose& pose, uint32_t distance, const char* motion) {
   Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
   transform.prepare(*pair.b);
   const Within question = within(distance);
@@ -89,27 +89,28 @@ void add_walks(const AskedPair& pair, const Pose& pose, uint32_t distance, const
                all.visits - inner.visits);
 }
 
-Clearance<uint16_t> add_distance(const Asking& asking, const char* hint, const AskedPair& pair,
+Clearance<uint16_t> add_distance(const FigureNames& names, const char* hint, const MeshPair& pair,
                                  const Pose& pose, const Witness<uint16_t>& seed) {
   ClearanceQuery query(*pair.a, *pair.b, pose, seed);
   (void)query.run(UINT32_MAX);
   add_to_digest(query.stats());
   Clearance<uint16_t> found{};
-  measure({{asking.set, asking.motion, asking.proximity, hint}},
+  measure({{names.set, names.motion, names.proximity, hint}},
           [&] { found = distance(*pair.a, *pair.b, pose, seed); });
   add_to_digest(found.lower);
   add_to_digest(found.upper);
   return found;
 }
 
-bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const char* proximity) {
-  const Pose pose = pose_of(asked);
-  Asked before = asked;
+bool measure_pose(const MeshPair& pair, const QueryPose& query_pose, const char* motion,
+                  const char* proximity) {
+  const Pose pose = pose_of(query_pose);
+  QueryPose before = query_pose;
   before.cells[0] += kStep;
   const Clearance<uint16_t> near = distance(*pair.a, *pair.b, pose_of(before));
-  const Asking asking = {"distance", motion, proximity};
-  const Clearance<uint16_t> first = add_distance(asking, "cold", pair, pose, {});
-  const Clearance<uint16_t> second = add_distance(asking, "hint", pair, pose, near.witness);
+  const FigureNames names = {"distance", motion, proximity};
+  const Clearance<uint16_t> first = add_distance(names, "cold", pair, pose, {});
+  const Clearance<uint16_t> second = add_distance(names, "hint", pair, pose, near.witness);
   if (second.lower != 0 && second.lower <= kMaxDistance) {
     add_tests(pair, pose, second, motion);
     add_walks(pair, pose, second.lower, motion);
@@ -121,5 +122,5 @@ bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const ch
 }  // namespace figures
 
 int main() {
-  return figures::print_all("distance", figures::ask_all(figures::ask));
+  return figures::print_all("distance", figures::for_each_query_pose(figures::measure_pose));
 }

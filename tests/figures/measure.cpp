@@ -52,17 +52,17 @@ template <bool kCounted>
 uint32_t MadeTwice<kCounted>::slabs;
 
 /// Adds the parts of a walk of more than one visit; returns the walk.
-Walked add_walks(const Asking& asking, const Mesh& a, const Mesh& b, const Pose& pose) {
+Walked add_walks(const FigureNames& names, const Mesh& a, const Mesh& b, const Pose& pose) {
   const Walked all = walk_pose<LeafPlanes<Mesh>>(a, b, pose, kNoLeafPair);
   if (all.visits > 1) {
     const Walked inner = walk_pose<NothingBelow>(a, b, pose, kNoLeafPair);
     const Walked twice = walk_pose<MadeTwice<false>>(a, b, pose, kNoLeafPair);
     MadeTwice<true>::slabs = 0;
     (void)walk_pose<MadeTwice<true>>(a, b, pose, kNoLeafPair);
-    add_quotient(asking.part("visit"), inner.instructions, inner.visits);
-    add_quotient(asking.part("leaf_visit"), int64_t{all.instructions} - inner.instructions,
+    add_quotient(names.part("visit"), inner.instructions, inner.visits);
+    add_quotient(names.part("leaf_visit"), int64_t{all.instructions} - inner.instructions,
                  all.visits - inner.visits);
-    add_quotient(asking.part("slab"), int64_t{twice.instructions} - all.instructions,
+    add_quotient(names.part("slab"), int64_t{twice.instructions} - all.instructions,
                  MadeTwice<true>::slabs);
   }
   return all;
@@ -70,30 +70,30 @@ Walked add_walks(const Asking& asking, const Mesh& a, const Mesh& b, const Pose&
 
 }  // namespace
 
-bool add_query(const Asking& asking, const Mesh& a, const Mesh& b, const Pose& pose,
+bool add_query(const FigureNames& names, const Mesh& a, const Mesh& b, const Pose& pose,
                QueryStats& counts, uint32_t& work) {
   Status status{};
-  const uint32_t whole = measure(asking.whole("query"), [&] {
+  const uint32_t whole = measure(names.whole("query"), [&] {
     PairQuery query(a, b, pose);
     status = query.run(UINT32_MAX, kEveryPair).status;
   });
-  (void)add_first(asking, a, b, pose);
+  (void)add_first(names, a, b, pose);
   // Counts come from another run: a caller of the first run would not copy them.
   PairQuery query(a, b, pose);
   constexpr uint32_t kGranted = UINT32_MAX - 1;  // which counts as a limit
   work = query.run(kGranted, kEveryPair).work;
   counts = query.stats();
-  add_count(asking.whole("visits"), counts.visits);
+  add_count(names.whole("visits"), counts.visits);
   add_to_digest(counts);
   add_to_digest(work);
 
-  const Walked walked = add_walks(asking, a, b, pose);
+  const Walked walked = add_walks(names, a, b, pose);
   if (walked.visits > 1) {
-    const uint32_t start = measure(asking.part("start"), [&] {
+    const uint32_t start = measure(names.part("start"), [&] {
       PairQuery begun(a, b, pose);
       (void)begun.run(1, kEveryPair);
     });
-    add_quotient(asking.part("leaf_pair"), int64_t{whole} - walked.instructions - start,
+    add_quotient(names.part("leaf_pair"), int64_t{whole} - walked.instructions - start,
                  walked.leaf_pairs);
   }
   return status == Status::done && walked.visits == counts.visits &&

@@ -57,8 +57,8 @@ Walked measure_walk(const BoxTest& bound, Shapes& shapes, const LeafPair& leaf_p
   return walked;
 }
 
-/// The subject of a set of figures: names are SET.MOTION.PROXIMITY.WHAT and SET.PART.MOTION.
-struct Asking {
+/// The names of a set of figures: SET.MOTION.PROXIMITY.WHAT and SET.PART.MOTION.
+struct FigureNames {
   const char* set;
   const char* motion;
   const char* proximity;  ///< null: none
@@ -69,13 +69,13 @@ struct Asking {
 
 /// Adds a search for one pair (`first`) and, if there is one, a search with this pair as hint
 /// (`held`). Returns whether there is one.
-inline bool add_first(const Asking& asking, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+inline bool add_first(const FigureNames& names, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                       const flashbvh::Pose& pose) {
   bool yes = false;
-  measure(asking.whole("first"), [&] { yes = flashbvh::intersects(a, b, pose).yes; });
+  measure(names.whole("first"), [&] { yes = flashbvh::intersects(a, b, pose).yes; });
   flashbvh::Witness<uint16_t> hint;
   if (flashbvh::intersects(a, b, pose, hint).yes) {
-    measure(asking.whole("held"), [&] { (void)flashbvh::intersects(a, b, pose, hint); });
+    measure(names.whole("held"), [&] { (void)flashbvh::intersects(a, b, pose, hint); });
   }
   return yes;
 }
@@ -84,7 +84,7 @@ inline bool add_first(const Asking& asking, const flashbvh::Mesh& a, const flash
 /// parts: `visit`, outside the leaf phase; `leaf_visit`, in it, with slabs; `slab`: a slab, and
 /// loading the leaf; `start`: preparing a query and its first visit; `leaf_pair`: the additional
 /// cost of a pair of leaves. Returns whether the query and the walks agree.
-bool add_query(const Asking& asking, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
+bool add_query(const FigureNames& names, const flashbvh::Mesh& a, const flashbvh::Mesh& b,
                const flashbvh::Pose& pose, flashbvh::QueryStats& counts, uint32_t& work);
 
 /// Adds SET.triangle_test: the exact test, without the transform, of each pair of triangles that

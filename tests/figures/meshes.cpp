@@ -8,17 +8,17 @@ using namespace flashbvh;
 namespace figures {
 namespace {
 
-bool add_queries(const Asking& asking, const AskedPair& pair, const Asked& asked) {
-  const Pose pose = pose_of(asked);
+bool add_queries(const FigureNames& names, const MeshPair& pair, const QueryPose& query_pose) {
+  const Pose pose = pose_of(query_pose);
   RunResult all{};
-  measure(asking.whole("query"), [&] { all = count_pairs(*pair.a, *pair.b, pose); });
-  const bool one = add_first(asking, *pair.a, *pair.b, pose);
+  measure(names.whole("query"), [&] { all = count_pairs(*pair.a, *pair.b, pose); });
+  const bool one = add_first(names, *pair.a, *pair.b, pose);
   PairQuery query(*pair.a, *pair.b, pose);
   (void)query.run(UINT32_MAX, [](const PairQuery::Pair&) { return true; });
-  add_count(asking.whole("visits"), query.stats().visits);
+  add_count(names.whole("visits"), query.stats().visits);
   add_to_digest(query.stats());
-  return all.status == Status::done && query.stats().visits == asked.visits &&
-         all.count == asked.triangle_pairs && one == (all.count != 0);
+  return all.status == Status::done && query.stats().visits == query_pose.visits &&
+         all.count == query_pose.triangle_pairs && one == (all.count != 0);
 }
 
 }  // namespace

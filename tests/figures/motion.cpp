@@ -3,7 +3,7 @@
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 
-#include "asked.hpp"
+#include "query_pose.hpp"
 #include "report.hpp"
 
 using namespace flashbvh;
@@ -13,8 +13,8 @@ namespace {
 
 constexpr int32_t kWay = 100;  // cells
 
-Pose moved(const Asked& asked, int32_t by) {
-  Asked at = asked;
+Pose moved(const QueryPose& query_pose, int32_t by) {
+  QueryPose at = query_pose;
   at.cells[0] += by;
   return pose_of(at);
 }
@@ -43,7 +43,7 @@ Move turn_of(const Mesh& b, const Pose& pose) {
 
 /// Certifies a motion, and measures the distance in its middle, with the nearest pair of a tenth of
 /// the motion before as hint.
-void certify(const AskedPair& pair, const BodyMotion& motion, const char* pose_kind,
+void certify(const MeshPair& pair, const BodyMotion& motion, const char* pose_kind,
              const char* proximity, const char* kind) {
   const Pose before = motion.pose_at(kMotionEnd / 10 * 4);
   const Pose middle = motion.pose_at(kMotionEnd / 2);
@@ -61,17 +61,18 @@ void certify(const AskedPair& pair, const BodyMotion& motion, const char* pose_k
   add_to_digest(answer.to);
 }
 
-bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const char* proximity) {
+bool measure_pose(const MeshPair& pair, const QueryPose& query_pose, const char* motion,
+                  const char* proximity) {
   if (proximity == kProximityNames[0]) {
     return true;
   }
-  const Pose from = moved(asked, -kWay / 2);
-  const Pose to = moved(asked, kWay / 2);
+  const Pose from = moved(query_pose, -kWay / 2);
+  const Pose to = moved(query_pose, kWay / 2);
   BodyMotion straight = BodyMotion::between(from, to);
   measure({{"motion", "between", motion}}, [&] { straight = BodyMotion::between(from, to); });
   measure({{"motion", "pose_at", motion}}, [&] { (void)straight.pose_at(kMotionEnd / 4); });
   certify(pair, straight, motion, proximity, "straight");
-  const Pose pose = pose_of(asked);
+  const Pose pose = pose_of(query_pose);
   const Move move = turn_of(*pair.b, pose);
   certify(pair, BodyMotion(pose, &move, 1), motion, proximity, "turning");
   return true;
@@ -81,5 +82,5 @@ bool ask(const AskedPair& pair, const Asked& asked, const char* motion, const ch
 }  // namespace figures
 
 int main() {
-  return figures::print_all("motion", figures::ask_all(figures::ask));
+  return figures::print_all("motion", figures::for_each_query_pose(figures::measure_pose));
 }

@@ -107,7 +107,7 @@ bool below(uint64_t a, uint32_t percent, uint64_t b) {
 
 /// Walks of each algorithm, on the layout that it uses on the host. The first one is volume-stack,
 /// to which the others are compared.
-bool ask_walks(const Setup& setup, const Trees& a, const Trees& b, uint32_t& leaf_pairs) {
+bool measure_walks(const Setup& setup, const Trees& a, const Trees& b, uint32_t& leaf_pairs) {
   int32_t t[3];
   for (int i = 0; i < 3; ++i) {
     t[i] = setup.translation[i] + b.pre.origin[i] - a.pre.origin[i];
@@ -145,7 +145,7 @@ bool ask_walks(const Setup& setup, const Trees& a, const Trees& b, uint32_t& lea
   return right;
 }
 
-bool ask_queries(const Setup& setup, const Trees& a, const Trees& b, uint32_t leaf_pairs) {
+bool measure_queries(const Setup& setup, const Trees& a, const Trees& b, uint32_t leaf_pairs) {
   const Pose pose =
       Pose::translated(setup.translation[0], setup.translation[1], setup.translation[2]);
   const Counted ranked = measure_query<Ranked<Mesh>>(a.post, b.post, pose);
@@ -162,13 +162,14 @@ bool ask_queries(const Setup& setup, const Trees& a, const Trees& b, uint32_t le
          ranked.counts.leaf_pairs == leaf_pairs && volume.counts.leaf_pairs == leaf_pairs;
 }
 
-bool ask(const Setup& setup) {
+bool measure_setup(const Setup& setup) {
   port::print("Table ", setup.head.table, ": ", setup.head.name, "\n");
   uint32_t leaf_pairs = 0;
   const Trees a(setup.a);
   const Trees b(setup.b);
   const bool right = stack_entries(a.pre.stack_need, b.pre.stack_need) <= kStackEntries &&
-                     ask_walks(setup, a, b, leaf_pairs) && ask_queries(setup, a, b, leaf_pairs);
+                     measure_walks(setup, a, b, leaf_pairs) &&
+                     measure_queries(setup, a, b, leaf_pairs);
   port::put(right ? "" : "That is wrong\n");
   return right;
 }
@@ -180,7 +181,7 @@ int main() {
   using namespace benchmark;
   bool right = true;
   for (const Setup* setup = kSetups; setup->head.name != nullptr; ++setup) {
-    right = ask(*setup) && right;
+    right = measure_setup(*setup) && right;
   }
   right = right && (sum_of_ranked == 0 || below(sum_of_ranked, 102, sum_of_ranked_stack));
   for (const Head* head = kLeftOut; head->name != nullptr; ++head) {

@@ -54,8 +54,8 @@ std::int64_t diagonal(const std::int64_t (&side)[3]) {
 
 }  // namespace
 
-PoseSearch::PoseSearch(const Meshes& searched, const Meshes& asked, std::uint64_t seed)
-    : searched_(searched), asked_(asked), random_(seed) {
+PoseSearch::PoseSearch(const Meshes& searched, const Meshes& queried, std::uint64_t seed)
+    : searched_(searched), queried_(queried), random_(seed) {
   std::int64_t side_a[3];
   std::int64_t side_b[3];
   measure_root(*searched.a, middle_a_, side_a);
@@ -65,13 +65,13 @@ PoseSearch::PoseSearch(const Meshes& searched, const Meshes& asked, std::uint64_
   size_b_ = size_b_ > side_b[2] ? size_b_ : side_b[2];
 }
 
-Asked PoseSearch::next(Proximity proximity, bool rotated) {
+QueryPose PoseSearch::next(Proximity proximity, bool rotated) {
   for (;;) {
     const Approach approach = any_approach(rotated);
     const std::int64_t touching = touching_distance(approach);
-    Asked asked = at(approach, touching + gap_of(proximity));
-    if (touching >= 0 && is(proximity, asked)) {
-      return asked;
+    QueryPose query_pose = at(approach, touching + gap_of(proximity));
+    if (touching >= 0 && is(proximity, query_pose)) {
+      return query_pose;
     }
   }
 }
@@ -90,26 +90,26 @@ PoseSearch::Approach PoseSearch::any_approach(bool rotated) {
   return approach;
 }
 
-Asked PoseSearch::at(const Approach& approach, std::int64_t distance) const {
+QueryPose PoseSearch::at(const Approach& approach, std::int64_t distance) const {
   const test::Quaternion& q = approach.quaternion;
-  Asked asked = {{static_cast<std::int16_t>(q.w), static_cast<std::int16_t>(q.x),
-                  static_cast<std::int16_t>(q.y), static_cast<std::int16_t>(q.z)},
-                 {0, 0, 0},
-                 0,
-                 0,
-                 0,
-                 0};
-  const Pose rotated = pose_of(asked);
+  QueryPose query_pose = {{static_cast<std::int16_t>(q.w), static_cast<std::int16_t>(q.x),
+                           static_cast<std::int16_t>(q.y), static_cast<std::int16_t>(q.z)},
+                          {0, 0, 0},
+                          0,
+                          0,
+                          0,
+                          0};
+  const Pose rotated = pose_of(query_pose);
   for (int axis = 0; axis < 3; ++axis) {
     std::int64_t middle = 0;  // B's middle, rotated
     for (int i = 0; i < 3; ++i) {
       middle += rotated.rotation(axis, i) * middle_b_[i];
     }
-    asked.cells[axis] =
+    query_pose.cells[axis] =
         static_cast<std::int32_t>((middle_a_[axis] - middle / kRotationOne) / 2 +
                                   approach.direction[axis] * distance / approach.length);
   }
-  return asked;
+  return query_pose;
 }
 
 bool PoseSearch::touches(const Approach& approach, std::int64_t distance) const {
@@ -148,21 +148,21 @@ std::int64_t PoseSearch::gap_of(Proximity proximity) {
   return -size_b_ * random_.between(1, 50) / 100;
 }
 
-bool PoseSearch::is(Proximity proximity, Asked& asked) const {
-  const Pose pose = pose_of(asked);
+bool PoseSearch::is(Proximity proximity, QueryPose& query_pose) const {
+  const Pose pose = pose_of(query_pose);
   constexpr auto every_pair = [](const PairQuery::Pair&) { return true; };
   // Classes depend on boxes alone, so that other rejections do not change the poses.
   Query<Ranked<Mesh>, detail::BoxIntersection> by_boxes(*searched_.a, *searched_.b, pose);
-  PairQuery query(*asked_.a, *asked_.b, pose);
+  PairQuery query(*queried_.a, *queried_.b, pose);
   constexpr std::uint32_t kGranted = UINT32_MAX - 1;  // which counts as a limit
   const RunResult step = query.run(kGranted, every_pair);
   if (by_boxes.run(UINT32_MAX, every_pair).status != Status::done || step.status != Status::done) {
     return false;
   }
-  asked.work = step.work;
-  asked.visits = query.stats().visits;
-  asked.leaf_pairs = query.stats().leaf_pairs;
-  asked.triangle_pairs = query.stats().triangle_pairs;
+  query_pose.work = step.work;
+  query_pose.visits = query.stats().visits;
+  query_pose.leaf_pairs = query.stats().leaf_pairs;
+  query_pose.triangle_pairs = query.stats().triangle_pairs;
   const QueryStats& counts = by_boxes.stats();
   if (counts.triangle_pairs != 0) {
     return proximity == Proximity::intersecting;

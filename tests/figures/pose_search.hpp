@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "asked.hpp"
+#include "query_pose.hpp"
 #include "support/random.hpp"
 
 namespace figures {
@@ -19,9 +19,9 @@ struct Meshes {
 class PoseSearch {
  public:
   /// Poses are found with one pair of trees, counts with the other, over equal meshes.
-  PoseSearch(const Meshes& searched, const Meshes& asked, std::uint64_t seed);
+  PoseSearch(const Meshes& searched, const Meshes& queried, std::uint64_t seed);
 
-  Asked next(Proximity proximity, bool rotated);
+  QueryPose next(Proximity proximity, bool rotated);
 
  private:
   struct Approach {
@@ -32,17 +32,17 @@ class PoseSearch {
 
   Approach any_approach(bool rotated);
   /// B's middle at a distance, in cells, from A's; the counts are 0.
-  Asked at(const Approach& approach, std::int64_t distance) const;
+  QueryPose at(const Approach& approach, std::int64_t distance) const;
   bool touches(const Approach& approach, std::int64_t distance) const;
   /// The largest distance at which the boxes touch; -1 if there is none.
   std::int64_t touching_distance(const Approach& approach) const;
   /// The translation of B away from contact; negative: towards A.
   std::int64_t gap_of(Proximity proximity);
   /// Fills in the counts.
-  bool is(Proximity proximity, Asked& asked) const;
+  bool is(Proximity proximity, QueryPose& query_pose) const;
 
   Meshes searched_;
-  Meshes asked_;
+  Meshes queried_;
   flashbvh::test::Random random_;
   std::int64_t middle_a_[3];  ///< in half cells
   std::int64_t middle_b_[3];

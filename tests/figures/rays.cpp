@@ -58,16 +58,16 @@ void add_parts(const Mesh& mesh, const Segment& segment, const char* set) {
 }
 
 /// Adds a query of the set.
-template <class Ask>
-auto add(const char* what, const char* set, const Ask& ask) {
-  decltype(ask()) answer = {};
-  measure({{"ray", what, set}}, [&] { answer = ask(); });
+template <class Run>
+auto add(const char* what, const char* set, const Run& run) {
+  decltype(run()) answer = {};
+  measure({{"ray", what, set}}, [&] { answer = run(); });
   add_count({{"ray", "visits", what, set}}, answer.visits);
   return answer;
 }
 
 /// Returns whether the answers agree.
-bool ask_all(const char* set, const Mesh& mesh, const Segment& segment, uint16_t seed) {
+bool measure_ray(const char* set, const Mesh& mesh, const Segment& segment, uint16_t seed) {
   const auto cold = add("cold", set, [&] { return nearest_hit(mesh, segment); });
   const auto hint = add("hint", set, [&] { return nearest_hit(mesh, segment, seed); });
   const auto any = add("any", set, [&] { return any_hit(mesh, segment); });
@@ -77,7 +77,7 @@ bool ask_all(const char* set, const Mesh& mesh, const Segment& segment, uint16_t
          (!cold.yes || hint.hit.triangle == cold.hit.triangle);
 }
 
-bool ask_aimed() {
+bool measure_aimed() {
   test::Random random(kSeed);
   bool good = true;
   for (const Mesh* const link : kLinks) {
@@ -85,14 +85,14 @@ bool ask_aimed() {
     for (uint32_t i = 0; i < kOfLink; ++i) {
       const Segment segment = any_aimed(random, box);
       const char* const set = any_hit(*link, segment).yes ? "aimed" : "missed";
-      good = ask_all(set, *link, segment, kNone) && good;
+      good = measure_ray(set, *link, segment, kNone) && good;
     }
   }
   return good;
 }
 
 /// Each ray that hits gets the previous hit as hint; the others leave the hint unchanged.
-bool ask_fan(const Fan& fan) {
+bool measure_fan(const Fan& fan) {
   bool good = true;
   for (const Mesh* const link : kLinks) {
     const Box box(*link);
@@ -101,7 +101,7 @@ bool ask_fan(const Fan& fan) {
       const Segment segment = of_fan(fan, box, i / fan.columns, i % fan.columns);
       const auto found = nearest_hit(*link, segment);
       if (found.yes) {
-        good = ask_all(fan.name, *link, segment, seed) && good;
+        good = measure_ray(fan.name, *link, segment, seed) && good;
         seed = found.hit.slot;
       }
     }
@@ -109,7 +109,7 @@ bool ask_fan(const Fan& fan) {
   return good;
 }
 
-bool ask_points() {
+bool measure_points() {
   test::Random random(kSeed);
   bool good = true;
   for (const Mesh* const link : kLinks) {
@@ -127,10 +127,10 @@ bool ask_points() {
 }  // namespace figures
 
 int main() {
-  bool good = figures::ask_aimed();
+  bool good = figures::measure_aimed();
   for (const figures::Fan& fan : figures::kFans) {
-    good = figures::ask_fan(fan) && good;
+    good = figures::measure_fan(fan) && good;
   }
-  good = figures::ask_points() && good;
+  good = figures::measure_points() && good;
   return figures::print_all("ray", good);
 }

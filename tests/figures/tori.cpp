@@ -30,16 +30,16 @@ Pose any_pose(test::Random& random, int32_t reach, bool rotated) {
   return Pose::translated(x, y, random.between(-reach, reach));
 }
 
-bool ask_all(bool rotated) {
+bool measure_tori(bool rotated) {
   test::Random random(kSeed);
   bool right = true;
   for (const int32_t reach : kReaches) {
     for (uint32_t i = 0; i < kPosesOfReach; ++i) {
       QueryStats counts{};
       uint32_t work = 0;
-      const Asking asking = {"tori", rotated ? "rotated" : "translated", nullptr};
+      const FigureNames names = {"tori", rotated ? "rotated" : "translated", nullptr};
       right =
-          add_query(asking, thick, thin, any_pose(random, reach, rotated), counts, work) && right;
+          add_query(names, thick, thin, any_pose(random, reach, rotated), counts, work) && right;
     }
   }
   return right;
@@ -64,8 +64,8 @@ void measure_kind(const test::TriangleKind& kind) {
 }  // namespace figures
 
 int main() {
-  const bool translated = figures::ask_all(false);
-  const bool rotated = figures::ask_all(true);
+  const bool translated = figures::measure_tori(false);
+  const bool rotated = figures::measure_tori(true);
   for (const auto& kind : flashbvh::test::kTriangleKinds) {
     figures::measure_kind(kind);
   }

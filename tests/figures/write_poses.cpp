@@ -44,11 +44,12 @@ class Image {
   Mesh tree_{};
 };
 
-void write_asked(std::ostream& out, const Asked& asked) {
-  const auto& q = asked.quaternion;
+void write_pose(std::ostream& out, const QueryPose& query_pose) {
+  const auto& q = query_pose.quaternion;
   out << "          {{" << q[0] << ", " << q[1] << ", " << q[2] << ", " << q[3] << "}, {"
-      << asked.cells[0] << ", " << asked.cells[1] << ", " << asked.cells[2] << "}, " << asked.visits
-      << ", " << asked.leaf_pairs << ", " << asked.triangle_pairs << ", " << asked.work << "},\n";
+      << query_pose.cells[0] << ", " << query_pose.cells[1] << ", " << query_pose.cells[2] << "}, "
+      << query_pose.visits << ", " << query_pose.leaf_pairs << ", " << query_pose.triangle_pairs
+      << ", " << query_pose.work << "},\n";
 }
 
 void write_motion(std::ostream& out, PoseSearch& search, bool rotated) {
@@ -56,7 +57,7 @@ void write_motion(std::ostream& out, PoseSearch& search, bool rotated) {
   for (std::uint32_t proximity = 0; proximity < kProximities; ++proximity) {
     out << "         {\n";
     for (std::uint32_t i = 0; i < kPosesOfPair; ++i) {
-      write_asked(out, search.next(static_cast<Proximity>(proximity), rotated));
+      write_pose(out, search.next(static_cast<Proximity>(proximity), rotated));
     }
     out << "         },\n";
   }
@@ -65,11 +66,11 @@ void write_motion(std::ostream& out, PoseSearch& search, bool rotated) {
 
 void write_pair(std::ostream& out, const char* const* folders, const std::string& a,
                 const std::string& b) {
-  const Image asked_a(folders[0], a);
-  const Image asked_b(folders[0], b);
+  const Image queried_a(folders[0], a);
+  const Image queried_b(folders[0], b);
   const Image searched_a(folders[1], a);
   const Image searched_b(folders[1], b);
-  PoseSearch search({searched_a.tree(), searched_b.tree()}, {asked_a.tree(), asked_b.tree()},
+  PoseSearch search({searched_a.tree(), searched_b.tree()}, {queried_a.tree(), queried_b.tree()},
                     kSeed);
   out << "    {\"" << a << "\", \"" << b << "\", &" << a << ", &" << b << ",\n";
   write_motion(out, search, false);
@@ -85,7 +86,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::ofstream out(std::string(argv[1]) + "/poses.cpp");
-  out << "// Written by write_poses.\n#include \"asked.hpp\"\n";
+  out << "// Written by write_poses.\n#include \"query_pose.hpp\"\n";
   std::vector<std::pair<std::string, std::string>> pairs;
   std::set<std::string> meshes;
   for (int i = 3; i < argc; ++i) {
@@ -102,11 +103,10 @@ int main(int argc, char** argv) {
     out << "const auto " << mesh << " = flashbvh::view_unchecked<flashbvh::Mesh>(" << mesh
         << "_image);\n";
   }
-  out << "\nconst AskedPair kAskedPairs[] = {\n";
+  out << "\nconst MeshPair kMeshPairs[] = {\n";
   for (const auto& [a, b] : pairs) {
     write_pair(out, argv + 1, a, b);
   }
-  out << "};\nconst uint32_t kAskedPairCount = " << pairs.size()
-      << ";\n\n}  // namespace figures\n";
+  out << "};\nconst uint32_t kMeshPairCount = " << pairs.size() << ";\n\n}  // namespace figures\n";
   return out.flush() ? 0 : 1;
 }

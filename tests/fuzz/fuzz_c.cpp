@@ -51,7 +51,7 @@ flashbvh_pose c_pose_of(const Pose& pose) {
 constexpr std::uint32_t kRoom = 8;
 
 /// Queries in slices of any size, sometimes resumed at its own cursor or at any other.
-void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same, Input& input) {
+void query_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same, Input& input) {
   flashbvh_query query;
   std::memset(&query, 0xA5, sizeof query);
   flashbvh_status status = flashbvh_query_start(&query, &meshes.c_a, &meshes.c_b, &pose);
@@ -92,7 +92,7 @@ void ask_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same
 }
 
 /// Any hint is refused, or does not change the distance.
-void ask_distance(const Meshes& meshes, const Pose& pose, Input& input) {
+void query_distance(const Meshes& meshes, const Pose& pose, Input& input) {
   const Mesh& a = meshes.a;
   const Mesh& b = meshes.b;
   Witness<std::uint16_t> seed;
@@ -113,7 +113,7 @@ void ask_distance(const Meshes& meshes, const Pose& pose, Input& input) {
           "a seed changes the distance");
 }
 
-void ask_ray(const Meshes& meshes, Input& input) {
+void query_ray(const Meshes& meshes, Input& input) {
   const Mesh& mesh = meshes.a;
   const auto point = [&input] {
     return Point{input.take<std::int32_t>() >> 11, input.take<std::int16_t>(),
@@ -146,9 +146,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   const Pose pose = any_pose(input);
   if (pose.status() == Status::done) {
-    ask_pairs(meshes, c_pose_of(pose), pose, input);
+    query_pairs(meshes, c_pose_of(pose), pose, input);
   }
-  ask_distance(meshes, pose, input);
-  ask_ray(meshes, input);
+  query_distance(meshes, pose, input);
+  query_ray(meshes, input);
   return 0;
 }

@@ -17,7 +17,7 @@ using namespace flashbvh::test;
 namespace {
 
 /// The image's part of the input, repaired as far as its header allows.
-std::vector<std::uint8_t> mended(const std::uint8_t* bytes, std::size_t size) {
+std::vector<std::uint8_t> repaired(const std::uint8_t* bytes, std::size_t size) {
   ImageHeader header;
   std::memcpy(&header, bytes, sizeof header);
   header.magic = kImageMagic;
@@ -42,13 +42,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (size < sizeof(ImageHeader)) {
     return 0;
   }
-  const std::vector<std::uint8_t> image = mended(bytes, size);
+  const std::vector<std::uint8_t> image = repaired(bytes, size);
   Input rest(bytes + image.size(), size - image.size());
   std::vector<Pose> poses = {any_pose(rest)};
   ImageHeader header;
   std::memcpy(&header, image.data(), sizeof header);
   if (header.triangle_count < kManyTriangles) {
-    for (const Pose& pose : telling_poses()) {
+    for (const Pose& pose : representative_poses()) {
       poses.push_back(pose);
     }
   }

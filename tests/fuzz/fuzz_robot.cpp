@@ -21,7 +21,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 /// Repairs a mesh; returns the offset of the next one, or the input's end if it is cut off.
-std::size_t mend_mesh(Bytes& bytes, std::size_t at, const RobotImageHeader& robot) {
+std::size_t repair_mesh(Bytes& bytes, std::size_t at, const RobotImageHeader& robot) {
   ImageHeader header;
   if (bytes.size() - at < sizeof header) {
     return bytes.size();
@@ -42,7 +42,7 @@ std::size_t mend_mesh(Bytes& bytes, std::size_t at, const RobotImageHeader& robo
 }
 
 /// Repairs a pair of a robot whose arrays exist, with any contents.
-void mend_pair(const Robot& robot, RobotPair& pair) {
+void repair_pair(const Robot& robot, RobotPair& pair) {
   const std::uint8_t links[2] = {pair.a, pair.b};
   std::uint8_t counts[2] = {0, 0};
   std::uint8_t joints[2];
@@ -69,7 +69,7 @@ void mend_pair(const Robot& robot, RobotPair& pair) {
 }
 
 /// Keeps the header's counts; a robot whose counts do not fit is not repaired.
-void mend_pairs(Bytes& bytes, RobotImageHeader& header) {
+void repair_pairs(Bytes& bytes, RobotImageHeader& header) {
   Robot robot{};
   robot.joints = reinterpret_cast<const RobotJoint*>(&bytes[sizeof header]);
   robot.links = reinterpret_cast<const RobotLink*>(robot.joints + header.joint_count);
@@ -82,13 +82,13 @@ void mend_pairs(Bytes& bytes, RobotImageHeader& header) {
   robot.reach_count = header.reach_count;
   header.pair_joint_count = 0;
   for (std::uint32_t i = 0; i < header.pair_count; ++i) {
-    mend_pair(robot, pairs[i]);
+    repair_pair(robot, pairs[i]);
     header.pair_joint_count += pairs[i].joints_a + pairs[i].joints_b;
   }
 }
 
 /// The image's part of the input, repaired as far as its header allows.
-Bytes mended(const std::uint8_t* input, std::size_t size) {
+Bytes repaired(const std::uint8_t* input, std::size_t size) {
   Bytes bytes(input, input + size);
   RobotImageHeader header;
   std::memcpy(&header, bytes.data(), sizeof header);
@@ -96,9 +96,9 @@ Bytes mended(const std::uint8_t* input, std::size_t size) {
   header.version = kRobotImageVersion;
   std::size_t end = robot_meshes_offset(header);
   if (end < size) {
-    mend_pairs(bytes, header);
+    repair_pairs(bytes, header);
     for (std::uint32_t i = 0; i < header.link_count; ++i) {
-      end = mend_mesh(bytes, end, header);
+      end = repair_mesh(bytes, end, header);
     }
     bytes.resize(end);
   }
@@ -121,7 +121,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (size < sizeof(RobotImageHeader)) {
     return 0;
   }
-  const Bytes image = mended(bytes, size);
+  const Bytes image = repaired(bytes, size);
   verdict = exercise(image, Input(bytes + image.size(), size - image.size()));
   require(verdict.wrong == nullptr, verdict.wrong);
   return 0;

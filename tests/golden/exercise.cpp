@@ -109,7 +109,7 @@ void repair_crc(void* bytes, std::size_t size) {
   }
 }
 
-std::vector<Pose> telling_poses() {
+std::vector<Pose> representative_poses() {
   const auto rotated = [](const Quaternion& q, std::int32_t x, std::int32_t y, std::int32_t z) {
     return Pose::rigid(rotation_of(q).entry, {x, y, z}, {-32768, 32767, 1});
   };

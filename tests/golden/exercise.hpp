@@ -27,6 +27,6 @@ Verdict exercise_image(const void* bytes, std::size_t size, const std::vector<Po
 void repair_crc(void* bytes, std::size_t size);
 
 /// Poses translated, rotated, far away; and poses that are errors.
-std::vector<Pose> telling_poses();
+std::vector<Pose> representative_poses();
 
 }  // namespace flashbvh::test

@@ -22,7 +22,7 @@ bool reads_as(const TextFormat& format, const std::string& word, double wanted) 
 }
 
 const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-const std::string kMend = "; export the mesh again";
+const std::string kFix = "; export the mesh again";
 
 /// The triangle, with one part of its header or body replaced.
 std::string ply_with(const std::string& what, const std::string& by) {
@@ -70,9 +70,9 @@ const BadPly kBadPlies[] = {
 
 /// Polygons of an OFF with ten points.
 const std::array<std::array<std::string, 2>, 3> kBadOffs = {{
-    {"3 0 1 .5", ": a corner at vertex '.5', but there are 10 vertices" + kMend},
+    {"3 0 1 .5", ": a corner at vertex '.5', but there are 10 vertices" + kFix},
     {"2 0 1", ": a polygon of '2' corners; it must have three or more"},
-    {"9223372036854775807 0 1", ": a polygon of 9223372036854775807 corners names only 2" + kMend},
+    {"9223372036854775807 0 1", ": a polygon of 9223372036854775807 corners names only 2" + kFix},
 }};
 
 std::string facet(int z) {
@@ -164,11 +164,11 @@ TEST_CASE("PLY: what is malformed") {
   CHECK(refusal(tool::read_ply, ply_with("double x", "int x")) == "");
   for (const auto& [what, by, said] : kBadPlies) {
     CAPTURE(what, by);
-    CHECK(refusal(tool::read_ply, ply_with(what, by)) == "file" + said + kMend);
+    CHECK(refusal(tool::read_ply, ply_with(what, by)) == "file" + said + kFix);
   }
   std::string ints = ply_with("double x", "int x");
   ints.replace(ints.find("1 0 0"), 1, "1.5");
-  CHECK(refusal(tool::read_ply, ints) == "file: vertex 1 of 3: '1.5' is no int" + kMend);
+  CHECK(refusal(tool::read_ply, ints) == "file: vertex 1 of 3: '1.5' is no int" + kFix);
   CHECK(
       refusal(tool::read_ply, ply_with("element face 1",
                                        "element tristrips 2\nproperty list int int vertex_indices\n"
@@ -180,7 +180,7 @@ TEST_CASE("OBJ: a corner is an integer") {
   for (const std::string corner : {".5", "1.0", "1.", "0", "4", "-4", "18446744073709551617", "1e0",
                                    "+", "x", "/1", "9223372036854775807", "-9223372036854775808"}) {
     CHECK(refusal(tool::read_obj, kVertices + "f 1 2 " + corner + "\n") ==
-          "file:4: a corner at vertex '" + corner + "', but there are 3 vertices so far" + kMend);
+          "file:4: a corner at vertex '" + corner + "', but there are 3 vertices so far" + kFix);
   }
   CHECK(refusal(tool::read_obj, kVertices + "f 1 2 +3\n") == "");
 }

@@ -32,14 +32,14 @@ constexpr std::uint32_t kMostOthers = 9000;
 #endif
 
 /// The maximum over some hundred pairs of a kind; prints it with the mean.
-template <class Make, class Ask>
-void check_cost(const char* what, std::uint32_t most_allowed, Make make, Ask ask) {
+template <class Make, class Run>
+void check_cost(const char* what, std::uint32_t most_allowed, Make make, Run run) {
   Random random = test_random();
   std::uint32_t most = 0;
   std::uint32_t sum = 0;
   for (int i = 0; i < kPairs; ++i) {
     const TransformedPair pair = make(random);
-    const std::uint32_t count = port::instructions_of([&] { ask(pair); });
+    const std::uint32_t count = port::instructions_of([&] { run(pair); });
     most = count > most ? count : most;
     sum += count;
   }
@@ -75,14 +75,14 @@ void check_contact(const char* kind, std::uint32_t most, Make make) {
   };
   Contact contact;
   // Constructs it in place, like a caller's variable.
-  const auto ask = [&](const TransformedPair& pair) {
+  const auto run = [&](const TransformedPair& pair) {
     ::new (&contact) Contact(contact_of(pair.a, pair.b));
   };
-  check_cost(kind, most, make_intersecting, ask);
+  check_cost(kind, most, make_intersecting, run);
   Random random = test_random();
   for (int i = 0; i < kPairs; ++i) {
     const TransformedPair pair = make_intersecting(random);
-    const std::uint32_t bytes = port::stack_of([&] { ask(pair); });
+    const std::uint32_t bytes = port::stack_of([&] { run(pair); });
     stack = bytes > stack ? bytes : stack;
   }
   std::printf("%-24s %u bytes of stack\n", kind, static_cast<unsigned>(stack));

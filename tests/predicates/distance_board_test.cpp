@@ -106,7 +106,7 @@ Int128 any_number(Random& random, uint32_t bits) {
 TEST_CASE("separated triangles are detected in 32 bits as in 64, on every core") {
   Random random(5);
   uint32_t sum = 2166136261u;
-  uint32_t told = 0;
+  uint32_t separated = 0;
   for (int round = 0; round < 4000; ++round) {
     const int32_t size = 1 << random.below(15);
     const int32_t far = round % 4 != 0 ? 2 * size : kFarthest;
@@ -118,10 +118,10 @@ TEST_CASE("separated triangles are detected in 32 bits as in 64, on every core")
     REQUIRE(by_middles == middles_separate_in_64_bits(a, b));
     detail::Direction first;
     const bool by_directions = detail::directions_separate(a, b, 0, first);
-    told += by_middles ? 1 : 0;
+    separated += by_middles ? 1 : 0;
     sum = (sum ^ (by_directions ? 1u : 0u) ^ first.packed) * 16777619u;
   }
-  CHECK(told > 1000);
+  CHECK(separated > 1000);
   CHECK(sum == 0x132BB45Au);
 }
 

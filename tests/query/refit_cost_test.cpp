@@ -83,7 +83,7 @@ TEST_CASE(
 #endif
     const std::uint32_t crumpled = cost_of_self(bent.mesh.mesh(), counts);
     const auto nodes = static_cast<std::uint32_t>(bent.nodes.size());
-    const std::size_t told = bake::bending_cost(bent.mesh.mesh()).refit_instructions;
+    const std::size_t promised = bake::bending_cost(bent.mesh.mesh()).refit_instructions;
     std::printf(
         "budget: leaf size %u, arity %u: %u nodes, %u bytes of RAM; refit %u instructions "
         "(promised "
@@ -93,13 +93,13 @@ TEST_CASE(
         static_cast<unsigned>(nodes),
         static_cast<unsigned>(nodes * sizeof bent.nodes[0] +
                               bent.vertices.size() * sizeof bent.vertices[0]),
-        static_cast<unsigned>(refit), static_cast<unsigned>(told),
+        static_cast<unsigned>(refit), static_cast<unsigned>(promised),
         static_cast<double>(refit) / nodes, static_cast<unsigned>(rest),
         static_cast<unsigned>(crumpled), static_cast<unsigned>(counts.triangle_pairs));
     std::fflush(stdout);
 #if defined(__ARM_ARCH_7EM__)
-    CHECK(refit <= told + told / 20);
-    CHECK(refit >= told - told / 20);
+    CHECK(refit <= promised + promised / 20);
+    CHECK(refit >= promised - promised / 20);
     if (tree.leaf_size == bake::kDefaultLeafSize) {
       CHECK(refit + rest <= kHalfAFrame);
       CHECK(refit + crumpled <= kHalfAFrame);

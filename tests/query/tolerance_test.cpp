@@ -16,12 +16,12 @@ void check_tolerance(const std::vector<Pairwise>& all, const Clearance<std::uint
                      std::uint16_t tolerance) {
   const double truth = length_of(least_of(all).squared);
   const double longer = (1 + tolerance / 65536.0) * (1 + kExact);
-  const auto told = std::find_if(all.begin(), all.end(), [&](const Pairwise& pair) {
+  const auto reported = std::find_if(all.begin(), all.end(), [&](const Pairwise& pair) {
     return pair.of_a == found.witness.a && pair.of_b == found.witness.b;
   });
   REQUIRE(found.status == Status::done);
-  REQUIRE(told != all.end());
-  const double distance = length_of(told->squared);
+  REQUIRE(reported != all.end());
+  const double distance = length_of(reported->squared);
   CAPTURE(tolerance, truth, distance, found.lower, found.upper);
   REQUIRE(distance <= truth * longer);
   REQUIRE(found.lower <= 256 * truth * (1 + kExact));

@@ -24,7 +24,7 @@ builds() {
 builds zephyr
 builds esp-idf
 configure zephyr without_robot n
-! grep /robot/ commands || fail "zephyr: the robot's layer, unasked"
+! grep /robot/ commands || fail "zephyr: the robot's layer, although not requested"
 [ -s commands ] || fail "zephyr: no sources"
 
 quietly cmake "-DPACKAGE=$PACKAGES/esp-idf/flashbvh" -P esp-idf.cmake

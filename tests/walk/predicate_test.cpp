@@ -73,7 +73,7 @@ struct WithinBoxDistance {
   using Shapes = NoShapes<Mesh>;
   static constexpr std::uint32_t kBatch = 8;
   static constexpr std::uint32_t kPairWork = 32;
-  static constexpr std::uint32_t kDearWork = 0;
+  static constexpr std::uint32_t kExpensiveWork = 0;
   static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = false;
   std::int32_t distance = 0;

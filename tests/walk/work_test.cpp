@@ -124,7 +124,7 @@ struct CountedTests {
   using Shapes = LeafPlanes<Mesh>;
   static constexpr std::uint32_t kBatch = 8;
   static constexpr std::uint32_t kPairWork = kTrianglePairWork;
-  static constexpr std::uint32_t kDearWork = 0;
+  static constexpr std::uint32_t kExpensiveWork = 0;
   static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
   std::uint32_t* tests = nullptr;

@@ -338,15 +338,15 @@ class Field : public Approximation {
 }  // namespace
 
 void compare_approximations(const PairOfMeshes& meshes) {
-  const Mesh& a = *meshes.asked.a;
-  const Mesh& b = *meshes.asked.b;
+  const Mesh& a = *meshes.queried.a;
+  const Mesh& b = *meshes.queried.b;
   const std::pair<const char*, std::unique_ptr<Approximation>> all[] = {
       {"capsule", std::make_unique<Capsules>(a, b)},
       {"spheres", std::make_unique<Spheres>(a, b)},
       {"hull", std::make_unique<Hulls>(a, b)},
       {"field", std::make_unique<Field>(a, b)}};
   for (const bool rotated : {false, true}) {
-    figures::PoseSearch search(meshes.searched, meshes.asked, kSeed);
+    figures::PoseSearch search(meshes.searched, meshes.queried, kSeed);
     for (std::uint32_t i = 0; i < figures::kProximities; ++i) {
       std::size_t alarms[4] = {0, 0, 0, 0};
       for (std::size_t pose = 0; pose < kPoses; ++pose) {

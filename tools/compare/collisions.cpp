@@ -55,8 +55,8 @@ class Collisions {
   Collisions(const PairOfMeshes& meshes, bool rotated)
       : of_(meshes.name + " " + name_of_motion(rotated) + " "),
         rotated_(rotated),
-        search_(meshes.searched, meshes.asked, kSeed),
-        libraries_(all_libraries(*meshes.asked.a, *meshes.asked.b)),
+        search_(meshes.searched, meshes.queried, kSeed),
+        libraries_(all_libraries(*meshes.queried.a, *meshes.queried.b)),
         found_(libraries_.size()) {}
 
   void run() {

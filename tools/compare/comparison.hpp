@@ -123,7 +123,7 @@ constexpr std::size_t kPoses = 64;
 struct PairOfMeshes {
   std::string name;
   figures::Meshes searched;
-  figures::Meshes asked;
+  figures::Meshes queried;
 };
 
 /// Prints the lines of one pair of meshes.
@@ -137,11 +137,11 @@ inline const char* name_of_motion(bool rotated) {
   return rotated ? "rotated" : "translated";
 }
 
-inline Placed placed_of(const figures::Asked& asked) {
-  const std::int16_t(&q)[4] = asked.quaternion;
+inline Placed placed_of(const figures::QueryPose& query_pose) {
+  const std::int16_t(&q)[4] = query_pose.quaternion;
   return {flashbvh::test::rotation_of({q[0], q[1], q[2], q[3]}),
-          {asked.cells[0], asked.cells[1], asked.cells[2]},
-          figures::pose_of(asked)};
+          {query_pose.cells[0], query_pose.cells[1], query_pose.cells[2]},
+          figures::pose_of(query_pose)};
 }
 
 struct Timed {

@@ -38,9 +38,9 @@ class Distances {
   Distances(const PairOfMeshes& meshes, bool rotated)
       : of_(meshes.name + " " + name_of_motion(rotated) + " "),
         rotated_(rotated),
-        meshes_(meshes.asked),
-        search_(meshes.searched, meshes.asked, kSeed),
-        libraries_(all_libraries(*meshes.asked.a, *meshes.asked.b)) {}
+        meshes_(meshes.queried),
+        search_(meshes.searched, meshes.queried, kSeed),
+        libraries_(all_libraries(*meshes.queried.a, *meshes.queried.b)) {}
 
   void run() {
     for (const Proximity proximity : kApart) {

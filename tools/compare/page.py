@@ -126,8 +126,8 @@ def times(file):
 
 def known(file):
     """Counts each library's wrong answers to queries with known answers: of boxes, then of other meshes."""
-    lines = {tuple(key): numbers for *key, asked, wrong in words_of(file, "known")
-             for numbers in [(asked, wrong)]}
+    lines = {tuple(key): numbers for *key, queried, wrong in words_of(file, "known")
+             for numbers in [(queried, wrong)]}
     of = sums(((kind, "boxes" if mesh.startswith(("crate", "brick")) else "others", library), *numbers)
               for (kind, mesh, library), numbers in lines.items())
     row = "%-44s  %-10s  %12s  %13s  %10s  %13s"

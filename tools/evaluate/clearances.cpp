@@ -123,18 +123,18 @@ std::uint32_t fine_length(double length, double cell, std::uint32_t most, Roundi
 
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                           Witness<std::uint32_t>& hint) {
-  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
+  const auto query = [&](const auto& mesh_a, const auto& mesh_b) {
     return clearance_of(mesh_a, mesh_b, pose, hint);
   };
-  return ask_post<ClearanceAnswer>(ask, a, b).value();
+  return query_post<ClearanceAnswer>(query, a, b).value();
 }
 
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                                 std::uint32_t distance, bool all) {
-  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
+  const auto query = [&](const auto& mesh_a, const auto& mesh_b) {
     return within_of(mesh_a, mesh_b, pose, distance, all);
   };
-  return ask_post<ClearanceAnswer>(ask, a, b).value();
+  return query_post<ClearanceAnswer>(query, a, b).value();
 }
 
 }  // namespace flashbvh::tool

@@ -43,12 +43,12 @@ class WalkStart {
 template <class Traversal, class Predicate = Intersection>
 QueryStats count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
                        const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {
-  using Asked = Query<Traversal, Predicate>;
-  Asked query(a, b, pose, start.cursor());
+  using QueryType = Query<Traversal, Predicate>;
+  QueryType query(a, b, pose, start.cursor());
   found = 0;
   const Status status = query
                             .run(UINT32_MAX,
-                                 [&found](const typename Asked::Pair&) {
+                                 [&found](const typename QueryType::Pair&) {
                                    ++found;
                                    return true;
                                  })

@@ -126,7 +126,7 @@ std::vector<Move> read_moves(const std::string& path, double cell) {
 std::vector<FoundContact> first_contacts(const ImageFile& a, const ImageFile& b,
                                          const BodyMotion& motion, std::uint32_t within, bool all,
                                          const std::string& place) {
-  auto found = ask_post<std::vector<FoundContact>>(
+  auto found = query_post<std::vector<FoundContact>>(
       [&](const auto& mesh_a, const auto& mesh_b) {
         return contacts_of(mesh_a, mesh_b, motion, within, all);
       },

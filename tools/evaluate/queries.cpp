@@ -21,7 +21,7 @@ void add(WideCounts& sum, const QueryStats& now, const QueryStats& before) {
 
 template <class Traversal>
 Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b, const Pose& pose,
-           const Asked& asked) {
+           const Requested& requested) {
   scene::WalkStart<Traversal> start(a, b);
   Query<Traversal> query(a, b, pose, start.cursor());
   Answer answer;
@@ -30,10 +30,10 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
     const QueryStats before = query.stats();
     const RunResult step = query.run(kWorkPerRun, [&](const typename Query<Traversal>::Pair& pair) {
       answer.pairs.push_back({pair.a, pair.b});
-      if (asked.contacts) {
+      if (requested.contacts) {
         answer.contacts.push_back(contact_of_last(query));
       }
-      return !asked.first;
+      return !requested.first;
     });
     answer.status = step.status;
     answer.work += step.work;
@@ -47,7 +47,7 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
 
 template <class WithLevels>
 Answer run_named(const std::string& name, const WithLevels& a, const WithLevels& b,
-                 const Pose& pose, const Asked& asked) {
+                 const Pose& pose, const Requested& requested) {
   Answer answer;
   for_each_traversal([&](auto traversal) {
     using Named = decltype(traversal);
@@ -55,7 +55,7 @@ Answer run_named(const std::string& name, const WithLevels& a, const WithLevels&
       if (name == traversal.name) {
         using Traversal =
             typename Named::template On<typename WithLevels::Index, WithLevels::kLayout>;
-        answer = run<Traversal>(a, b, pose, asked);
+        answer = run<Traversal>(a, b, pose, requested);
       }
     }
   });
@@ -101,21 +101,21 @@ void check_partners(const ImageFile& a, const ImageFile& b) {
 }
 
 Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
-               const Asked& asked) {
+               const Requested& requested) {
   return std::visit(
       [&](const auto& tree_a) {
         using WithLevels = std::decay_t<decltype(tree_a)>;
-        return run_named(traversal, tree_a, std::get<WithLevels>(b), pose, asked);
+        return run_named(traversal, tree_a, std::get<WithLevels>(b), pose, requested);
       },
       a);
 }
 
 std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose) {
-  const auto ask = [&](const auto& mesh_a, const auto& mesh_b) {
+  const auto query = [&](const auto& mesh_a, const auto& mesh_b) {
     const auto answer = flashbvh::one_is_inside(mesh_a, mesh_b, pose);
     return answer.status == Status::done ? std::optional(answer.yes) : std::nullopt;
   };
-  return ask_post<std::optional<bool>>(ask, a.tree(), b.tree()).value_or(std::nullopt);
+  return query_post<std::optional<bool>>(query, a.tree(), b.tree()).value_or(std::nullopt);
 }
 
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose) {

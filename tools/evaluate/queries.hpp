@@ -54,7 +54,7 @@ struct Answer {
 };
 
 /// Requested results in addition to counts and pairs.
-struct Asked {
+struct Requested {
   bool first = false;  ///< to end at the first pair
   bool contacts = false;
 };
@@ -62,7 +62,7 @@ struct Asked {
 /// Runs the library's query to its end, or to the first pair.
 /// Precondition: both trees are of one kind, and walks(traversal, their layout).
 Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
-               const Asked& asked);
+               const Requested& requested);
 
 /// UserError, naming `place` and the pose by its number, if the query ended with an error.
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose);
@@ -107,17 +107,17 @@ ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& 
 /// mesh is not closed, or pre-indexed.
 std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const Pose& pose);
 
-/// Calls `ask(meshes...)`, with meshes as in firmware's queries, for post-indexed trees of one
+/// Calls `query(meshes...)`, with meshes as in firmware's queries, for post-indexed trees of one
 /// kind; else returns nothing.
-template <class Found, class Ask, class... Others>
-std::optional<Found> ask_post(const Ask& ask, const AnyTree& any, const Others&... others) {
+template <class Found, class Query, class... Others>
+std::optional<Found> query_post(const Query& query, const AnyTree& any, const Others&... others) {
   return std::visit(
       [&](const auto& tree) -> std::optional<Found> {
         using Tree = std::decay_t<decltype(tree)>;
         if constexpr (Tree::kLayout == Layout::post_indexed) {
           using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
-          return ask(static_cast<const Plain&>(tree),
-                     static_cast<const Plain&>(std::get<Tree>(others))...);
+          return query(static_cast<const Plain&>(tree),
+                       static_cast<const Plain&>(std::get<Tree>(others))...);
         } else {
           return std::nullopt;
         }
@@ -128,7 +128,7 @@ std::optional<Found> ask_post(const Ask& ask, const AnyTree& any, const Others&.
 /// Calls query(mesh); UserError if the image is pre-indexed.
 template <class Found, class Query>
 Found query_post_mesh(const ImageFile& image, const Query& query) {
-  std::optional<Found> found = ask_post<Found>(query, image.tree());
+  std::optional<Found> found = query_post<Found>(query, image.tree());
   if (!found) {
     throw UserError(
         image.path(),

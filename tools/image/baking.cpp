@@ -88,10 +88,10 @@ constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
 /// UserError if the mesh or its tree exceeds 16-bit indices.
 void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
                    const bake::BuildTree& tree, const TriangleIds& kept, bool offers_wide) {
-  const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* mend) {
+  const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* fix) {
     if (count > limit) {
       throw UserError(input.path, count, " ", what, ", but 16-bit indices reach ", limit, "; use ",
-                      mend);
+                      fix);
     }
   };
   const char* const fewer = offers_wide ? "--simplify, or --index-bits 32" : "--simplify";

@@ -60,7 +60,7 @@ class EarCutter {
     for (std::uint32_t i = 0; i < count; ++i) {
       next_.push_back((i + 1) % count);
       before_.push_back((i + count - 1) % count);
-      to_ask_.insert(to_ask_.end(), i);
+      to_test_.insert(to_test_.end(), i);
     }
   }
 
@@ -76,12 +76,12 @@ class EarCutter {
  private:
   /// The corner after the first one if there is no ear.
   std::uint32_t next_ear() {
-    for (auto at = to_ask_.upper_bound(head_); at != to_ask_.end(); at = to_ask_.erase(at)) {
+    for (auto at = to_test_.upper_bound(head_); at != to_test_.end(); at = to_test_.erase(at)) {
       if (is_ear(*at)) {
         return *at;
       }
     }
-    if (to_ask_.erase(head_) != 0 && is_ear(head_)) {
+    if (to_test_.erase(head_) != 0 && is_ear(head_)) {
       return head_;
     }
     return next_[head_];
@@ -110,11 +110,11 @@ class EarCutter {
     tree_.remove(corner);
     for (const std::uint32_t other : waiting_[corner]) {
       if (next_[before_[other]] == other) {  // still there
-        to_ask_.insert(other);
+        to_test_.insert(other);
       }
     }
-    to_ask_.insert({before, next});
-    to_ask_.erase(corner);
+    to_test_.insert({before, next});
+    to_test_.erase(corner);
   }
 
   const std::vector<Corner2>& flat_;
@@ -122,7 +122,7 @@ class EarCutter {
   std::uint32_t head_ = 0;           ///< the first remaining corner
   std::vector<std::uint32_t> next_;  ///< of remaining corners
   std::vector<std::uint32_t> before_;
-  std::set<std::uint32_t> to_ask_;                   ///< may be ears; other corners are none
+  std::set<std::uint32_t> to_test_;                  ///< may be ears; other corners are none
   std::vector<std::vector<std::uint32_t>> waiting_;  ///< [corner]: those in whose triangles it lay
 };
 

@@ -30,7 +30,7 @@ void for_each_pose(const Baked& a, const Baked& b, const Poses& poses, const Que
   tool::check_partners(a, b);
   const double cell = a.cell();
   const py::gil_scoped_release release;
-  (void)tool::ask_post<bool>(
+  (void)tool::query_post<bool>(
       [&](const auto& mesh_a, const auto& mesh_b) {
         const float cells = cells_per_unit(mesh_a.cell_bits);
         for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -68,12 +68,12 @@ struct Sides {
 
 /// `height(corner)`: above the plane, in any unit.
 template <class Height>
-inline Sides sides_of(const Triangle& asked, const Height& height) {
+inline Sides sides_of(const Triangle& tested, const Height& height) {
   const auto bits = [&](const Point& corner, unsigned above) {
     const int64_t at = height(corner);
     return at > 0 ? above : at < 0 ? above << 3 : 0u;
   };
-  return {bits(asked.corner[0], 1) | bits(asked.corner[1], 2) | bits(asked.corner[2], 4)};
+  return {bits(tested.corner[0], 1) | bits(tested.corner[1], 2) | bits(tested.corner[2], 4)};
 }
 
 /// The corner alone on its side of a plane that the triangle crosses or touches. Both edges from it

@@ -63,17 +63,17 @@ FLASHBVH_INLINE_FOR_SPEED inline Upper upper_of(const int64_t (&height)[3]) {
 }
 
 /// `origin`: a point of the plane.
-inline Upper upper_of_normal(const Narrow& normal, const Point& origin, const Triangle& asked) {
+inline Upper upper_of_normal(const Narrow& normal, const Point& origin, const Triangle& tested) {
   const auto height = [&](const Point& corner) { return dot(normal, difference(corner, origin)); };
-  return upper_of({height(asked.corner[0]), height(asked.corner[1]), height(asked.corner[2])});
+  return upper_of({height(tested.corner[0]), height(tested.corner[1]), height(tested.corner[2])});
 }
 /// Computes one height at a time: three of 64 bits would take more stack than everything else.
 template <class Height>
-inline Upper upper_of(const Height& height, const Triangle& asked) {
+inline Upper upper_of(const Height& height, const Triangle& tested) {
   unsigned below = 0;
   unsigned above = 0;
   for (unsigned i = 3; i-- != 0;) {
-    const int64_t at = height(asked.corner[i]);
+    const int64_t at = height(tested.corner[i]);
     below = below << 1 | (at < 0 ? 1u : 0u);
     above = above << 1 | (at > 0 ? 1u : 0u);
   }
@@ -81,12 +81,12 @@ inline Upper upper_of(const Height& height, const Triangle& asked) {
 }
 
 template <class Cofactors>
-[[gnu::noinline]] Upper upper_of_plane(const Triangle& plane, const Triangle& asked) {
-  return upper_of_normal(normal_of<Cofactors>(plane), plane.corner[0], asked);
+[[gnu::noinline]] Upper upper_of_plane(const Triangle& plane, const Triangle& tested) {
+  return upper_of_normal(normal_of<Cofactors>(plane), plane.corner[0], tested);
 }
 /// If optimised for size, reuses the code of volumes: wide triangles are rare.
 template <>
-[[gnu::noinline]] Upper upper_of_plane<Wide>(const Triangle& plane, const Triangle& asked) {
+[[gnu::noinline]] Upper upper_of_plane<Wide>(const Triangle& plane, const Triangle& tested) {
   const Point(&p)[3] = plane.corner;
 #if defined(__OPTIMIZE_SIZE__)
   const auto height = [&](const Point& corner) { return volume<Wide>(p[0], p[1], p[2], corner); };
@@ -94,11 +94,11 @@ template <>
   const Wide normal = normal_of<Wide>(plane);
   const auto height = [&](const Point& corner) { return dot(normal, difference(corner, p[0])); };
 #endif
-  return upper_of(height, asked);
+  return upper_of(height, tested);
 }
 
-inline Upper upper_of(bool narrow, const Triangle& plane, const Triangle& asked) {
-  return narrow ? upper_of_plane<Narrow>(plane, asked) : upper_of_plane<Wide>(plane, asked);
+inline Upper upper_of(bool narrow, const Triangle& plane, const Triangle& tested) {
+  return narrow ? upper_of_plane<Narrow>(plane, tested) : upper_of_plane<Wide>(plane, tested);
 }
 
 /// A corner's offset in a triangle, in bytes.

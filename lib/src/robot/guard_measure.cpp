@@ -42,9 +42,9 @@ constexpr uint32_t kShare = 9;
 /// The share if a period moves the pair by more than the excess, in 1/16.
 constexpr uint32_t kLastShare = 12;
 
-/// The share is limited to the motion of this number of periods, but not below 1/kPeriodsAsked of
+/// The share is limited to the motion of this number of periods, but not below 1/kMaxPeriods of
 /// itself, since joints speed up.
-constexpr uint32_t kPeriodsAsked = 16;
+constexpr uint32_t kMaxPeriods = 16;
 
 }  // namespace
 
@@ -205,12 +205,12 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t kept = limit_for(core_->walked_pair, nearest);
   const uint32_t over = difference_of(nearest, kept);
   const uint32_t most = over / 16 * kShare;
-  // Limited to the motion of kPeriodsAsked periods, as larger distances take walks of many periods.
+  // Limited to the motion of kMaxPeriods periods, as larger distances take walks of many periods.
   const uint32_t moved = sum_of(moved_in_walk(), kRateMargin);
-  const uint32_t least = most / kPeriodsAsked;
+  const uint32_t least = most / kMaxPeriods;
   const uint32_t share = moved >= over    ? difference_of(over, uint32_t{1}) / 16 * kLastShare
                          : moved >= least ? most
-                                          : detail::greater(moved * kPeriodsAsked, least);
+                                          : detail::greater(moved * kMaxPeriods, least);
   const uint32_t began = distance_where_begun(core_->walked_pair);
   const uint32_t for_stop = detail::lasting(pair.stop, began, moved, robot_->slack);
   const uint32_t for_warn = detail::lasting(pair.warn, began, moved, robot_->slack);

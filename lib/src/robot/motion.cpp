@@ -133,8 +133,8 @@ void MotionQuery::begin_interval() {
 }
 
 /// Runs a slice of the phase's query; returns `full` if the answer is yes.
-template <class Asked>
-Status MotionQuery::ask(Asked&& query, uint32_t& work) {
+template <class QueryType>
+Status MotionQuery::run_query(QueryType&& query, uint32_t& work) {
   const Status status = query.resume(core_->cursor);
   if (status != Status::suspended) {
     return status;
@@ -148,13 +148,13 @@ Status MotionQuery::ask(Asked&& query, uint32_t& work) {
   return step.status;
 }
 
-Status MotionQuery::ask_phase(uint32_t& work) {
+Status MotionQuery::run_phase(uint32_t& work) {
   const RobotPair& pair = robot_->pairs[core_->pair];
   const Mesh& a = robot_->meshes[pair.a];
   const Mesh& b = robot_->meshes[pair.b];
   return core_->phase == kWithin
-             ? ask(WithinQuery(a, b, core_->pose, {}, within(core_->within)), work)
-             : ask(PairQuery(a, b, core_->pose), work);
+             ? run_query(WithinQuery(a, b, core_->pose, {}, within(core_->within)), work)
+             : run_query(PairQuery(a, b, core_->pose), work);
 }
 
 /// Begins an interval, or runs a slice of a query.
@@ -164,7 +164,7 @@ void MotionQuery::step(uint32_t& work) {
     begin_interval();
     return;
   }
-  const Status status = ask_phase(work);
+  const Status status = run_phase(work);
   if (status == Status::done && core_->phase == kWithin) {
     next_interval();
   } else if (status == Status::done || status == Status::distance_out_of_range) {

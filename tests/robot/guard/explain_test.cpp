@@ -38,7 +38,7 @@ std::uint32_t fine(double length) {
 }  // namespace
 
 TEST_CASE("what is explained of a pair is where it is near, and how its joints move that") {
-  int told = 0;
+  int explained = 0;
   const int tries = rounds(4, 12);
   for_rounds(tries, [&](Random& random, int) {
     const auto cell = std::make_unique<CrowdedCell>(random);
@@ -57,7 +57,7 @@ TEST_CASE("what is explained of a pair is where it is near, and how its joints m
       if (detail.nearest.lower < 1000) {
         continue;  // rounding changes its direction too much
       }
-      ++told;
+      ++explained;
       const auto point = [](const FinePoint& p) {
         return Vector3{static_cast<double>(p.x) / 256 * kWorkcellCell,
                        static_cast<double>(p.y) / 256 * kWorkcellCell,
@@ -92,7 +92,7 @@ TEST_CASE("what is explained of a pair is where it is near, and how its joints m
                                             : std::abs(changes[detail.variable]) == most));
     }
   });
-  CHECK(told > 8 * tries);
+  CHECK(explained > 8 * tries);
 }
 
 TEST_CASE("a cart that comes nearer is warned of where it is near, not where its sphere is") {

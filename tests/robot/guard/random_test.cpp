@@ -47,14 +47,14 @@ void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count
   }
 }
 
-struct Told {
+struct TableCounts {
   std::uint32_t places;  ///< that have a table value
   std::uint32_t all;
 };
 
 /// Checks at random values that no exact distance is less than the distance table's value.
-Told told_of(const FixedArm& arm, Random& random) {
-  Told told{};
+TableCounts check_tables(const FixedArm& arm, Random& random) {
+  TableCounts checked{};
   std::vector<JointCoordinate> coordinates(arm.robot().joint_count);
   for (int i = 0; i < 2000; ++i) {
     const Values values = arm.any_values(random);
@@ -67,11 +67,11 @@ Told told_of(const FixedArm& arm, Random& random) {
         CAPTURE(i, pair, distance);
         FAIL();
       }
-      told.places += distance != 0 ? 1 : 0;
-      told.all += distance_table_size(arm.robot(), of) != 0 ? 1 : 0;
+      checked.places += distance != 0 ? 1 : 0;
+      checked.all += distance_table_size(arm.robot(), of) != 0 ? 1 : 0;
     }
   }
-  return told;
+  return checked;
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ TEST_CASE("no verdict is contradicted on random arms, whatever the budget") {
 TEST_CASE("nowhere are two links nearer than their distance table says") {
   std::uint32_t all = 0;
   for_rounds(8, [&](Random& random, int) {
-    all += told_of(any_guarded_arm(random, 3, 1e-3), random).all;
+    all += check_tables(any_guarded_arm(random, 3, 1e-3), random).all;
   });
   CHECK(all > 0);
 }
@@ -114,9 +114,9 @@ TEST_CASE("a distance table for which there was no time leaves the guard sound")
       FixedArm arm = any_guarded_arm(random, 3, 1e-3);
       const Deadline deadline = after_looks(looks);
       arm.fixed.set_distance_tables(distance_tables_of(arm.model, arm.robot(), deadline));
-      const Told told = told_of(arm, random);
-      CHECK((looks != 0 || told.places == 0));
-      cut += told.places != 0 && *deadline.looks < 0 ? 1 : 0;
+      const TableCounts checked = check_tables(arm, random);
+      CHECK((looks != 0 || checked.places == 0));
+      cut += checked.places != 0 && *deadline.looks < 0 ? 1 : 0;
       const DrawnArm drawn(arm);
       Verdicts counts;
       walk(random, arm, drawn, 100, counts);
@@ -135,8 +135,8 @@ TEST_CASE(
     CAPTURE(cell);
     for (const bake::SourceMesh& mesh : {pin, wall}) {
       const FixedArm arm(blade_and(mesh, -0.12, 0.12), cell, {{0, 1, 0.01, 0.01}}, true);
-      const Told told = told_of(arm, random);
-      CHECK((told.places > told.all / 10 && told.all == 2000));
+      const TableCounts checked = check_tables(arm, random);
+      CHECK((checked.places > checked.all / 10 && checked.all == 2000));
     }
   }
 }

@@ -156,30 +156,30 @@ const Crafted kCrafted[] = {
     {"a mesh of another layout",
      [](Parts p) {
        p.mesh().layout = 0;
-       p.mend_mesh();
+       p.repair_mesh();
      },
      Status::image_kind},
     {"a mesh of another cell",
      [](Parts p) {
        p.mesh().cell[0] ^= 1;
-       p.mend_mesh();
+       p.repair_mesh();
      },
      Status::cell_mismatch},
     {"a mesh in millimetres",
      [](Parts p) {
        p.mesh().unit = static_cast<std::uint8_t>(Unit::mm);
-       p.mend_mesh();
+       p.repair_mesh();
      },
      Status::cell_mismatch},
     {"a mesh that breaks a rule",
      [](Parts p) {
        ++p.mesh().depth;
-       p.mend_mesh();
+       p.repair_mesh();
      }},
     {"a mesh off its place",
      [](Parts p) {
        p.mesh().origin[0] += 100;
-       p.mend_mesh();
+       p.repair_mesh();
      }},
 };
 

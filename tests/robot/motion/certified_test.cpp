@@ -60,7 +60,7 @@ void check_free(const FixedArm& arm, const MotionQuery& query) {
   }
 }
 
-void check_told(const FixedArm& arm, const MotionQuery& query, const MotionAnswer& answer) {
+void check_reported(const FixedArm& arm, const MotionQuery& query, const MotionAnswer& answer) {
   Values values(arm.model.variables.size());
   query.set_values(answer.numerator, answer.level, values.data());
   if (answer.outcome == MotionOutcome::hit) {
@@ -92,7 +92,7 @@ TEST_CASE("motions: free all the way, hit where it is reported, the same in any 
       if (answer.outcome == MotionOutcome::free) {
         check_free(arm, query);
       } else {
-        check_told(arm, query, answer);
+        check_reported(arm, query, answer);
       }
       for (const std::uint32_t work : {1u, 7u, 1000u}) {
         REQUIRE(query.start(from.data(), to.data()) == Status::done);

@@ -141,7 +141,7 @@ GuardAnswer prime_apart(Random& random, const FixedArm& arm, Guard& guard, int t
 const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const GuardAnswer& answer,
                           const Period& period, bool is_unlimited, Random& random) {
   const Robot& robot = arm.robot();
-  const RobotPair& told = robot.pairs[answer.pair];
+  const RobotPair& reported = robot.pairs[answer.pair];
   if (answer.status != Status::done) {
     return "refused";
   }
@@ -149,21 +149,22 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
     return "not yet known, with unlimited work";
   }
   const bool is_apart = answer.verdict <= Verdict::warn;
-  if ((is_apart && answer.distance <= told.stop) ||
-      (answer.verdict == Verdict::free && answer.distance <= told.warn)) {
+  if ((is_apart && answer.distance <= reported.stop) ||
+      (answer.verdict == Verdict::free && answer.distance <= reported.warn)) {
     return "a verdict better than the reported distance";
   }
   if (is_unlimited && answer.verdict == Verdict::stop) {
     // The limit is half of the excess, less at least 1/16 cell.
-    const double most = told.stop + 2.0 * robot.slack + 2 * period.travel(arm, told) + 40;
+    const double most = reported.stop + 2.0 * robot.slack + 2 * period.travel(arm, reported) + 40;
     if (most < kMaxGuardDistance &&
-        !arm.is_closer(told, period.at_end(), static_cast<std::uint32_t>(most) + kPlacingFine)) {
+        !arm.is_closer(reported, period.at_end(),
+                       static_cast<std::uint32_t>(most) + kPlacingFine)) {
       return "stop, too far apart for it";
     }
   }
   for (int moment = 0; moment < 4; ++moment) {
     const Values values = period.at(moment, random);
-    if (drawn.is_closer(told, values, answer.distance)) {
+    if (drawn.is_closer(reported, values, answer.distance)) {
       return "nearer than the reported distance";
     }
     for (std::uint32_t i = 0; is_apart && i < robot.pair_count; ++i) {

@@ -31,9 +31,9 @@ struct Parts {
         meshes(reinterpret_cast<unsigned char*>(words.data()) +
                detail::robot_meshes_offset(header)) {}
 
-  /// The header of the first mesh; mend_mesh() repairs its checksum.
+  /// The header of the first mesh; repair_mesh() repairs its checksum.
   ImageHeader& mesh() const { return *reinterpret_cast<ImageHeader*>(meshes); }
-  void mend_mesh() const { repair_crc(meshes, mesh().byte_count); }
+  void repair_mesh() const { repair_crc(meshes, mesh().byte_count); }
 
   RobotImageHeader& header;
   RobotJoint* joints;

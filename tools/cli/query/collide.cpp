@@ -231,9 +231,9 @@ void print_bound(const ImageFile& a, const ImageFile& b, const CollideArguments&
 std::vector<Answer> answers(const CollideArguments& arguments, const ImageFile& a,
                             const ImageFile& b, const std::string& algorithm) {
   std::vector<Answer> found;
-  const Asked asked = {arguments.first, !arguments.contacts.empty()};
+  const Requested requested = {arguments.first, !arguments.contacts.empty()};
   for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
-    found.push_back(collide(a.tree(), b.tree(), pose, algorithm, asked));
+    found.push_back(collide(a.tree(), b.tree(), pose, algorithm, requested));
     Answer& answer = found.back();
     check_answered(answer, arguments.poses, found.size() - 1);
     if (!intersects(answer) && !arguments.bound && !arguments.summary) {

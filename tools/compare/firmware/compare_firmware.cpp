@@ -5,9 +5,9 @@
 
 #include "flashbvh/collide.hpp"
 
-#include "asked.hpp"
 #include "insn.hpp"
 #include "library.hpp"
+#include "query_pose.hpp"
 #include "text.hpp"
 
 using namespace flashbvh;
@@ -45,7 +45,7 @@ struct Cost {
     most = instructions > most ? instructions : most;
     ++count;
   }
-  void print(const AskedPair& pair, const char* motion, const char* name,
+  void print(const MeshPair& pair, const char* motion, const char* name,
              const char* library) const {
     port::print(FLASHBVH_CORE " ", pair.a_name, "-", pair.b_name, " ", motion, " ", name, " ",
                 library, " ", static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
@@ -62,12 +62,12 @@ struct Named {
   Library& library;
 };
 
-void query_class(const AskedPair& pair, bool is_rotated, uint32_t proximity, const Named& named) {
+void query_class(const MeshPair& pair, bool is_rotated, uint32_t proximity, const Named& named) {
   const char* const motion = is_rotated ? "rotated" : "translated";
   Cost all;
   Cost first;
-  for (const Asked& asked : (is_rotated ? pair.rotated : pair.translated)[proximity]) {
-    named.library.set_pose(pose_of(asked));
+  for (const QueryPose& query_pose : (is_rotated ? pair.rotated : pair.translated)[proximity]) {
+    named.library.set_pose(pose_of(query_pose));
     all.add(named.library, false);
     first.add(named.library, true);
   }
@@ -84,8 +84,8 @@ int main() {
   const compare::Named all[] = {{"flashbvh", compare::flashbvh_itself()},
                                 {"opcode", compare::opcode()},
                                 {"float", compare::float_tree()}};
-  for (uint32_t p = 0; p < kAskedPairCount; ++p) {
-    const AskedPair& pair = kAskedPairs[p];
+  for (uint32_t p = 0; p < kMeshPairCount; ++p) {
+    const MeshPair& pair = kMeshPairs[p];
     for (const compare::Named& named : all) {
       named.library.set_meshes(*pair.a, *pair.b);
       for (const bool is_rotated : {false, true}) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/matrix/approximation.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/reaches.hpp"
-#include "robot/matrix/stand_in.hpp"
 #include "text/numbers.hpp"
 #include "text/parallel.hpp"
 
@@ -350,7 +350,7 @@ std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMe
                                    double cell, const MatrixOptions& options,
                                    const ZoneRadii& radii) {
   std::vector<std::optional<JointZone>> found(model.neighbours.size());
-  const std::vector<std::optional<StandIn>> others = stand_ins(model, cell, options);
+  const std::vector<std::optional<Approximation>> others = approximations(model, cell, options);
   for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
     const std::optional<std::size_t> joint = joint_of_neighbours(model, a, b);

@@ -102,9 +102,9 @@ class MotionQuery {
   uint32_t way_of(const RobotJoint& joint) const;
   uint32_t reach_of_interval(uint16_t pair) const;
   void begin_interval();
-  template <class Asked>
-  Status ask(Asked&& query, uint32_t& work);
-  Status ask_phase(uint32_t& work);
+  template <class QueryType>
+  Status run_query(QueryType&& query, uint32_t& work);
+  Status run_phase(uint32_t& work);
   void next_interval();
   void split_or_end();
   void step(uint32_t& work);

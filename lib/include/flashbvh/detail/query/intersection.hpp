@@ -7,7 +7,7 @@
 //     kBatch                  the most pairs of leaves in a batch: one if an answer changes the box
 //                             test
 //     kPairWork               the work of testing two triangles (work.hpp)
-//     kDearWork               the extra work for each of `dear_tests`, which it counts, or 0
+//     kExpensiveWork          the extra work for each of `expensive_tests`, which it counts, or 0
 //     kKeepsShapes            true if the current leaf's planes stay from one walk to the next; if
 //                             not, they take no stack while triangles are tested
 //     kDisjointRootsEnd       true if disjoint root boxes end the query
@@ -71,9 +71,9 @@ struct SeesFar<Predicate, typename Predicate::StaysNear> {
 template <class ShapesType, bool kKept>
 struct KeptShapes {
   using Shapes = ShapesType;
-  using AtHand = Shapes&;
+  using Current = Shapes&;
   template <class... Parts>
-  FLASHBVH_INLINE static Shapes& at_hand(Shapes& kept, const Parts&...) {
+  FLASHBVH_INLINE static Shapes& current(Shapes& kept, const Parts&...) {
     return kept;
   }
 };
@@ -83,9 +83,9 @@ struct KeptShapes<ShapesType, false> {
     template <class... Parts>
     explicit Shapes(const Parts&...) {}
   };
-  using AtHand = ShapesType;
+  using Current = ShapesType;
   template <class... Parts>
-  FLASHBVH_INLINE static ShapesType at_hand(Shapes&, const Parts&... parts) {
+  FLASHBVH_INLINE static ShapesType current(Shapes&, const Parts&... parts) {
     return ShapesType(parts...);
   }
 };
@@ -96,7 +96,7 @@ struct Intersection {
   using Shapes = LeafPlanes<Mesh>;
   static constexpr uint32_t kBatch = 8;
   static constexpr uint32_t kPairWork = kTrianglePairWork;
-  static constexpr uint32_t kDearWork = 0;
+  static constexpr uint32_t kExpensiveWork = 0;
   static constexpr bool kKeepsShapes = true;
   static constexpr bool kDisjointRootsEnd = true;
 

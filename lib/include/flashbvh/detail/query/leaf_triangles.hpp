@@ -21,11 +21,11 @@ namespace flashbvh::detail {
 
 /// True if the predicate tests any two triangles of two leaves, and only for intersection.
 template <class Predicate>
-inline constexpr bool kAsksAllAlike = Predicate::kIntersects;
+inline constexpr bool kTestsAllAlike = Predicate::kIntersects;
 
 /// A batch of pairs of leaves. On other processors, and if the predicate differs by triangle,
 /// triangles are tested one pair after the other.
-template <class LeafPairs, class Mesh, bool asks_all_alike>
+template <class LeafPairs, class Mesh, bool tests_all_alike>
 struct Batches {
   using Batch = LeafPairs;
   static constexpr bool kAtOnce = false;
@@ -115,11 +115,11 @@ class LeavesAtOnce {
     explicit Leaf(const Mesh& of) : mesh(of) {}
     /// True if the leaf is not that of the last call.
     template <class Take>
-    bool take(uint32_t asked, const VertexTransform& by, const Take& take_triangle) {
-      if (asked == leaf) {
+    bool take(uint32_t requested, const VertexTransform& by, const Take& take_triangle) {
+      if (requested == leaf) {
         return false;
       }
-      leaf = asked;
+      leaf = requested;
       count = mesh.triangles_in(leaf);
       const uint32_t first = mesh.first_triangle(leaf);
       for (uint32_t i = 0; i < count; ++i) {

@@ -177,7 +177,7 @@ struct Nearest : ProximityPredicate {
   static constexpr bool kAlwaysKeepsBound = true;
   static constexpr uint32_t kBatch = 1;
   static constexpr uint32_t kPairWork = kTrianglePairWork;
-  static constexpr uint32_t kDearWork = 0;
+  static constexpr uint32_t kExpensiveWork = 0;
   static constexpr bool kKeepsShapes = true;
 
   uint32_t tested = 0;  ///< pairs of triangles

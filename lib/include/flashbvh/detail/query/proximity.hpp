@@ -29,7 +29,7 @@ struct ProximityPredicate {
 struct Within : ProximityPredicate {
   static constexpr uint32_t kBatch = 4;
   static constexpr uint32_t kPairWork = kNearPairWork;
-  static constexpr uint32_t kDearWork = kDearPairWork;
+  static constexpr uint32_t kExpensiveWork = kExpensivePairWork;
   static constexpr bool kKeepsShapes = false;
   /// Sub-cells per cell: a distance counts in 1/256 cell.
   static constexpr uint32_t kSteps = 256;
@@ -39,12 +39,12 @@ struct Within : ProximityPredicate {
   static constexpr uint32_t kMost = static_cast<uint32_t>(kMaxFarOffset) * kSteps;
 
   uint32_t short_distance : 24;  ///< kMostShort + 1 for all longer distances
-  uint32_t dear_tests : 8;       ///< tests that only the exact distance decided; 255 for more
+  uint32_t expensive_tests : 8;  ///< tests that only the exact distance decided; 255 for more
   Direction direction;           ///< of the last separation; for a long distance, the distance
 
   explicit Within(uint32_t distance = 0)
       : short_distance((distance <= kMostShort ? distance : kMostShort + 1) & 0xFFFFFF),
-        dear_tests(0) {
+        expensive_tests(0) {
     if (!is_short()) {
       direction.packed = distance;
     }
@@ -74,8 +74,8 @@ struct Within : ProximityPredicate {
     if (steps > kMostShort ? are_boxes_separate(a, b) : are_separate(a, b, steps)) {
       return false;
     }
-    if (dear_tests != UINT8_MAX) {
-      ++dear_tests;
+    if (expensive_tests != UINT8_MAX) {
+      ++expensive_tests;
     }
     return is_within(a, b, {squared_any(), kStepsSquared});
   }

@@ -100,7 +100,7 @@ class QueryRun : protected Predicate {
   /// Traversals with a stack can't go back to a pair, so their batch is one pair.
   using BatchTypes =
       Batches<LeafPairs<Mesh, Traversal::kStackless ? Predicate::kBatch : 1, Predicate::kPairWork>,
-              Mesh, kAsksAllAlike<Predicate>>;
+              Mesh, kTestsAllAlike<Predicate>>;
   using Batch = typename BatchTypes::Batch;
   using Shapes = typename Predicate::template Shapes<Mesh>;
   using Kept = KeptShapes<Shapes, Predicate::kKeepsShapes>;
@@ -116,11 +116,11 @@ class QueryRun : protected Predicate {
       while (next_answer(batch, kept)) {
         if (!sink(current_pair())) {
           stop_at_current(batch);
-          pay_dear(work);
+          pay_expensive(work);
           return Status::full;
         }
       }
-      pay_dear(work);
+      pay_expensive(work);
       state_ = end;
       if (end == State::done || work == 0) {
         return status();
@@ -139,10 +139,10 @@ class QueryRun : protected Predicate {
   }
 
   /// Pays for the parts of tests that kPairWork does not cover.
-  void pay_dear(uint32_t& work) {
-    if constexpr (Predicate::kDearWork != 0) {
-      take_work(work, this->dear_tests * Predicate::kDearWork);
-      this->dear_tests = 0;
+  void pay_expensive(uint32_t& work) {
+    if constexpr (Predicate::kExpensiveWork != 0) {
+      take_work(work, this->expensive_tests * Predicate::kExpensiveWork);
+      this->expensive_tests = 0;
     }
   }
 
@@ -243,7 +243,7 @@ class QueryRun : protected Predicate {
   /// Walks until the batch is full, all pairs are visited or the work is used up.
   FLASHBVH_NOINLINE State walk(uint32_t& work, Batch& batch, typename Kept::Shapes& kept,
                                uint32_t room) {
-    typename Kept::AtHand shapes = Kept::at_hand(kept, *a_, *b_, transform_);
+    typename Kept::Current shapes = Kept::current(kept, *a_, *b_, transform_);
     const uint32_t granted = work < Batch::kMostWork ? work : Batch::kMostWork;
     WalkRun<Cursor, Batch> run(cursor_, batch, granted);
     batch.clear(run.progress, room, Predicate::kIntersects && state_ == State::fresh);

@@ -26,7 +26,7 @@ struct SelfPredicate : Base {
 
 /// Triangles that share a vertex are not tested.
 template <class Base>
-inline constexpr bool kAsksAllAlike<SelfPredicate<Base>> = false;
+inline constexpr bool kTestsAllAlike<SelfPredicate<Base>> = false;
 
 /// Selects the pairs of triangles that count.
 template <class Mesh>

@@ -17,11 +17,11 @@ namespace flashbvh::detail {
 /// Within for a guard's walks, which are many, run in slices and mostly end with "no".
 struct WithinAlong : Within {
   static constexpr uint32_t kPairWork = kAlongPairWork;
-  static constexpr uint32_t kDearWork = kPlacedPairWork;
+  static constexpr uint32_t kExpensiveWork = kPlacedPairWork;
 
   using StaysNear = void;
 
-  uint32_t dear_tests = 0;  ///< in units of kDearWork
+  uint32_t expensive_tests = 0;  ///< in units of kExpensiveWork
 
   WithinAlong() {}
   explicit WithinAlong(const Within& within) : Within(within) {}
@@ -33,13 +33,13 @@ struct WithinAlong : Within {
                : Status::distance_out_of_range;
   }
   bool test(const Triangle& a, const Triangle& b) {
-    ++dear_tests;
+    ++expensive_tests;
     const int64_t limit = squared();
     if (boxes_separate(a, b, limit, direction) || directions_separate(a, b, limit, direction) ||
         planes_separate(a, b, limit) || edges_separate(a, b, limit, direction)) {
       return false;
     }
-    dear_tests += kExactPairWork / kPlacedPairWork;
+    expensive_tests += kExactPairWork / kPlacedPairWork;
     return is_within(a, b, {squared_steps(), kStepsSquared});
   }
   /// The gap along the direction that separated the last pair.

@@ -69,7 +69,7 @@ class LeafPairs {
       return false;
     }
     progress.work_left -= work;
-    progress.besides += work;
+    progress.other_work += work;
     return ++count_ != room_;
   }
   /// Stores the counts at the walk's end.

@@ -49,8 +49,8 @@ struct NoShapes {
   const Tree& a;
   const Tree& b;
 
-  template <class... Whatever>
-  NoShapes(const Tree& tree_a, const Tree& tree_b, const Whatever&...) : a(tree_a), b(tree_b) {}
+  template <class... Arguments>
+  NoShapes(const Tree& tree_a, const Tree& tree_b, const Arguments&...) : a(tree_a), b(tree_b) {}
   template <class BoxTest>
   static void set_box_test(BoxTest&) {}
 };

@@ -51,7 +51,7 @@ struct PairCursor {
 struct Progress {
   uint32_t work_left;
   uint32_t overlaps = 0;
-  uint32_t besides = 0;  ///< work spent on other steps than visits
+  uint32_t other_work = 0;  ///< work spent on other steps than visits
 
   void go_on(uint32_t left, uint32_t overlaps_so_far) {
     work_left = left;
@@ -62,10 +62,10 @@ struct Progress {
   void spend(uint32_t work) {
     const uint32_t spent = work < work_left ? work : work_left;
     work_left -= spent;
-    besides += spent;
+    other_work += spent;
   }
   /// Decreases by one per visit, and by nothing else.
-  uint32_t visits_down() const { return work_left + besides; }
+  uint32_t visits_down() const { return work_left + other_work; }
 };
 
 /// True if `leaf_pair` spends work.

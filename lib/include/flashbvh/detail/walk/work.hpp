@@ -37,7 +37,7 @@ constexpr uint32_t kTrianglePairWork = 32;
 /// separate, and early tests reject nearly all.
 constexpr uint32_t kNearPairWork = 8;
 /// Extra for each other pair; charged after a batch.
-constexpr uint32_t kDearPairWork = 32;
+constexpr uint32_t kExpensivePairWork = 32;
 
 /// Two triangles tested in flash along a stored direction. Extra, in this order: placing a pair
 /// that it does not separate; the exact test of a pair that no direction separates.

@@ -10,7 +10,7 @@
 
 namespace flashbvh::tool {
 
-struct StandIn {
+struct Approximation {
   ModelLink link;
   BakedPart baked;
   double length = 0;  ///< largest distance from the link's mesh, in metres
@@ -18,11 +18,11 @@ struct StandIn {
 
 /// Coarsens within `length`, source by source, shell by shell. None if the link has few triangles,
 /// `length` is only a few cells, or the number of shells changes.
-std::optional<StandIn> stand_in(const ModelLink& link, double cell, double length);
+std::optional<Approximation> approximation(const ModelLink& link, double cell, double length);
 
 /// For links next to joints, within a part of the distance that counts as contact, while time
 /// lasts.
-std::vector<std::optional<StandIn>> stand_ins(const Model& model, double cell,
-                                              const MatrixOptions& options);
+std::vector<std::optional<Approximation>> approximations(const Model& model, double cell,
+                                                         const MatrixOptions& options);
 
 }  // namespace flashbvh::tool

@@ -25,7 +25,7 @@ constexpr uint32_t kPosesOfPair = 16;
 
 /// A pose, in integers so that it is equal everywhere, and the counts of its query by `ranked`,
 /// which every core must repeat.
-struct Asked {
+struct QueryPose {
   int16_t quaternion[4];  ///< w, x, y, z, of any length; 1 0 0 0 for a translation
   int32_t cells[3];
   uint32_t visits;
@@ -35,37 +35,38 @@ struct Asked {
 };
 
 /// Two meshes and their poses: translations, and rotations.
-struct AskedPair {
+struct MeshPair {
   const char* a_name;
   const char* b_name;
   const flashbvh::Mesh* a;
   const flashbvh::Mesh* b;
-  Asked translated[kProximities][kPosesOfPair];
-  Asked rotated[kProximities][kPosesOfPair];
+  QueryPose translated[kProximities][kPosesOfPair];
+  QueryPose rotated[kProximities][kPosesOfPair];
 };
 
 /// Written by write_poses.
-extern const AskedPair kAskedPairs[];
-extern const uint32_t kAskedPairCount;
+extern const MeshPair kMeshPairs[];
+extern const uint32_t kMeshPairCount;
 
-inline flashbvh::Pose pose_of(const Asked& asked) {
-  const int16_t(&q)[4] = asked.quaternion;
+inline flashbvh::Pose pose_of(const QueryPose& query_pose) {
+  const int16_t(&q)[4] = query_pose.quaternion;
   return flashbvh::Pose::rigid(flashbvh::test::rotation_of({q[0], q[1], q[2], q[3]}).entry,
-                               asked.cells);
+                               query_pose.cells);
 }
 
-/// Calls `ask(pair, pose, motion, proximity)` for each pose of each pair; MOTION is translated or
-/// rotated. Returns whether all calls return true.
-template <class Ask>
-bool ask_all(const Ask& ask) {
+/// Calls `call(pair, query_pose, motion, proximity)` for each pose of each pair; MOTION is
+/// translated or rotated. Returns whether all calls return true.
+template <class Call>
+bool for_each_query_pose(const Call& call) {
   bool right = true;
   constexpr bool kRotated[] = {false, true};
   for (const bool rotated : kRotated) {
     for (uint32_t i = 0; i < kProximities; ++i) {
-      for (uint32_t p = 0; p < kAskedPairCount; ++p) {
-        const AskedPair& pair = kAskedPairs[p];
-        for (const Asked& asked : (rotated ? pair.rotated : pair.translated)[i]) {
-          right = ask(pair, asked, rotated ? "rotated" : "translated", kProximityNames[i]) && right;
+      for (uint32_t p = 0; p < kMeshPairCount; ++p) {
+        const MeshPair& pair = kMeshPairs[p];
+        for (const QueryPose& query_pose : (rotated ? pair.rotated : pair.translated)[i]) {
+          right = call(pair, query_pose, rotated ? "rotated" : "translated", kProximityNames[i]) &&
+                  right;
         }
       }
     }

@@ -1,4 +1,4 @@
-#include "robot/matrix/stand_in.hpp"
+#include "robot/matrix/approximation.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -27,12 +27,12 @@ void append(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
 
 }  // namespace
 
-std::optional<StandIn> stand_in(const ModelLink& link, double cell, double length) {
+std::optional<Approximation> approximation(const ModelLink& link, double cell, double length) {
   const std::size_t count = link.mesh.triangles.size();
   if (count < kManyTriangles || length < kLeastCellsOfLength * cell) {
     return std::nullopt;
   }
-  StandIn made;
+  Approximation made;
   made.length = length;
   made.link.name = link.name;
   made.link.joint = link.joint;
@@ -57,16 +57,16 @@ std::optional<StandIn> stand_in(const ModelLink& link, double cell, double lengt
   return made;
 }
 
-std::vector<std::optional<StandIn>> stand_ins(const Model& model, double cell,
-                                              const MatrixOptions& options) {
-  std::vector<std::optional<StandIn>> found(model.links.size());
+std::vector<std::optional<Approximation>> approximations(const Model& model, double cell,
+                                                         const MatrixOptions& options) {
+  std::vector<std::optional<Approximation>> found(model.links.size());
   const double length = kPartOfTouching * cell * (options.stop + options.early + options.slack);
   for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
     const bool is_next_to_joint =
         std::any_of(model.neighbours.begin(), model.neighbours.end(),
                     [&](const auto& pair) { return pair.first == i || pair.second == i; });
     if (is_next_to_joint && !options.is_late()) {
-      found[i] = stand_in(model.links[i], cell, length);
+      found[i] = approximation(model.links[i], cell, length);
     }
   });
   return found;
