@@ -1,0 +1,17 @@
+# flashbvh_expected_test(name program expected [TIMEOUT seconds] [argument...]): the program prints the text of the
+# file `expected` on every core and on the host, where it gets the arguments; # stands for any number.
+function(flashbvh_expected_test name program expected)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "TIMEOUT" "")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${expected})
+  file(READ ${expected} expected)
+  string(REGEX REPLACE "[()]" "\\\\\\0" expected "${expected}")
+  string(REPLACE "#" "[0-9]+" expected "${expected}")
+  if(FLASHBVH_BOARD)
+    flashbvh_add_firmware_test(${name} ${program} ICOUNT TIMEOUT "${arg_TIMEOUT}"
+      PASS_REGULAR_EXPRESSION "^${expected}$")
+  else()
+    add_test(NAME "${FLASHBVH_TEST_PREFIX}/${name}"
+      COMMAND ${CMAKE_COMMAND} "-DOUTPUT=^${expected}$"
+        -P ${PROJECT_SOURCE_DIR}/ports/cmake/expect.cmake -- $<TARGET_FILE:${program}> ${arg_UNPARSED_ARGUMENTS})
+  endif()
+endfunction()
