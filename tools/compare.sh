@@ -8,6 +8,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
+. tools/quietly.sh
 . tools/kr5.sh
 
 case ${1:-} in
@@ -15,15 +16,11 @@ case ${1:-} in
   *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 folder=$PWD/build/compare
+quiet_log=$folder/log
 meshes=$folder/meshes
 # FLASHBVH_NATIVE: the preset of the host program that bakes.
 native=${FLASHBVH_NATIVE:-native}
 flashbvh=build/$native/bin/flashbvh
-
-# quietly COMMAND...: writes its output to a log and shows the log if the command fails.
-quietly() {
-  "$@" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; echo "compare: this failed: $*" >&2; exit 1; }
-}
 
 # from_sources ARGUMENT...: apt-get with its own lists, because this machine may not have Debian's sources.
 from_sources() {

@@ -4,10 +4,12 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
+. tools/quietly.sh
 . tools/kr5.sh
 ensure_packages $host_packages $live_packages $board_packages
 
 demo=build/demo
+quiet_log=$demo/log
 # FLASHBVH_NATIVE: the preset whose host program bakes. FLASHBVH_DEMO_OF_MESHES: without the arm's guard,
 # whose pairs of links take half a minute to decide, three times.
 native=${FLASHBVH_NATIVE:-native}
@@ -19,10 +21,6 @@ last=
 mkdir -p $demo
 
 step() { printf '\n== %s\n' "$1"; }
-# quietly COMMAND...: writes its output to a log and shows the log if the command fails.
-quietly() {
-  "$@" >$demo/log 2>&1 || { cat $demo/log >&2; echo "demo: this failed: $*" >&2; exit 1; }
-}
 # build PRESET TARGET [OPTION...]: prints a line for each compiled part.
 build() {
   preset=$1

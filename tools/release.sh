@@ -9,6 +9,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
+. tools/quietly.sh
 tested=
 [ "${1:-}" != --test ] || { tested=yes && shift; }
 mkdir -p "${1:-build/release}" build/log
@@ -17,11 +18,7 @@ ensure_packages $host_packages $board_packages $release_packages $archive_packag
 
 # FLASHBVH_NATIVE: the preset of the host program that bakes.
 native=${FLASHBVH_NATIVE:-native}
-# quietly COMMAND...: writes its output to a log and shows the log if the command fails.
-quietly() {
-  "$@" >build/log/release 2>&1 ||
-    { tail -n 40 build/log/release >&2; echo "release: this failed: $*" >&2; exit 1; }
-}
+quiet_log=build/log/release
 quietly cmake --preset "$native"
 quietly cmake --build --preset "$native" --target flashbvh_tool
 flashbvh=$PWD/build/$native/bin/flashbvh
