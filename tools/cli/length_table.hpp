@@ -1,13 +1,30 @@
-// The table of the sizes that --simplify reaches: one row per length.
+// --simplify and --fit of meshes and robots; the table of the sizes that they reach, one row per
+// length.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "cli/json.hpp"
+#include "image/baking.hpp"
 #include "simplify/fit.hpp"
+#include "text/messages.hpp"
 
 namespace flashbvh::tool {
+
+/// UserError if both options are given.
+inline void check_simplify_or_fit(bool simplify, bool fit) {
+  if (simplify && fit) {
+    throw UserError("--fit", "chooses what --simplify says; give one of the two");
+  }
+}
+
+/// The leaf sizes of the table's columns. `has_leaf_size`: the user chose `leaf_size`.
+inline std::vector<std::uint32_t> shown_leaf_sizes(std::uint32_t leaf_size, bool has_leaf_size) {
+  return has_leaf_size || leaf_size >= kLargeLeaf
+             ? std::vector<std::uint32_t>{leaf_size}
+             : std::vector<std::uint32_t>{leaf_size, kLargeLeaf};
+}
 
 /// Prints to standard output. `leaf_sizes`: one per column.
 void print_lengths(const std::vector<simplify::LengthRow>& rows,

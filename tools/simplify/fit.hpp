@@ -14,6 +14,10 @@ namespace flashbvh::simplify {
 /// Infinite if they can't be baked.
 using BytesOf = std::function<double(const std::vector<Coarsening>&, std::uint32_t leaf_size)>;
 
+/// The longest useful length, as a part of the largest mesh's longest side: more distorts the
+/// shape.
+constexpr double kLongestPart = 1.0 / 20;
+
 struct Fit {
   double length = 0;  ///< 0: no mesh was coarsened
   std::uint32_t leaf_size = 0;

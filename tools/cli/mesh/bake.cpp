@@ -155,7 +155,7 @@ struct Outcome {
 /// An empty list, to be filled with the baked meshes.
 CoarseMeshes coarse_meshes(const BakeOrder& order, const BakeOptions& options) {
   const std::string unit = order.units.common();
-  return {{}, {}, shown_leaf_sizes(order), {*options.cell, unit.empty() ? "" : " " + unit}};
+  return {{}, {}, order.leaf_sizes, {*options.cell, unit.empty() ? "" : " " + unit}};
 }
 
 CoarseMesh coarse_mesh(const std::string& name, const InputMesh& mesh, const BakedMesh& baked) {
@@ -225,7 +225,7 @@ void print_outcome(const BakeOrder& order, const BakeOptions& options, const Out
                    const Warnings& warnings) {
   if (order.json) {
     print_bake_json(outcome.rows, *options.cell, order.units, warnings,
-                    order.dry_run ? json_of(outcome.lengths, shown_leaf_sizes(order)) : Json());
+                    order.dry_run ? json_of(outcome.lengths, order.leaf_sizes) : Json());
     return;
   }
   print_bake_table(outcome.rows, order.units);
@@ -235,7 +235,7 @@ void print_outcome(const BakeOrder& order, const BakeOptions& options, const Out
   }
   if (order.dry_run && !outcome.lengths.empty()) {
     std::cout << "\n";
-    print_lengths(outcome.lengths, shown_leaf_sizes(order), order.units.common());
+    print_lengths(outcome.lengths, order.leaf_sizes, order.units.common());
   }
   if (order.deformable) {
     print_bending(outcome.rows);

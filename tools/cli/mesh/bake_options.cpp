@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "cli/length_table.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -121,15 +122,13 @@ BakeOrder order_of(const Arguments& arguments) {
   if (arguments.fit) {
     order.fit = bytes_of("--fit", *arguments.fit);
   }
-  if (order.simplify && order.fit) {
-    throw UserError("--fit", "chooses what --simplify says; give one of the two");
-  }
+  check_simplify_or_fit(order.simplify.has_value(), order.fit.has_value());
   if (order.deformable && (order.simplify || order.fit)) {
     throw UserError("--deformable",
                     "keeps the file's vertices, which the program moves; "
                     "simplify the mesh before it is given shape keys or bones");
   }
-  order.has_leaf_size = arguments.leaf_size.has_value();
+  order.leaf_sizes = shown_leaf_sizes(order.options.leaf_size, arguments.leaf_size.has_value());
   order.writes_c = arguments.format != "image";
   order.writes_images = arguments.format != "c";
   return order;

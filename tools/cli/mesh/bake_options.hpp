@@ -25,7 +25,7 @@ struct BakeOrder {
   std::optional<std::int64_t> max_bytes;  ///< of an image
   std::optional<double> simplify;         ///< the largest deviation of a simplified mesh
   std::optional<std::int64_t> fit;        ///< bytes of all images; simplifies as little as needed
-  bool has_leaf_size = false;             ///< the user chose the leaf size
+  std::vector<std::uint32_t> leaf_sizes;  ///< for --fit, and columns of the table of lengths
   Units units;
   BakeOptions options;
   std::string page;       ///< may be empty

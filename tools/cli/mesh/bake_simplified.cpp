@@ -12,9 +12,6 @@
 namespace flashbvh::tool {
 namespace {
 
-/// The longest deviation, as a part of the largest mesh's longest side: more distorts the shape.
-constexpr double kLongestPart = 1.0 / 20;
-
 double side_of_largest(const std::vector<InputMesh>& meshes) {
   double longest = 0;
   for (const InputMesh& mesh : meshes) {
@@ -64,13 +61,6 @@ Simplified simplified_to(double length, const std::vector<InputMesh>& meshes, do
 
 }  // namespace
 
-std::vector<std::uint32_t> shown_leaf_sizes(const BakeOrder& order) {
-  const std::uint32_t chosen = order.options.leaf_size;
-  return order.has_leaf_size || chosen >= kLargeLeaf
-             ? std::vector<std::uint32_t>{chosen}
-             : std::vector<std::uint32_t>{chosen, kLargeLeaf};
-}
-
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                              const std::vector<std::string>& names, BakeOptions& options) {
   if (order.simplify) {
@@ -80,11 +70,10 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
     return {};
   }
   Simplified made{coarsenings(meshes, *options.cell), 0};
-  const double longest =
-      std::min(kLongestPart * side_of_largest(meshes), options.max_deviation.value_or(HUGE_VAL));
-  const auto found =
-      simplify::fit(made.meshes, static_cast<double>(*order.fit), longest, shown_leaf_sizes(order),
-                    bytes_of(order, meshes, names, options));
+  const double longest = std::min(simplify::kLongestPart * side_of_largest(meshes),
+                                  options.max_deviation.value_or(HUGE_VAL));
+  const auto found = simplify::fit(made.meshes, static_cast<double>(*order.fit), longest,
+                                   order.leaf_sizes, bytes_of(order, meshes, names, options));
   if (!found) {
     throw UserError(
         concat("--fit ", *order.fit), "is not reached by simplifying to ", significant(longest, 3),
@@ -104,10 +93,10 @@ std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
                                             const std::vector<InputMesh>& meshes,
                                             const std::vector<std::string>& names,
                                             const BakeOptions& options) {
-  const double longest = kLongestPart * side_of_largest(meshes);
+  const double longest = simplify::kLongestPart * side_of_largest(meshes);
   std::vector<simplify::Coarsening> all = coarsenings(meshes, *options.cell);
   return longest > 0 && !all.empty()
-             ? simplify::length_table(all, longest, shown_leaf_sizes(order),
+             ? simplify::length_table(all, longest, order.leaf_sizes,
                                       bytes_of(order, meshes, names, options))
              : std::vector<simplify::LengthRow>();
 }

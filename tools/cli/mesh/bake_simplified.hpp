@@ -19,13 +19,10 @@ struct Simplified {
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                              const std::vector<std::string>& names, BakeOptions& options);
 
-/// The sizes of the images for deviations up to kLongestPart of the largest mesh.
+/// The sizes of the images for deviations up to simplify::kLongestPart of the largest mesh.
 std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
                                             const std::vector<InputMesh>& meshes,
                                             const std::vector<std::string>& names,
                                             const BakeOptions& options);
-
-/// The leaf sizes of the table's columns.
-std::vector<std::uint32_t> shown_leaf_sizes(const BakeOrder& order);
 
 }  // namespace flashbvh::tool

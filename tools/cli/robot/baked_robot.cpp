@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/length_table.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/robot_arguments.hpp"
 #include "cli/robot/robot_warnings.hpp"
@@ -214,9 +215,7 @@ void add_reaches(BakedRobot& made) {
 }
 
 void check_simplifying(const Model& model, const RobotArguments& arguments) {
-  if (arguments.simplify && arguments.fit) {
-    throw UserError("--fit", "chooses what --simplify says; give one of the two");
-  }
+  check_simplify_or_fit(arguments.simplify.has_value(), arguments.fit.has_value());
   for (const ModelLink& link : model.links) {
     if (!arguments.simplify && !arguments.fit) {
       check_triangles(link, robot_cell(model, given_cell(arguments), arguments.urdf),

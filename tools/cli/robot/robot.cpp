@@ -3,6 +3,7 @@
 #include <set>
 
 #include "cli/commands.hpp"
+#include "cli/length_table.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_output.hpp"
@@ -79,9 +80,8 @@ std::vector<simplify::LengthRow> lengths_of(const OutputArguments& arguments,
 }
 
 /// Simplified links with their source meshes, without parts; empty if links are not simplified.
-CoarseMeshes coarse_links(const OutputArguments& arguments, const BakedRobot& robot,
-                          const std::vector<simplify::LengthRow>& lengths) {
-  CoarseMeshes all = {{}, lengths, shown_leaf_sizes(arguments), {robot.cell, " m"}};
+CoarseMeshes coarse_links(const BakedRobot& robot, const RobotLengths& lengths) {
+  CoarseMeshes all = {{}, lengths.rows, lengths.leaf_sizes, {robot.cell, " m"}};
   for (std::size_t i = 0; robot.simplified > 0 && i < robot.model.link_count(); ++i) {
     const ModelLink& link = robot.model.links[i];
     all.meshes.push_back(
@@ -126,7 +126,8 @@ void make_robot(const OutputArguments& arguments) {
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name.stem);
   const std::size_t bytes = image.size() * sizeof image[0];
-  const std::vector<simplify::LengthRow> lengths = lengths_of(arguments, baked);
+  const RobotLengths lengths = {lengths_of(arguments, baked),
+                                shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size)};
   FileSet files;
   if (!arguments.dry_run) {
     add_files(arguments, name, baked, image, files);
@@ -141,14 +142,13 @@ void make_robot(const OutputArguments& arguments) {
     add_output(arguments, baked.model, arguments.written_srdf, srdf_of(baked.model, lines), files);
   }
   if (!arguments.page.empty()) {
-    add_page(arguments, baked, image, coarse_links(arguments, baked, lengths), files);
+    add_page(arguments, baked, image, coarse_links(baked, lengths), files);
   }
   const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
   files.write([&] {
     warnings.print();
-    const RobotLengths table = {lengths, shown_leaf_sizes(arguments)};
     (arguments.json ? print_robot_json : print_robot)(baked, flash,
-                                                      arguments.dry_run ? &table : nullptr);
+                                                      arguments.dry_run ? &lengths : nullptr);
     flush_output();
   });
 }

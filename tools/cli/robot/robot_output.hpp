@@ -17,7 +17,7 @@ struct RobotFlash {
 
 /// The sizes for deviations of --simplify.
 struct RobotLengths {
-  const std::vector<simplify::LengthRow>& rows;
+  std::vector<simplify::LengthRow> rows;
   std::vector<std::uint32_t> leaf_sizes;
 };
 

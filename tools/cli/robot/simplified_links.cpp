@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bake/quantise.hpp"
+#include "cli/length_table.hpp"
 #include "cli/robot/robot_arguments.hpp"
 #include "text/numbers.hpp"
 #include "text/parallel.hpp"
@@ -12,8 +13,6 @@
 namespace flashbvh::tool {
 namespace {
 
-/// The longest deviation, as a part of the largest link: more distorts the shape.
-constexpr double kLongestPartOfLink = 1.0 / 20;
 /// Joint zones are chosen before the fitting length, and the parts next to zones, are known.
 constexpr double kRoomForParts = 1.5;
 
@@ -23,7 +22,7 @@ double longest_of(const Model& model) {
     const Size size = size_of(link.mesh);
     longest = std::max(longest, *std::max_element(size.begin(), size.end()));
   }
-  return kLongestPartOfLink * longest;
+  return simplify::kLongestPart * longest;
 }
 
 /// The reader's rounding error in metres; it reduces the deviation left for simplifying.
@@ -62,12 +61,6 @@ simplify::BytesOf bytes_of_links(const Model& model, double cell, const std::str
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> shown_leaf_sizes(const RobotArguments& arguments) {
-  return arguments.has_leaf_size || arguments.leaf_size >= kLargeLeaf
-             ? std::vector<std::uint32_t>{arguments.leaf_size}
-             : std::vector<std::uint32_t>{arguments.leaf_size, kLargeLeaf};
-}
 
 SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments)
     : arguments_(arguments), cell_(cell), leaf_size_(arguments.leaf_size) {
@@ -158,7 +151,8 @@ std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
     meshes.emplace_back(link.mesh, robot.cell);
   }
   std::vector<simplify::LengthRow> rows =
-      simplify::length_table(meshes, longest_of(robot.model), shown_leaf_sizes(arguments),
+      simplify::length_table(meshes, longest_of(robot.model),
+                             shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size),
                              bytes_of_links(robot.model, robot.cell, arguments.urdf));
   for (simplify::LengthRow& row : rows) {
     for (double& bytes : row.bytes) {

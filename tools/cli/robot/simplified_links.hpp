@@ -44,6 +44,5 @@ class SimplifiedLinks {
 std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
                                               const RobotArguments& arguments,
                                               std::size_t own_bytes);
-std::vector<std::uint32_t> shown_leaf_sizes(const RobotArguments& arguments);
 
 }  // namespace flashbvh::tool
