@@ -1,7 +1,6 @@
 // flashbvh's queries for the page of a robot: the firmware's library, for WebAssembly. Values are
 // radians and metres in doubles.
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/robot.h"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/kinematics.hpp"
@@ -50,18 +49,8 @@ Frame frame_of(uint32_t link) {
   return frame_of_joint(robot.links[link].joint);
 }
 
-/// The first joint that a value moves directly.
-uint32_t joint_of(uint32_t variable) {
-  uint32_t joint = 0;
-  while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
-         robot.joints[joint].type == JointType::fixed) {
-    ++joint;
-  }
-  return joint;
-}
-
 bool slides(uint32_t variable) {
-  return robot.joints[joint_of(variable)].type == JointType::prismatic;
+  return robot.joints[wasm::joint_of(robot, variable)].type == JointType::prismatic;
 }
 
 /// The unit of a coordinate, in radians or metres.
@@ -130,7 +119,7 @@ EXPORT uint32_t pair_count() {
   return robot.pair_count;
 }
 EXPORT const char* variable_name(uint32_t variable) {
-  return joint_name(room_taken, joint_of(variable));
+  return joint_name(room_taken, wasm::joint_of(robot, variable));
 }
 EXPORT const char* name_of_link(uint32_t link) {
   return link_name(room_taken, link);
@@ -140,11 +129,11 @@ EXPORT bool is_slide(uint32_t variable) {
 }
 /// A joint without limits gets half a turn in each direction.
 EXPORT double lower(uint32_t variable) {
-  const RobotJoint& joint = robot.joints[joint_of(variable)];
+  const RobotJoint& joint = robot.joints[wasm::joint_of(robot, variable)];
   return unit_of(variable) * (joint.type == JointType::continuous ? -kFullTurn / 2 : joint.lower);
 }
 EXPORT double upper(uint32_t variable) {
-  const RobotJoint& joint = robot.joints[joint_of(variable)];
+  const RobotJoint& joint = robot.joints[wasm::joint_of(robot, variable)];
   return unit_of(variable) * (joint.type == JointType::continuous ? kFullTurn / 2 : joint.upper);
 }
 EXPORT uint32_t first_of_pair(uint32_t pair) {
@@ -199,7 +188,7 @@ EXPORT uint32_t variable_of_link(uint32_t link) {
 /// Sets a value and clamps it to its limits.
 EXPORT void set_value(uint32_t variable, double value) {
   const double steps = value / unit_of(variable);
-  const RobotJoint& joint = robot.joints[joint_of(variable)];
+  const RobotJoint& joint = robot.joints[wasm::joint_of(robot, variable)];
   auto coordinate = static_cast<JointCoordinate>(steps + (steps < 0 ? -0.5 : 0.5));
   if (joint.type != JointType::continuous) {
     coordinate = coordinate < joint.lower ? joint.lower : coordinate;

@@ -23,9 +23,7 @@ void* take(size_t bytes) {
 }
 
 double cell(uint32_t mesh) {
-  double size = 0;
-  __builtin_memcpy(&size, &meshes[mesh].cell_bits, sizeof size);
-  return size;
+  return wasm::length_of(meshes[mesh].cell_bits);
 }
 
 /// Allocates memory for an image.

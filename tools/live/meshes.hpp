@@ -3,11 +3,9 @@
 #pragma once
 
 #include <stddef.h>
-#include <stdint.h>
 
+#include "../wasm.hpp"
 #include "flashbvh/mesh.hpp"
-
-#define EXPORT extern "C" __attribute__((visibility("default"), used))
 
 namespace live {
 

@@ -1,7 +1,7 @@
 // The C interface to meshes in batches, for meshes.js: one call for many poses, rays or points. A
 // call returns the number of answers: `count`, or on an error the number of the first failed query,
 // whose status is last_status().
-#include "exports.hpp"
+#include "../../wasm.hpp"
 #include "flashbvh/clearance.h"
 #include "flashbvh/ray.h"
 #include "flashbvh/solid.h"
@@ -45,7 +45,7 @@ EXPORT const uint32_t* sizes() {
 
 /// The cell in the mesh's unit.
 EXPORT double cell(const flashbvh_mesh* mesh) {
-  return length_of(flashbvh_mesh_cell(mesh));
+  return wasm::length_of(flashbvh_mesh_cell(mesh));
 }
 
 /// Twelve numbers per pose: a rotation row by row, then a translation in the unit.

@@ -1,6 +1,5 @@
 // The C interface to robots and guards, for robot.js: periods in batches.
-#include "exports.hpp"
-#include "flashbvh/robot.h"
+#include "../../wasm.hpp"
 
 namespace batches {
 namespace {
@@ -11,16 +10,6 @@ uint32_t joints_between(const flashbvh_robot& robot) {
     count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
   }
   return count;
-}
-
-/// The first joint that a value moves directly.
-uint8_t joint_of(const flashbvh_robot& robot, uint32_t variable) {
-  uint8_t joint = 0;
-  while (robot.joints[joint].variable != variable || robot.joints[joint].shift != 0 ||
-         robot.joints[joint].type == flashbvh::JointType{FLASHBVH_JOINT_FIXED}) {
-    ++joint;
-  }
-  return joint;
 }
 
 }  // namespace
@@ -34,7 +23,7 @@ EXPORT const uint32_t* sizes() {
 
 /// The cell in metres.
 EXPORT double cell(const flashbvh_robot* robot) {
-  return length_of(robot->cell_bits);
+  return wasm::length_of(robot->cell_bits);
 }
 
 /// Counts of values, links and pairs, and the bytes of a guard's state.
@@ -50,7 +39,7 @@ EXPORT const uint32_t* counts(const flashbvh_robot* robot) {
 
 EXPORT const char* variable_name(const void* image, const flashbvh_robot* robot,
                                  uint32_t variable) {
-  return flashbvh_joint_name(image, joint_of(*robot, variable));
+  return flashbvh_joint_name(image, wasm::joint_of(*robot, variable));
 }
 
 /// Writes two links per pair.
