@@ -19,6 +19,10 @@ struct SourceMesh {
   std::vector<TriangleCorners> triangles;
 };
 
+/// A mesh of the triangles with these numbers and their vertices, in order of first use.
+SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& numbers);
+void append(const SourceMesh& more, SourceMesh& mesh);
+
 /// The longest name of a mesh in an image, in bytes.
 constexpr std::size_t kMaxNameSize = 255;
 

@@ -35,36 +35,6 @@ bake::SourceMesh on_lattice(const bake::SourceMesh& mesh, double cell) {
   return placed;
 }
 
-/// A mesh of the triangles with these numbers and their vertices, in order of first use.
-bake::SourceMesh part_of(const bake::SourceMesh& mesh, const std::vector<std::uint32_t>& numbers) {
-  bake::SourceMesh part;
-  std::map<std::uint32_t, std::uint32_t> index_of;
-  for (const std::uint32_t number : numbers) {
-    bake::TriangleCorners corners = mesh.triangles[number];
-    for (std::uint32_t& corner : corners) {
-      const auto next = static_cast<std::uint32_t>(part.vertices.size());
-      const auto [entry, is_new] = index_of.try_emplace(corner, next);
-      if (is_new) {
-        part.vertices.push_back(mesh.vertices[corner]);
-      }
-      corner = entry->second;
-    }
-    part.triangles.push_back(corners);
-  }
-  return part;
-}
-
-void append(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
-  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (bake::TriangleCorners corners : more.triangles) {
-    for (std::uint32_t& corner : corners) {
-      corner += base;
-    }
-    mesh.triangles.push_back(corners);
-  }
-}
-
 std::vector<std::uint32_t> all_of(const bake::SourceMesh& mesh) {
   std::vector<std::uint32_t> numbers(mesh.triangles.size());
   std::iota(numbers.begin(), numbers.end(), 0U);

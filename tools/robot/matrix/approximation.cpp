@@ -17,14 +17,6 @@ constexpr double kLeastCellsOfLength = 8;
 /// The length as a part of the distance that counts as contact: a zone needs no better accuracy.
 constexpr double kPartOfTouching = 1.0 / 8;
 
-void append(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
-  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const bake::TriangleCorners& corners : more.triangles) {
-    mesh.triangles.push_back({corners[0] + base, corners[1] + base, corners[2] + base});
-  }
-}
-
 }  // namespace
 
 std::optional<Approximation> approximation(const ModelLink& link, double cell, double length) {

@@ -22,7 +22,4 @@ BakedPart bake_part(const bake::SourceMesh& mesh, double cell);
 /// Views of the parts.
 std::vector<WholeMesh> views_of(const std::vector<BakedPart>& parts);
 
-/// A mesh of the triangles with these numbers and their vertices.
-bake::SourceMesh part_of(const bake::SourceMesh& mesh, const std::vector<std::uint32_t>& triangles);
-
 }  // namespace flashbvh::tool

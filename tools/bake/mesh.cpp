@@ -1,0 +1,33 @@
+#include "bake/mesh.hpp"
+
+#include <map>
+
+namespace flashbvh::bake {
+
+SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& numbers) {
+  SourceMesh part;
+  std::map<std::uint32_t, std::uint32_t> index_of;
+  for (const std::uint32_t number : numbers) {
+    TriangleCorners corners = mesh.triangles[number];
+    for (std::uint32_t& corner : corners) {
+      const auto next = static_cast<std::uint32_t>(part.vertices.size());
+      const auto [entry, is_new] = index_of.try_emplace(corner, next);
+      if (is_new) {
+        part.vertices.push_back(mesh.vertices[corner]);
+      }
+      corner = entry->second;
+    }
+    part.triangles.push_back(corners);
+  }
+  return part;
+}
+
+void append(const SourceMesh& more, SourceMesh& mesh) {
+  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const TriangleCorners& corners : more.triangles) {
+    mesh.triangles.push_back({corners[0] + base, corners[1] + base, corners[2] + base});
+  }
+}
+
+}  // namespace flashbvh::bake
