@@ -13,8 +13,6 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr const char* kFix = "; export the mesh again, or as STL or PLY";
-
 // The first byte of a result; the mesh or the message follows.
 constexpr char kMesh = 'm';
 constexpr char kRefusal = 'r';
@@ -25,7 +23,7 @@ std::string result_of(const std::function<FileMesh()>& read, const std::string& 
   } catch (const UserError& error) {
     return kRefusal + std::string(error.what());
   } catch (const std::exception& error) {
-    return kRefusal + concat(file, ": can't be read: ", one_line(error.what()), kFix);
+    return kRefusal + concat(file, ": can't be read: ", one_line(error.what()), kImportFix);
   }
 }
 
@@ -110,7 +108,7 @@ bool is_sound(const FileMesh& mesh) {
 FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string& file,
                         const ImportLimits& limits) {
   const auto read_and_send = [&](int to) { send(result_of(read, file), to); };
-  const std::string result = guarded_bytes(read_and_send, file, limits, kFix);
+  const std::string result = guarded_bytes(read_and_send, file, limits, kImportFix);
   const std::string content = result.substr(1);
   const std::size_t colon = content.find(": ");
   if (result[0] == kRefusal && colon != std::string::npos) {
@@ -118,7 +116,7 @@ FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string
   }
   std::optional<FileMesh> mesh = mesh_of_bytes(content);
   if (result[0] != kMesh || !mesh) {
-    throw UserError(file, "can't be read: its reader gave no mesh", kFix);
+    throw UserError(file, "can't be read: its reader gave no mesh", kImportFix);
   }
   return std::move(*mesh);
 }

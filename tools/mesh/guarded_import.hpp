@@ -13,6 +13,9 @@
 
 namespace flashbvh::tool {
 
+/// The end of messages about files that can't be read.
+constexpr const char* kImportFix = "; export the mesh again, or as STL or PLY";
+
 /// Runs `read` in a child process and returns its result. UserError, naming `file`, if `read`
 /// throws one, crashes, ends the process, or exceeds a limit. Discards the child's output.
 FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string& file,

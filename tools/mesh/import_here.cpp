@@ -12,8 +12,6 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr const char* kFix = "; export the mesh again, or as STL or PLY";
-
 std::string crash;  // the message on a crash
 
 [[noreturn]] void end_by_crash(int) {
@@ -25,7 +23,8 @@ std::string crash;  // the message on a crash
 
 FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string& file,
                         const ImportLimits&) {
-  crash = one_line(concat("flashbvh: ", file, ": can't be read: its reader crashed", kFix)) + "\n";
+  crash = one_line(concat("flashbvh: ", file, ": can't be read: its reader crashed", kImportFix)) +
+          "\n";
   for (const int signal : {SIGABRT, SIGFPE, SIGILL, SIGSEGV}) {
     std::signal(signal, end_by_crash);
   }
@@ -34,9 +33,9 @@ FileMesh guarded_import(const std::function<FileMesh()>& read, const std::string
   } catch (const UserError&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw UserError(file, "can't be read: takes more memory than there is", kFix);
+    throw UserError(file, "can't be read: takes more memory than there is", kImportFix);
   } catch (const std::exception& error) {
-    throw UserError(file, "can't be read: ", one_line(error.what()), kFix);
+    throw UserError(file, "can't be read: ", one_line(error.what()), kImportFix);
   }
 }
 

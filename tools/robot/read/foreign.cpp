@@ -9,8 +9,6 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr const char* kForeignFix = "; correct it, or convert it to a URDF";
-
 constexpr ForeignForm kMjcf = {"mujoco", "MJCF", "flashbvh_read_mjcf"};
 constexpr ForeignForm kSdf = {"sdf", "SDF", "flashbvh_read_sdf"};
 

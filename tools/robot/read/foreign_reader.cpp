@@ -42,7 +42,7 @@ std::string text_of_reader(const ForeignForm& form, const std::string& path) {
     execl(reader.c_str(), reader.c_str(), path.c_str(), nullptr);
     _exit(1);
   };
-  return guarded_bytes(run, path, limits_of_robot(), "; correct it, or convert it to a URDF");
+  return guarded_bytes(run, path, limits_of_robot(), kForeignFix);
 }
 
 }  // namespace flashbvh::tool

@@ -5,6 +5,9 @@
 
 namespace flashbvh::tool {
 
+/// The end of messages about files that can't be read.
+constexpr const char* kForeignFix = "; correct it, or convert it to a URDF";
+
 struct ForeignForm {
   const char* root;  ///< its outermost element
   const char* name;
