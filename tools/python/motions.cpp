@@ -6,13 +6,12 @@
 #include "evaluate/queries.hpp"
 #include "python/bindings.hpp"
 #include "python/poses.hpp"
+#include "robot/kinematics.hpp"
 
 namespace flashbvh::python {
 namespace {
 
 using tool::concat;
-
-constexpr double kTurn = 6.283185307179586;
 
 /// One move per row: a point, a direction, radians, the travel.
 std::vector<Move> moves_of(const py::object& given, double cell) {
@@ -25,7 +24,7 @@ std::vector<Move> moves_of(const py::object& given, double cell) {
   for (std::size_t i = 0; i < count; ++i) {
     const double* const n = array.data() + 10 * i;
     moves.push_back(tool::lattice_move(
-        {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6] / kTurn, {n[7], n[8], n[9]}}, cell,
+        {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6] / tool::kTurn, {n[7], n[8], n[9]}}, cell,
         place_of("moves", i)));
   }
   return moves;

@@ -58,8 +58,9 @@ Transform frame_between(const Model& model, const JointsBetween& joints,
 Pose pose_of(const Transform& transform, double cell);
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kTurn = 2 * kPi;  ///< a full turn, in radians
 /// Limits of rotating joints are smaller than this in magnitude, in radians.
-constexpr double kMaxAngle = 2 * kPi * kMaxJointCoordinate / kFullTurn;
+constexpr double kMaxAngle = kTurn * kMaxJointCoordinate / kFullTurn;
 
 /// A rotation that takes z to `axis`, a unit vector. Frames at right angles stay exact: it is the
 /// identity for z, and a signed permutation for the other five axis directions.

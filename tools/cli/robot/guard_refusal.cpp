@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "cli/robot/guard_output.hpp"
+#include "robot/kinematics.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
 /// A prismatic joint's value beyond so many times its limits is taken for millimetres.
 constexpr double kOtherUnit = 10;
 

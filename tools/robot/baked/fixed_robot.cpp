@@ -8,6 +8,7 @@
 #include "flashbvh/robot/image.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
+#include "robot/matrix/matrix_options.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/messages.hpp"
@@ -124,8 +125,7 @@ void set_mimic(const Model& model, const ModelJoint& joint, double cell, RobotJo
 }  // namespace
 
 double unit_of_coordinate(JointType type, double cell) {
-  constexpr double radians_in_turn = 6.283185307179586;
-  return type == JointType::prismatic ? cell / kFrameCell : radians_in_turn / kFullTurn;
+  return type == JointType::prismatic ? cell / kFrameCell : kTurn / kFullTurn;
 }
 
 Mount fixed_mount(const ModelMount& mount, double cell) {
@@ -297,7 +297,6 @@ void FixedRobot::check_size(const Model& model) const {
 /// The errors of placing and of both links' rounding and kinematics (lib/docs/derivations.md,
 /// "Robots").
 std::uint32_t FixedRobot::slack(const Model& model) const {
-  constexpr double placing = 0.89;
   double most = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const double extent = extent_of(model, i);
@@ -311,7 +310,7 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
     }
     most = std::max(most, error + extent * 0x1p-29 + 1.0 / kFrameCell);
   }
-  return static_cast<std::uint32_t>(std::ceil((placing + 2 * most) * 256));
+  return static_cast<std::uint32_t>(std::ceil((kPlacing + 2 * most) * 256));
 }
 
 }  // namespace flashbvh::tool

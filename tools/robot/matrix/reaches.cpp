@@ -54,7 +54,6 @@ constexpr std::size_t kPoints = kSteps + 1;
 constexpr double kParts = 72;
 /// Joints over which a swept volume keeps its shape; later it is a ball. Each takes milliseconds.
 constexpr int kJointsKept = 12;
-constexpr double kTurn = 6.283185307179587;
 /// Covers the rounding of doubles: a few units in 2^52 each, a few hundred operations.
 constexpr double kRoundUp = 1 + 1e-12;
 

@@ -15,7 +15,6 @@ namespace {
 constexpr double kBeside = 1.6;
 /// Examines at most this many times the slabs allowed.
 constexpr std::uint32_t kTries = 8;
-constexpr double kHalfTurn = 3.141592653589793;
 
 /// The largest distance from z of a segment's part between two heights, or 0 if there is no such
 /// part. The distance from a line is convex, so it is largest at an end.
@@ -127,7 +126,7 @@ std::vector<Slab> few(const std::vector<Slab>& slabs, const Fineness& fineness) 
 
 void add_ring(bake::SourceMesh& mesh, double radius, double z, std::uint32_t sides) {
   for (std::uint32_t i = 0; i < sides; ++i) {
-    const double angle = 2 * kHalfTurn * i / sides;
+    const double angle = kTurn * i / sides;
     mesh.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
   }
 }
@@ -166,7 +165,7 @@ bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, d
   low -= margin;
   high += margin;
   bake::SourceMesh body;
-  const double wider = 1 / std::cos(kHalfTurn / fineness.sides);
+  const double wider = 1 / std::cos(kPi / fineness.sides);
   const std::vector<double> cuts = cuts_of(seen, low, high, margin, fineness);
   for (const Slab& slab : few(slabs_of(seen, cuts, margin), fineness)) {
     add_ring(body, slab.radius * wider, slab.low, fineness.sides);

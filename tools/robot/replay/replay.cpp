@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "flashbvh/robot/robot_float.hpp"
+#include "robot/baked/fixed_robot.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -24,14 +25,12 @@ std::vector<JointCoordinate> coordinates_of(const Robot& robot, const float* flo
 
 /// The values in radians and metres.
 std::vector<double> lengths_of(const Robot& robot, const std::vector<JointCoordinate>& values) {
-  constexpr double kTwoPi = 6.283185307179586;
   std::vector<double> lengths(values.size());
   for (std::uint32_t i = 0; i < robot.joint_count; ++i) {
     const RobotJoint& joint = robot.joints[i];
     if (joint.shift == 0) {  // no mimic
       lengths[joint.variable] =
-          values[joint.variable] *
-          (joint.type == JointType::prismatic ? cell_of(robot) / kFrameCell : kTwoPi / kFullTurn);
+          values[joint.variable] * unit_of_coordinate(joint.type, cell_of(robot));
     }
   }
   return lengths;
