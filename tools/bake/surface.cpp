@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace flashbvh::bake {
 namespace {
@@ -22,30 +21,6 @@ std::uint16_t root_of(std::uint64_t squared) {
   }
   return static_cast<std::uint16_t>(root);
 }
-
-/// Sets of vertices that triangles connect; each is represented by its first vertex.
-class Shells {
- public:
-  explicit Shells(std::size_t vertex_count) : above_(vertex_count) {
-    std::iota(above_.begin(), above_.end(), 0u);
-  }
-
-  std::uint32_t first_of(std::uint32_t vertex) {
-    while (above_[vertex] != vertex) {
-      vertex = above_[vertex] = above_[above_[vertex]];
-    }
-    return vertex;
-  }
-
-  void join(std::uint32_t u, std::uint32_t v) {
-    const std::uint32_t first_u = first_of(u);
-    const std::uint32_t first_v = first_of(v);
-    above_[std::max(first_u, first_v)] = std::min(first_u, first_v);
-  }
-
- private:
-  std::vector<std::uint32_t> above_;
-};
 
 }  // namespace
 

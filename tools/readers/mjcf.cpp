@@ -12,6 +12,7 @@
 
 #include "readers/mjcf_document.hpp"
 #include "readers/reader.hpp"
+#include "robot/read/xml_file.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -29,8 +30,8 @@ Vector3 vector_of(const mjtNum* of) {
   return {of[0], of[1], of[2]};
 }
 Transform frame_of(const mjtNum* position, const mjtNum* quaternion) {
-  return transform_of({quaternion[0], quaternion[1], quaternion[2], quaternion[3]},
-                      vector_of(position));
+  return transform_of_quaternion({quaternion[0], quaternion[1], quaternion[2], quaternion[3]},
+                                 vector_of(position));
 }
 Transform moved(const Vector3& by, double factor) {
   Transform transform;
@@ -68,8 +69,8 @@ class MjcfReader {
   }
   std::string body_name(int body) const { return name(mjOBJ_BODY, "body", body); }
   std::string joint_name(int joint) const { return name(mjOBJ_JOINT, "joint", joint); }
-  std::string body_place(int body) const { return place_of(path_, "body", body_name(body)); }
-  std::string joint_place(int joint) const { return place_of(path_, "joint", joint_name(joint)); }
+  std::string body_place(int body) const { return at_element(path_, "body", body_name(body)); }
+  std::string joint_place(int joint) const { return at_element(path_, "joint", joint_name(joint)); }
   void warn(const std::string& place, const std::string& what) {
     made_.warnings.push_back({place, what});
   }
@@ -174,7 +175,8 @@ class MjcfReader {
     std::array<mjtNum, 4> turn{};
     mju_axisAngle2Quat(turn.data(), row(m_.jnt_axis, 3, joint), angle);
     const Vector3 anchor = vector_of(row(m_.jnt_pos, 3, joint));
-    return composed(moved(anchor, 1), composed(transform_of(turn, {}), moved(anchor, -1)));
+    return composed(moved(anchor, 1),
+                    composed(transform_of_quaternion(turn, {}), moved(anchor, -1)));
   }
 
   /// joint 1 - its ref = a0 + a1 (joint 2 - its ref).

@@ -35,18 +35,4 @@ void run_reader(int argc, char** argv, ReadRobot (*read)(const std::string& path
   }
 }
 
-std::string place_of(const std::string& path, const char* kind, const std::string& name) {
-  return concat(path, ", ", kind, " ", tool::quoted(name));
-}
-
-Transform transform_of(const std::array<double, 4>& quaternion, const Vector3& translation) {
-  const auto [w, x, y, z] = quaternion;
-  Transform transform;
-  transform.rotation = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-                         {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-                         {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
-  transform.translation = translation;
-  return transform;
-}
-
 }  // namespace flashbvh::tool

@@ -17,10 +17,4 @@ namespace flashbvh::tool {
 /// The body of main().
 [[noreturn]] void run_reader(int argc, char** argv, ReadRobot (*read)(const std::string& path));
 
-/// "arm.xml, joint 'elbow'".
-std::string place_of(const std::string& path, const char* kind, const std::string& name);
-
-/// A rotation by a unit quaternion (w, x, y, z), then a translation.
-Transform transform_of(const std::array<double, 4>& quaternion, const Vector3& translation);
-
 }  // namespace flashbvh::tool

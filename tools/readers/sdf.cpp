@@ -24,7 +24,7 @@ Vector3 vector_of(const ignition::math::Vector3d& v) {
 }
 Transform frame_of(const ignition::math::Pose3d& pose) {
   const auto& q = pose.Rot();
-  return transform_of({q.W(), q.X(), q.Y(), q.Z()}, vector_of(pose.Pos()));
+  return transform_of_quaternion({q.W(), q.X(), q.Y(), q.Z()}, vector_of(pose.Pos()));
 }
 
 class SdfReader {
@@ -79,7 +79,7 @@ class SdfReader {
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
       const sdf::Link& link = *model.LinkByIndex(i);
       const std::string name = scope + link.Name();
-      const std::string place = place_of(path_, "link", name);
+      const std::string place = at_element(path_, "link", name);
       numbers_[name] = made_.robot.links.size();
       frames_.push_back(composed(frame, resolved(link.SemanticPose(), place)));
       UrdfLink& made = made_.robot.links.emplace_back();
@@ -96,7 +96,7 @@ class SdfReader {
       const sdf::Model& nested = *model.ModelByIndex(i);
       const std::string name = scope + nested.Name();
       add_links(nested, name + "::",
-                composed(frame, resolved(nested.SemanticPose(), place_of(path_, "model", name))));
+                composed(frame, resolved(nested.SemanticPose(), at_element(path_, "model", name))));
     }
   }
 
@@ -197,7 +197,7 @@ class SdfReader {
 
   void add_joint(const sdf::Joint& joint, const std::string& scope) {
     const std::string name = scope + joint.Name();
-    const std::string place = place_of(path_, "joint", name);
+    const std::string place = at_element(path_, "joint", name);
     std::string parent;
     std::string child;
     check(joint.ResolveParentLink(parent), place);
@@ -262,7 +262,7 @@ class SdfReader {
       roots.erase(joint.child);
     }
     if (roots.size() > 1) {
-      throw UserError(place_of(path_, "link", made_.robot.links[*roots.rbegin()].name),
+      throw UserError(at_element(path_, "link", made_.robot.links[*roots.rbegin()].name),
                       "hangs on no joint, as link ",
                       tool::quoted(made_.robot.links[*roots.begin()].name),
                       "; a robot is one tree: join them, or leave one out");

@@ -21,6 +21,9 @@ struct Interval {
   double upper;
 };
 
+/// A rotation by a unit quaternion (w, x, y, z), then a translation.
+Transform transform_of_quaternion(const std::array<double, 4>& quaternion,
+                                  const Vector3& translation);
 /// Applies `inner`, then `outer`.
 Transform composed(const Transform& outer, const Transform& inner);
 Transform inverse(const Transform& transform);

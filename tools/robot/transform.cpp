@@ -2,6 +2,15 @@
 
 namespace flashbvh::tool {
 
+Transform transform_of_quaternion(const std::array<double, 4>& quaternion,
+                                  const Vector3& translation) {
+  const auto [w, x, y, z] = quaternion;
+  return {{{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+            {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+            {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}},
+          translation};
+}
+
 Vector3 rotated(const Transform& transform, const Vector3& vector) {
   const auto& [x, y, z] = transform.rotation;
   const auto dot = [&](const Vector3& row) {

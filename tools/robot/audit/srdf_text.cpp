@@ -25,11 +25,6 @@ struct SrdfSpans {
   Span root_end;  ///< "</robot>", or the "/>" of a root without content
 };
 
-std::size_t behind(std::string_view text, std::string_view mark, std::size_t from) {
-  const std::size_t at = text.find(mark, from);
-  return at == std::string_view::npos ? text.size() : at + mark.size();
-}
-
 /// The position after the '>' that ends a tag; skips quoted ones.
 std::size_t behind_tag(std::string_view text, std::size_t from) {
   char quote = 0;

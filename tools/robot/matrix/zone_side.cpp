@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "bake/length.hpp"
+#include "bake/surface.hpp"
 #include "robot/kinematics.hpp"
 
 namespace flashbvh::tool {
@@ -18,13 +19,6 @@ constexpr std::size_t kMostTriangles = 24'000;
 
 double length(const Vector3& p, const Vector3& q) {
   return bake::length(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
-
-std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
-  while (parents[i] != i) {
-    i = parents[i] = parents[parents[i]];
-  }
-  return i;
 }
 
 /// The file or primitive that each of a link's triangles comes from.
@@ -125,20 +119,19 @@ ZoneSide::ZoneSide(const ModelLink& link, const Transform& frame)
 void ZoneSide::number_shells(const ModelLink& link) {
   const std::vector<std::uint32_t> sources = sources_of(link);
   const std::size_t count = mesh_.triangles.size();
-  std::vector<std::uint32_t> parents(count);
-  std::iota(parents.begin(), parents.end(), 0);
+  bake::Shells shells(count);
   std::map<std::tuple<std::uint32_t, double, double, double>, std::uint32_t> first;
   for (std::uint32_t i = 0; i < count; ++i) {
     for (const std::uint32_t corner : mesh_.triangles[i]) {
       const auto& [x, y, z] = mesh_.vertices[corner];
       const auto place = first.try_emplace({sources[i], x, y, z}, i).first;
-      parents[root_of(parents, i)] = root_of(parents, place->second);
+      shells.join(i, place->second);
     }
   }
   std::map<std::uint32_t, std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto number = static_cast<std::uint32_t>(numbers.size());
-    shells_.push_back(numbers.try_emplace(root_of(parents, i), number).first->second);
+    shells_.push_back(numbers.try_emplace(shells.first_of(i), number).first->second);
   }
   shell_count_ = static_cast<std::uint32_t>(numbers.size());
 }

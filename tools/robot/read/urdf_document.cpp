@@ -86,12 +86,7 @@ Vector3 vector_of(const urdf::Vector3& v) {
 Transform transform_of(const urdf::Pose& pose) {
   double x = 0, y = 0, z = 0, w = 1;
   pose.rotation.getQuaternion(x, y, z, w);
-  Transform transform;
-  transform.rotation = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-                         {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-                         {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
-  transform.translation = vector_of(pose.position);
-  return transform;
+  return transform_of_quaternion({w, x, y, z}, vector_of(pose.position));
 }
 
 UrdfGeometry geometry_of(const urdf::Geometry& geometry) {

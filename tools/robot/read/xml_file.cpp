@@ -29,23 +29,23 @@ bool is_too_deep(std::string_view text) {
   return false;
 }
 
-std::string_view behind(std::string_view text, std::string_view end) {
-  const std::size_t at = text.find(end);
-  return at == std::string_view::npos ? "" : text.substr(at + end.size());
-}
-
 }  // namespace
+
+std::size_t behind(std::string_view text, std::string_view mark, std::size_t from) {
+  const std::size_t at = text.find(mark, from);
+  return at == std::string_view::npos ? text.size() : at + mark.size();
+}
 
 std::string_view root_element(std::string_view text) {
   for (;;) {
-    text = behind(text, "<");
+    text.remove_prefix(behind(text, "<"));
     if (text.empty()) {
       return text;
     }
     if (text[0] == '?') {
-      text = behind(text, "?>");
+      text.remove_prefix(behind(text, "?>"));
     } else if (text.substr(0, 3) == "!--") {
-      text = behind(text, "-->");
+      text.remove_prefix(behind(text, "-->"));
     } else if (text[0] != '!') {
       return text.substr(0, text.find_first_of(" \t\r\n/>"));
     }
