@@ -53,8 +53,8 @@ Proof. unfold rest, coarse, rest8. change (256 / 2) with 128. divisions. lia. Qe
 (* ---- Placing.
    code: src/bounds/rotated_transform.cpp | const int64_t sum = fraction + (1 << (kRestBits - 1)) + product(x, origin_b[0]) +
    code: src/bounds/rotated_transform.cpp | return clamp_offset(sum >> kRestBits);
-   code: src/bounds/rotated_transform.cpp | const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
-   code: src/bounds/rotated_transform.cpp | return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
+   code: src/bounds/rotated_transform.cpp | const int32_t rest = add_signed_products(rest_.z * v.z, rest_.xy, v.xy);
+   code: src/bounds/rotated_transform.cpp | const int32_t sum = add_signed_products(entries_.z * v.z + offset_, entries_.xy, v.xy); return (sum + (rest >> kRestBits)) >> kSplitBits;
    code: src/bounds/rotated_transform.cpp | offset_ = offset_of(transform.on_a[axis]) + kHalf; *)
 Definition offset_along (cells fraction kx ky kz ox oy oz : Z) : Z :=
   (cells * one22 + fraction * (one22 / 65536) + kx * ox + ky * oy + kz * oz + rest8 / 2) / rest8.

@@ -29,7 +29,7 @@ Definition sizes_sum e := Z.abs (x e) + Z.abs (y e) + Z.abs (z e).
 
 (* code: src/bounds/rotated_transform.cpp | const int32_t bias = (kSplitOne - row.sum()) * kBoundBias; return {bias + margin + offset, bias + margin - offset}; *)
 Definition start_of (e : Point) (offset margin : Z) : Z := (cell14 - sizes_sum e) * bias + margin + offset.
-(* code: src/bounds/box_rotated.cpp | return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells); *)
+(* code: src/bounds/box_rotated.cpp | return saturated<15>(bound >> kSplitBits); *)
 Definition whole (sum : Z) : Z := Z.max 0 (Z.min 32767 (sum / cell14)).
 (* code: include/flashbvh/detail/lattice/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z))); *)
 Definition axis_rejects (e : Point) (offset margin : Z) (t : Box) (lower upper : Z) : Prop :=

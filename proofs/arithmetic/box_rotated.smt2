@@ -2,12 +2,13 @@
 ;
 ; VMLADAVA's sums are not modelled. One axis: the sums of a row's products with a box's bounds, modulo 2^32, and their
 ; whole cells; then the comparison with another box. Rows as in SplitRow::of(): one of an entry's two parts is 0.
-; code: src/bounds/box_rotated.cpp | return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells);
+; code: src/bounds/box_rotated.cpp | return saturated<15>(bound >> kSplitBits);
+; code: include/flashbvh/detail/arch/packed.hpp | return static_cast<uint32_t>(value < 0 ? 0 : value > most ? most : value);
 ; code: include/flashbvh/detail/lattice/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
 ; code: src/bounds/box_rotated_plain.hpp | return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
 ; code: src/bounds/box_rotated_plain.hpp | if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits), 0) != 0) {
 ; code: src/bounds/box_rotated_sse2.hpp | const __m128i cells = _mm_max_epi16(_mm_packs_epi32(upper, lower), _mm_setzero_si128());
-; code: src/bounds/box_rotated_dsp.hpp | "usat " upper ", #15, " upper
+; code: src/bounds/box_rotated_dsp.hpp | usat \upper, #15, \upper, asr #14
 ; code: src/bounds/box_rotated_mve.hpp | "vqadd.u16 q1, q1, q0\n\t"
 ; code: src/bounds/box_rotated_mve.hpp | "vcmp.s16 ge, q1, zr\n\t"
 (set-logic QF_BV)

@@ -127,12 +127,12 @@ struct Arguments {
   }
   /// Counts all pairs of a query.
   template <class QueryType>
-  [[gnu::always_inline]] void counts(QueryType& query) {
+  [[gnu::always_inline]] void counts(QueryType& counted) {
     const auto count = [this](const typename QueryType::Pair&) {
       ++answer;
       return true;
     };
-    ends(query.run(UINT32_MAX, count).status);
+    ends(counted.run(UINT32_MAX, count).status);
   }
 
   flashbvh_pair* c_found() { return reinterpret_cast<flashbvh_pair*>(found); }

@@ -74,7 +74,7 @@ static bool cable_start(flashbvh_segment_shape* axis) {
   return flashbvh_segment_shape_make(axis, &plate, &p, &q) == FLASHBVH_STATUS_DONE;
 }
 
-/** What cannot be decided may touch. */
+/** Also true if the query cannot decide. */
 static bool cable_touches_plate(const flashbvh_segment_shape* axis, const flashbvh_pose* pose) {
   const uint32_t radius = flashbvh_fine_distance(2, plate_CELLS_PER_UNIT);
   bool yes = true;

@@ -140,7 +140,7 @@ class Cable {
  public:
   Cable() : axis_(plate, {0, 0, 0}, {0, 0, kLength}) {}
 
-  /// What cannot be decided may touch.
+  /// Also true if the query cannot decide.
   bool touches_plate(const flashbvh::Pose& pose) const {
     const uint32_t radius = flashbvh::fine_distance(2, plate_CELLS_PER_UNIT);
     return axis_.status() != flashbvh::Status::done ||
@@ -174,7 +174,7 @@ class SoftPeg {
 
   flashbvh::Vertex* vertices() { return vertices_; }
 
-  /// Once they moved. What cannot be decided may touch.
+  /// Call it after the vertices moved. Also true if the query cannot decide.
   bool touches_plate_or_itself(const flashbvh::Pose& pose) {
     return mesh_.refit().status != flashbvh::Status::done ||
            intersects(plate, mesh_.mesh(), pose).yes || intersects_itself(mesh_.mesh()).yes;

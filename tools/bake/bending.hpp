@@ -21,11 +21,11 @@ BendingCost bending_cost(const Mesh& mesh) {
     const std::uint32_t first = mesh.first_triangle(leaf);
     std::uint32_t end = mesh.end_triangle(leaf);
     const bool is_many = end - first > 2;
-    refit += is_many ? 49 : 0;
+    refit += is_many ? 52 : 0;
     while (end != first) {
       const auto* const last = mesh.triangles + end - 1;
       const bool is_quad = end - first > 1 && flashbvh::is_quad(last[-1], last[0]);
-      refit += is_quad || is_many ? 60 : end - first == 2 ? 45 : 38;
+      refit += is_quad || is_many ? 63 : end - first == 2 ? 47 : 39;
       end -= is_quad ? 2 : 1;
     }
   }

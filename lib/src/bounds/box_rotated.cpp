@@ -7,42 +7,34 @@
 #define FLASHBVH_ROTATE_BOX flashbvh_rotate_and_compare
 #else
 
-#if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_ROTATE_DSP 1
-#include "box_rotated_dsp.hpp"
-#elif defined(FLASHBVH_ROTATE_SSE2)
+#if defined(FLASHBVH_ROTATE_SSE2)
 #include "box_rotated_sse2.hpp"
-#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_ROTATE_THUMB 1
-#if __ARM_ARCH_ISA_THUMB >= 2
+#elif defined(FLASHBVH_PORTABLE)
+// The definition.
+#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M'
+#define FLASHBVH_ROTATE_ASSEMBLY 1
+#if defined(__ARM_FEATURE_DSP)
+#include "box_rotated_dsp.hpp"
+#elif defined(__thumb2__)
 #include "box_rotated_thumb2.hpp"
 #else
 #include "box_rotated_thumb1.hpp"
 #endif
-#elif !defined(FLASHBVH_PORTABLE)
+#else
 #define FLASHBVH_ROTATE_PLAIN 1
 #include "box_rotated_plain.hpp"
-#endif
-
-// Rotating both boxes is for most visits the exception, and the only path of RotatedBoxTest::gap()
-// that needs registers saved. On cores that save them one by one it is a function of its own.
-#if defined(FLASHBVH_ROTATE_PLAIN)
-#define FLASHBVH_ROTATE_BOTH FLASHBVH_NOINLINE
-#else
-#define FLASHBVH_ROTATE_BOTH inline
 #endif
 
 namespace flashbvh::detail {
 namespace {
 
-#if !defined(FLASHBVH_ROTATE_DSP) && !defined(FLASHBVH_ROTATE_THUMB)
+#if !defined(FLASHBVH_ROTATE_ASSEMBLY)
 #if !defined(FLASHBVH_ROTATE_SSE2) && !defined(FLASHBVH_ROTATE_PLAIN)
 
-/// Whole cells of a bound, biased: 0 stands for all below the lattice, 32,767 for its end and all
-/// above, which is the same against any box on it.
+/// Rounds a biased bound down to whole cells, clamped to the lattice: against a box on the lattice
+/// that decides alike.
 inline uint32_t whole_bound(int32_t bound) {
-  const int32_t cells = bound >> kSplitBits;
-  return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0x7FFF ? 0x7FFF : cells);
+  return saturated<15>(bound >> kSplitBits);
 }
 
 inline uint32_t upper_bound(const SplitRow& row, int32_t start, const PackedBox& box) {
@@ -58,7 +50,7 @@ inline uint32_t lower_bound(const SplitRow& row, int32_t start, const PackedBox&
                            row.z, box.z));
 }
 
-/// The bounds of a rotated box on the other lattice.
+/// Returns the bounds of a rotated box on the other lattice.
 inline PackedBox rotated(const SplitMatrix& matrix, const BoxTestStart* starts,
                          const PackedBox& box) {
   const auto upper = [&](int i) { return upper_bound(matrix.row[i], starts[i].upper, box); };
@@ -85,9 +77,11 @@ FLASHBVH_NOINLINE uint32_t rotate_and_compare(RotatedBox& kept, const PackedBox&
 
 #endif
 
-/// Rotates `b` and, if need be, `a`; 0 if they overlap.
-FLASHBVH_ROTATE_BOTH uint32_t rotate_both(RotatedBox& kept_a, RotatedBox& kept_b,
-                                          const PackedBox& a, const PackedBox& b) {
+/// Rotates `b` and, if it overlaps `a`, also `a`; 0 if they overlap. This case is rare, and the
+/// only one that saves registers: as a function of its own it keeps RotatedBoxTest::gap() free of
+/// that.
+FLASHBVH_NOINLINE uint32_t rotate_both(RotatedBox& kept_a, RotatedBox& kept_b, const PackedBox& a,
+                                       const PackedBox& b) {
   const uint32_t gap = rotate_and_compare(kept_b, b, a);
   return gap != 0 ? gap : rotate_and_compare(kept_a, a, b);
 }
@@ -123,7 +117,7 @@ PackedTriple RotatedBoxTest::window(const RotatedBox& kept, const PackedBox& box
   if (kept.source != &box) {
     return {{0, 0, 0}};
   }
-  constexpr uint32_t zero = 2 * kBoundBias;  // what a sum of two bounds has if they are equal
+  constexpr uint32_t zero = 2 * kBoundBias;  // the sum of two equal bounds
   constexpr uint32_t zeros = join_halves(zero, zero);
 #if defined(FLASHBVH_ROTATED_EXCHANGED)
   return {{subtract_halves(zeros, kept.bounds.upper_xy),

@@ -1,6 +1,6 @@
 // The inner step of the rotated box test for cores that multiply one pair of numbers at a time: the
-// sums of box_rotated.cpp without the products that are zero. Of the positive and the negative part
-// of an entry one is zero; which one is tested, and two products do instead of four.
+// sums of box_rotated.cpp without the products that are 0. One of an entry's positive and negative
+// parts is 0: a branch on it leaves two products of four.
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_PLAIN_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_PLAIN_HPP
 
@@ -10,13 +10,13 @@ namespace flashbvh::detail {
 
 using Half [[gnu::may_alias]] = uint16_t;
 
-/// A half of a word, loaded alone: compilers would load the word and take it apart.
+/// Loads a half of a word alone: compilers would load the word and take it apart.
 inline uint32_t loaded_half(const uint32_t& word, int which) {
   return reinterpret_cast<const Half*>(&word)[which];
 }
 
-/// Sets a half of a word. That `half` may have changed keeps GCC from cutting it to 16 bits, which
-/// storing does.
+/// Sets a half of a word. The empty assembly keeps GCC from cutting `half` to 16 bits, as the store
+/// does so.
 inline void store_half(uint32_t& word, int which, uint32_t half) {
 #if defined(__GNUC__)
   __asm__("" : "+r"(half));
@@ -35,23 +35,30 @@ struct AxisSums {
   uint32_t upper;
   uint32_t lower;
 
-  void add_positive(uint32_t entry, const AxisBounds& bounds) {
-    upper += entry * bounds.upper;
-    lower += entry * bounds.lower;
-  }
-  void add_negative(uint32_t negated_entry, const AxisBounds& bounds) {
-    upper += negated_entry * bounds.lower;
-    lower += negated_entry * bounds.upper;
+  /// Adds the products of an entry's positive part or, if that is 0, of its negative part.
+  FLASHBVH_INLINE_FOR_SPEED void add(const uint32_t& positives, int positive,
+                                     const uint32_t& negatives, int negative,
+                                     const AxisBounds& bounds) {
+    uint32_t entry = loaded_half(positives, positive);
+    if (entry != 0) {
+      upper += entry * bounds.upper;
+      lower += entry * bounds.lower;
+    } else {
+      entry = loaded_half(negatives, negative);
+      upper += entry * bounds.lower;
+      lower += entry * bounds.upper;
+    }
   }
 };
 
-/// A sum kept from 0 to that of the last cell.
+/// Clamps a sum to the range from 0 to the last cell.
 inline uint32_t clamped_sum(uint32_t sum) {
   constexpr uint32_t most = 0x7FFFu << kSplitBits;
   return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
 }
 
-/// Whole cells from 0 to 32,767. Bounds are seldom outside the lattice: one test for both.
+/// Rounds sums down to whole cells, clamped to 0 and 32,767. One test for both, as bounds outside
+/// the lattice are rare.
 inline AxisBounds whole_bounds(AxisSums sums) {
   if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits), 0) != 0) {
     sums = {clamped_sum(sums.upper), clamped_sum(sums.lower)};
@@ -59,31 +66,21 @@ inline AxisBounds whole_bounds(AxisSums sums) {
   return {sums.upper >> kSplitBits, sums.lower >> kSplitBits};
 }
 
-/// The sums along the axis of `row` of a box with bounds `x`, `y` and `z`.
-[[gnu::always_inline]] inline AxisSums rotated_sums(const SplitRow& row, const BoxTestStart& start,
-                                                    const AxisBounds& x, const AxisBounds& y,
-                                                    const AxisBounds& z) {
+/// Returns the sums along the axis of `row`, for a box with bounds `x`, `y` and `z`.
+FLASHBVH_INLINE inline AxisSums rotated_sums(const SplitRow& row, const BoxTestStart& start,
+                                             const AxisBounds& x, const AxisBounds& y,
+                                             const AxisBounds& z) {
   AxisSums sums = {static_cast<uint32_t>(start.upper), static_cast<uint32_t>(start.lower)};
-  const auto add = [&sums](const uint32_t& positives, int positive, const uint32_t& negatives,
-                           int negative, const AxisBounds& bounds) {
-    const uint32_t entry = loaded_half(positives, positive);
-    if (entry != 0) {
-      sums.add_positive(entry, bounds);
-    } else {
-      sums.add_negative(loaded_half(negatives, negative), bounds);
-    }
-  };
-  add(row.positive_xy, 0, row.negative_xy, 0, x);
-  add(row.positive_xy, 1, row.negative_xy, 1, y);
-  add(row.z, 0, row.z, 1, z);
+  sums.add(row.positive_xy, 0, row.negative_xy, 0, x);
+  sums.add(row.positive_xy, 1, row.negative_xy, 1, y);
+  sums.add(row.z, 0, row.z, 1, z);
   return sums;
 }
 
-/// Sets `bounds` to those of `box` rotated by `matrix`, its sums beginning at `starts`. They are
-/// stored at once, by halves: then RISC-V has registers for everything else.
-[[gnu::always_inline]] inline void rotate_plain(const SplitMatrix& matrix,
-                                                const BoxTestStart* starts, const PackedBox& box,
-                                                PackedBox& bounds) {
+/// Sets `bounds` to those of `box` rotated by `matrix`; sums begin at `starts`. Each half is stored
+/// at once, so that RISC-V's registers suffice for the rest.
+FLASHBVH_INLINE inline void rotate_plain(const SplitMatrix& matrix, const BoxTestStart* starts,
+                                         const PackedBox& box, PackedBox& bounds) {
   const AxisBounds x = {loaded_half(box.upper_xy, 0), loaded_half(box.lower_xy, 0)};
   const AxisBounds y = {loaded_half(box.upper_xy, 1), loaded_half(box.lower_xy, 1)};
   const AxisBounds z = {loaded_half(box.z, 0), loaded_half(box.z, 1)};

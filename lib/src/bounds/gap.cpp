@@ -5,17 +5,13 @@
 #if defined(FLASHBVH_GAP_SIMD)
 #include "gap_sse2.hpp"
 #endif
-#if defined(__ARM_FEATURE_DSP) && defined(__ARM_ARCH_ISA_THUMB) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_GAP_DSP 1
-#include "gap_dsp.hpp"
-#endif
 
 namespace flashbvh::detail {
 
 namespace {
 
-/// Sums have kSplitBits of fraction. Boxes of A are rounded outwards: their bounds on B's axes are
-/// of no vertices.
+/// Sums have kSplitBits of fraction. Boxes of A are rounded outwards, as vertices are not whole on
+/// B's axes.
 constexpr int32_t kOutwards = kSplitOne - 1;
 
 #if !defined(FLASHBVH_GAP_SIMD)
@@ -34,7 +30,7 @@ inline Sums sums_of(const SplitRow& row, const BoxTestStart& start, const Packed
 }
 #endif
 
-/// `rounding`: added to sums before they become whole cells.
+/// Sets `seen` to the rotated `box`. `rounding`: added to sums before they become whole cells.
 FLASHBVH_NOINLINE void rotate(const SplitMatrix& matrix, const BoxTestStart* starts,
                               int32_t rounding, const PackedBox& box, SeenBox& seen) {
 #if defined(FLASHBVH_GAP_SIMD)
@@ -48,23 +44,20 @@ FLASHBVH_NOINLINE void rotate(const SplitMatrix& matrix, const BoxTestStart* sta
 #endif
 }
 
-#if !defined(FLASHBVH_GAP_DSP)
-
-/// What the bounds of a box have to reach along an axis.
+/// Lower limits along an axis for the bounds of a box.
 struct Halves {
   uint32_t upper;
   uint32_t lower;
 };
 
-/// What words of a box have to reach of the rotated one's sums, from `zero` on.
+/// Lower limits for the words of a box, to overlap the rotated `box`: `zero` less its sums.
 inline PackedTriple window_of_rotated(const NearBox& kept, const PackedBox& box) {
 #if defined(FLASHBVH_GAP_SIMD)
   return window_lanes(rotated_lanes(row_lanes(*kept.matrix), start_lanes(kept.starts), box),
                       kept.zero);
 #else
   const auto least_half = [&](int32_t sum) {
-    const int32_t cells = (kept.zero - sum) >> kSplitBits;
-    return static_cast<uint32_t>(cells < 0 ? 0 : cells > 0xFFFF ? 0xFFFF : cells);
+    return saturated<16>((kept.zero - sum) >> kSplitBits);
   };
   const auto least = [&](int i) {
     const Sums sums = sums_of(kept.matrix->row[i], kept.starts[i], box);
@@ -78,21 +71,14 @@ inline PackedTriple window_of_rotated(const NearBox& kept, const PackedBox& box)
 #endif
 }
 
-/// Whether `box` is within the limit of the current box, if that is not null; if so, rotates it and
-/// keeps it: whether `other` is within the limit of that.
-FLASHBVH_NOINLINE bool rotate_near(NearBox& kept, const PackedBox& box, const PackedBox& other,
-                                   const NearBox* at_hand) {
-  if (at_hand != nullptr && !is_within(at_hand->window, box, at_hand->limit)) {
-    return false;
-  }
+/// Rotates `box` and keeps it; true if `other` is within the limit of it.
+FLASHBVH_NOINLINE bool rotate_near(NearBox& kept, const PackedBox& box, const PackedBox& other) {
   kept.window = window_of_rotated(kept, box);
   kept.source = &box;
   return is_within(kept.window, other, kept.limit);
 }
 
-#endif
-
-/// By a far B's offset.
+/// Translates a box by the offset of a far B.
 FLASHBVH_NOINLINE void move(SeenBox& seen, const Point& by) {
   const auto move_axis = [&seen](int axis, int32_t cells) {
     seen.upper[axis] += cells;
@@ -103,7 +89,7 @@ FLASHBVH_NOINLINE void move(SeenBox& seen, const Point& by) {
   move_axis(2, by.z);
 }
 
-/// Apart, so that no other way has its frame.
+/// Kept out of line, so that other paths do not have its stack frame.
 FLASHBVH_NOINLINE bool is_within_far(const Transform& transform, const GapLimit& limit,
                                      const PackedBox& a, const PackedBox& b) {
   return transform.is_rotated() ? RotatedGap(transform.rotated(), limit)(a, b)
@@ -140,14 +126,14 @@ bool RotatedGap::operator()(const PackedBox& a, const PackedBox& b) {
 KeptGap::KeptGap(const Transform& transform, const GapLimit& limit)
     : transform_(&transform), limit_(limit), rotates_(transform.is_rotated() && limit.is_near()) {
   if (!transform.is_rotated()) {
-    return;  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject): what rotates is not used
+    return;  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject): a rotation is not used
   }
   if (transform.is_far()) {
     limit_.make_coarse();
     rotates_ = false;
   }
   const RotatedTransform& rotated = transform.rotated();
-  // A difference that is shifted down is rounded up by what is one less than a cell.
+  // One less than a cell, added before the shift, rounds a difference up.
   constexpr int32_t zero = 2 * kBoundBias * kSplitOne + kSplitOne - 1;
   a_ = {{{0, 0, 0}},  nullptr,          &rotated.columns,
         rotated.on_b, zero - kOutwards, limit.longer_limit()};
@@ -157,10 +143,10 @@ KeptGap::KeptGap(const Transform& transform, const GapLimit& limit)
 bool KeptGap::operator()(const PackedBox& a, const PackedBox& b) {
   // The current boxes go first.
   if (b_.source == &b) {
-    return rotate_near(a_, a, b, &b_);
+    return is_within(b_.window, a, b_.limit) && rotate_near(a_, a, b);
   }
   if (a_.source == &a) {
-    return rotate_near(b_, b, a, &a_);
+    return is_within(a_.window, b, a_.limit) && rotate_near(b_, b, a);
   }
   return compare_new(a, b);
 }
@@ -170,12 +156,12 @@ bool KeptGap::compare_new(const PackedBox& a, const PackedBox& b) {
     return transform_->is_far() ? detail::is_within_far(b, Side::b, a, *transform_, limit_)
                                 : is_within_far(*transform_, limit_, a, b);
   }
-  return rotate_near(b_, b, a, nullptr) && rotate_near(a_, a, b, nullptr);
+  return rotate_near(b_, b, a) && rotate_near(a_, a, b);
 }
 
 const PackedTriple& KeptGap::window_of_a(const PackedBox& a) {
   if (a_.source != &a) {
-    (void)rotate_near(a_, a, a, nullptr);
+    (void)rotate_near(a_, a, a);
     a_.source = rotates_ ? &a : nullptr;
   }
   return a_.window;
@@ -183,7 +169,7 @@ const PackedTriple& KeptGap::window_of_a(const PackedBox& a) {
 
 const PackedTriple& KeptGap::window_of_b(const PackedBox& b) {
   if (b_.source != &b) {
-    (void)rotate_near(b_, b, b, nullptr);
+    (void)rotate_near(b_, b, b);
     b_.source = rotates_ ? &b : nullptr;
   }
   return b_.window;
@@ -216,8 +202,8 @@ bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
 }
 
 uint32_t cells_in_unit(const PackedVector& direction) noexcept {
-  // Newton's steps are never below the root: the first one, from 2^13, is at most a quarter above
-  // it, the third 1 part in 3,000.
+  // Newton's steps never fall below the root: the first one, from 2^13, is at most a quarter above
+  // it, the third one 1 part in 3,000.
   const uint32_t squared_length = squared(direction);
   uint32_t root = (squared_length >> 14) + (1u << 12) + 1;
   root = (root + squared_length / root) / 2 + 1;

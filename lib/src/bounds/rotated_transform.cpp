@@ -1,15 +1,15 @@
-// Preparing a rotated transform, and transforming vertices.
+// Prepares a rotated transform, and transforms vertices.
 #include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "flashbvh/detail/lattice/packed_vector.hpp"
 
-// One axis after the other, to the first that separates; with vectors all three at once.
+// Tests one axis after another, up to the first that separates; with vectors all three at once.
 #if defined(FLASHBVH_ROTATE_SSE2)
 #include "starts_sse2.hpp"
 #define FLASHBVH_ONE_AXIS inline
 #elif UINTPTR_MAX == UINT32_MAX && !defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__) && \
     !defined(FLASHBVH_PORTABLE)
-// A product of 64 bits takes several instructions, or a call, and one of two halves two.
+// A 64-bit product takes several instructions, or a call; a product of two halves takes two.
 #include "box_rotated_plain.hpp"
 #define FLASHBVH_NARROW_SUMS 1
 #define FLASHBVH_ONE_AXIS [[gnu::noinline]]
@@ -38,13 +38,13 @@ inline int64_t product(int32_t u, int32_t v) {
   return static_cast<int64_t>(u) * v;
 }
 
-/// From A's origin on; wraps if the pose is out of range, which is an error of the pose.
+/// The pose's translation from A's origin; wraps if the pose is out of range, which is its error.
 inline int32_t cells_along_axis(const Pose& pose, const int32_t (&origin_a)[3], int axis) {
   return static_cast<int32_t>(static_cast<uint32_t>(pose.translation(axis)) -
                               static_cast<uint32_t>(origin_a[axis]));
 }
 
-/// Where B's origin lies along an axis of A's lattice; kSplitOne is a cell.
+/// Returns the place of B's origin along an axis of A's lattice; kSplitOne is a cell.
 FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
                                             const int32_t (&origin_b)[3], int axis) {
   const int32_t cells = cells_along_axis(pose, origin_a, axis);
@@ -57,7 +57,7 @@ FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&or
   const int64_t sum = fraction + (1 << (kRestBits - 1)) + product(x, origin_b[0]) +
                       product(y, origin_b[1]) + product(z, origin_b[2]) +
                       product(cells, 1 << kRotationBits);
-  // The high word mostly shows that nothing is to be clamped.
+  // The high word mostly shows that the sum is within range.
   constexpr int32_t most = kMaxOffset * kSplitOne >> (32 - kRestBits);
   const auto high = static_cast<int32_t>(sum >> 32);
   if (static_cast<uint32_t>(high + most) < 2u * most) {
@@ -68,21 +68,21 @@ FLASHBVH_ONE_AXIS int32_t offset_along_axis(const Pose& pose, const int32_t (&or
 
 #if defined(FLASHBVH_NARROW_SUMS)
 
-/// Whether the coordinates have 16 bits.
+/// True if the coordinates fit 16 bits.
 inline bool is_near(const int32_t (&origin)[3]) {
   constexpr uint32_t half = 1u << 15;
   const auto raised = [&](int axis) { return static_cast<uint32_t>(origin[axis]) + half; };
   return (raised(0) | raised(1) | raised(2)) < 2 * half;
 }
 
-/// The same as offset_along_axis() if B's origin is near. Coarse entries and the rest are summed
-/// apart, and whole cells show what is to be clamped.
+/// offset_along_axis() for a B whose origin is near. Coarse entries and the remaining bits are
+/// summed apart; the sum in whole cells decides about clamping.
 inline int32_t near_offset_along_axis(const Pose& pose, const int32_t (&origin_a)[3],
                                       const int32_t (&origin_b)[3], int axis) {
   const int32_t cells = cells_along_axis(pose, origin_a, axis);
   const SplitRow& row = pose.matrix().rows.row[axis];
   const int8_t(&rest)[3] = pose.matrix().rest[axis];
-  // Both entries in a word, the second one less 1 where the first one is negative.
+  // Both entries in a word; the second one is less by 1 if the first one is negative.
   const uint32_t xy = row.positive_xy - row.negative_xy;
   const auto x = static_cast<int16_t>(xy);
   const int32_t y = static_cast<int32_t>(xy - static_cast<uint32_t>(x)) >> 16;
@@ -102,7 +102,7 @@ inline int32_t near_offset_along_axis(const Pose& pose, const int32_t (&origin_a
 
 #endif
 
-/// What the rotation of boxes can lack of that of the vertices of B.
+/// A bound on the difference between the rotations of B's boxes and of its vertices.
 int32_t box_margin(const RotationMatrix& matrix, int32_t reach_b) {
   const int8_t* const rest = matrix.rest[0];
   int32_t most = 0;
@@ -113,26 +113,26 @@ int32_t box_margin(const RotationMatrix& matrix, int32_t reach_b) {
   return ((most * reach_b) >> kRestBits) + 1;
 }
 
-/// How far, along one of B's axes, a transformed vertex can be from where it lies in B; see
-/// lib/docs/derivations.md, "Rotated boxes".
+/// A bound on the error of a transformed vertex along one of B's axes: lib/docs/derivations.md,
+/// "Rotated boxes".
 int32_t axis_margin(const RotationMatrix& matrix, int32_t reach_b) {
   const uint32_t stretched = static_cast<uint32_t>(reach_b) * matrix.defect;
   return 7 * (kSplitOne / 8) + ((7 * reach_b) >> 3) + static_cast<int32_t>(stretched >> 10) + 4;
 }
 
-/// Products are of biased bounds and make a biased bound.
+/// The start of a sum whose products have biased bounds, and which is a biased bound.
 BoxTestStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
   const int32_t bias = (kSplitOne - row.sum()) * kBoundBias;
   return {bias + margin + offset, bias + margin - offset};
 }
 
-/// What 14 bits lack of 22, on any lattice, and vertices' rounding: box_margin() at its largest.
+/// The largest box_margin(), for 14 bits in place of 22, and the rounding of vertices.
 constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
 
 #if !defined(FLASHBVH_ROTATE_SSE2)
 
-/// Whether the box of all of B, rotated, ends along an axis before A's root box begins, or begins
-/// after it. `upper`, `lower`: the biased bound of A's box, and the negated one.
+/// True if B's rotated root box and A's root box are disjoint along an axis. `upper`, `lower`: the
+/// biased bound of A's box, and the negated one.
 bool far_apart(const SplitRow& row, const BoxTestStart& start, const PackedBox& root_b,
                uint32_t upper, uint32_t lower) {
 #if defined(FLASHBVH_NARROW_SUMS)
@@ -158,16 +158,7 @@ bool far_apart(const SplitRow& row, const BoxTestStart& start, const PackedBox& 
 
 #endif
 
-// What makes one coordinate of a transformed vertex, and the vertex as it is multiplied.
-#if defined(__ARM_FEATURE_DSP) && !defined(FLASHBVH_PORTABLE)
-
-/// Two products an instruction.
-using Factors = PackedVector;
-
-Factors factors_of(const Vertex& v) {
-  return PackedVector::of(v);
-}
-
+/// Computes one coordinate of transformed vertices.
 class Row {
  public:
   Row(const RotatedTransform& transform, int axis) {
@@ -189,40 +180,6 @@ class Row {
   PackedVector rest_;
   int32_t offset_;
 };
-
-#else
-
-using Factors = const Vertex&;
-
-Factors factors_of(const Vertex& v) {
-  return v;
-}
-
-class Row {
- public:
-  Row(const RotatedTransform& transform, int axis) {
-    const SplitRow& row = transform.matrix->rows.row[axis];
-    x_ = row.x();
-    y_ = row.y();
-    z_ = row.z_entry();
-    rest_x_ = transform.matrix->rest_of(axis, 0);
-    rest_y_ = transform.matrix->rest_of(axis, 1);
-    rest_z_ = transform.matrix->rest_of(axis, 2);
-    offset_ = offset_of(transform.on_a[axis]) + kHalf;
-  }
-
-  int32_t transform(const Vertex& v) const {
-    const int32_t rest = rest_x_ * v.x + rest_y_ * v.y + rest_z_ * v.z;
-    return (x_ * v.x + y_ * v.y + z_ * v.z + (rest >> kRestBits) + offset_) >> kSplitBits;
-  }
-
- private:
-  int32_t x_, y_, z_;
-  int32_t rest_x_, rest_y_, rest_z_;
-  int32_t offset_;
-};
-
-#endif
 
 }  // namespace
 
@@ -290,15 +247,15 @@ void RotatedTransform::prepare_boxes(int32_t reach_b) {
 }
 
 Point RotatedTransform::transform(const Vertex& v) const {
-  Factors p = factors_of(v);
+  PackedVector p = PackedVector::of(v);
   return {Row(*this, 0).transform(p), Row(*this, 1).transform(p), Row(*this, 2).transform(p)};
 }
 
 void RotatedTransform::transform(const Vertex& u, const Vertex& v, const Vertex& w,
                                  Triangle& triangle) const {
-  Factors p = factors_of(u);
-  Factors q = factors_of(v);
-  Factors r = factors_of(w);
+  PackedVector p = PackedVector::of(u);
+  PackedVector q = PackedVector::of(v);
+  PackedVector r = PackedVector::of(w);
   const auto transform_axis = [&](int axis, int32_t Point::*coordinate) {
     const Row row(*this, axis);
     triangle.corner[0].*coordinate = row.transform(p);

@@ -1,8 +1,8 @@
-// Comparing two 16-bit numbers at once in a 32-bit word.
+// Arithmetic with two 16-bit numbers in a 32-bit word.
 //
-// Three forms of one definition, equal bit for bit: plain C++ as the reference, UQSUB16 where the
-// core has the DSP extension (Cortex-M4, M7, M33, M55), and two comparisons of plain words where
-// it has not (Cortex-M0, M3, RISC-V). FLASHBVH_PORTABLE selects the reference everywhere.
+// Comparisons have three forms, equal bit for bit: plain C++ as the reference, UQSUB16 with the DSP
+// extension (Cortex-M4, M7, M33, M55), and two comparisons of words on cores without it (Cortex-M0,
+// M3, RISC-V). FLASHBVH_PORTABLE selects the reference everywhere.
 #ifndef FLASHBVH_DETAIL_ARCH_PACKED_HPP
 #define FLASHBVH_DETAIL_ARCH_PACKED_HPP
 
@@ -29,12 +29,24 @@ constexpr uint32_t swap_halves(uint32_t word) {
   return (word << 16) | (word >> 16);
 }
 
+/// Clamps `value` to 0 and 2^kBits - 1: one instruction (USAT) on cores that have it. Compilers do
+/// not always find it.
+template <unsigned kBits>
+inline uint32_t saturated(int32_t value) {
+#if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE)
+  return __usat(value, kBits);
+#else
+  constexpr int32_t most = INT32_MAX >> (31 - kBits);
+  return static_cast<uint32_t>(value < 0 ? 0 : value > most ? most : value);
+#endif
+}
+
 /// Three pairs of unsigned 16-bit numbers.
 struct PackedTriple {
   uint32_t word[3];
 };
 
-/// True if each of the six halves of `value` is at least the same half of `least`; the reference.
+/// True if each half of `value` is at least the same half of `least`; the reference.
 constexpr bool halves_reach_portable(const PackedTriple& value, const PackedTriple& least) {
   for (int i = 0; i < 3; ++i) {
     if (low_half(value.word[i]) < low_half(least.word[i]) ||
@@ -45,9 +57,8 @@ constexpr bool halves_reach_portable(const PackedTriple& value, const PackedTrip
   return true;
 }
 
-/// The same in plain words: a word as a whole reaches another one if its high half is larger, or
-/// equal while its low half reaches too; so, with the low halves compared on their own, all is
-/// said.
+/// True if both halves of `value` reach those of `least`. If the low halves do, comparing whole
+/// words decides about the high halves.
 constexpr bool word_reaches_plain(uint32_t value, uint32_t least) {
   return value >= least && (value << 16) >= (least << 16);
 }
@@ -58,14 +69,14 @@ constexpr bool halves_reach_plain(const PackedTriple& value, const PackedTriple&
 }
 
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
-/// The same by saturating subtraction: a half of `least - value` stays 0 if `value` reaches it.
+/// halves_reach() by saturating subtraction: a half of `least - value` is 0 if `value` reaches it.
 inline bool halves_reach_dsp(const PackedTriple& value, const PackedTriple& least) {
   return (__uqsub16(least.word[0], value.word[0]) | __uqsub16(least.word[1], value.word[1]) |
           __uqsub16(least.word[2], value.word[2])) == 0;
 }
 #endif
 
-/// Half by half u - v, or 0 where that is negative.
+/// u - v, half by half, with 0 in place of negative differences.
 inline uint32_t subtract_halves(uint32_t u, uint32_t v) {
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
   return __uqsub16(u, v);
@@ -75,7 +86,7 @@ inline uint32_t subtract_halves(uint32_t u, uint32_t v) {
 #endif
 }
 
-/// The fastest form that this core has.
+/// This core's fastest form of halves_reach_portable().
 inline bool halves_reach(const PackedTriple& value, const PackedTriple& least) {
 #if defined(FLASHBVH_PORTABLE)
   return halves_reach_portable(value, least);

@@ -79,12 +79,6 @@ constexpr uint32_t positive_halves(uint32_t u) {
   return u & ~(((u >> 15) & 0x00010001u) * 0xFFFFu);
 }
 
-/// The sum of the squares of four halves: each is at most 32,767, and one of `v`'s is 0.
-constexpr uint32_t sum_of_squares(uint32_t u, uint32_t v) {
-  const uint32_t w = low_half(v) | high_half(v);
-  return low_half(u) * low_half(u) + high_half(u) * high_half(u) + w * w;
-}
-
 /// sum + low * low + high * high. Halves are 0 to 32,767.
 constexpr int32_t add_products(int32_t sum, uint32_t u, uint32_t v) {
   return sum + static_cast<int32_t>(low_half(u) * low_half(v)) +

@@ -159,26 +159,24 @@ FLASHBVH_INLINE inline uint32_t squared_gap(const SeenBox& seen, const PackedBox
 /// Lower limits for a box's packed words: a box that reaches all of them overlaps the seen box.
 /// Limits are clamped to a half, as every box misses such a limit by 2^15 or more all the same.
 inline PackedTriple window_of(const SeenBox& seen) {
-  const auto least = [](int32_t bound) {
-    const int32_t missing = 2 * kBoundBias - bound;
-    return static_cast<uint32_t>(missing < 0 ? 0 : missing > 0xFFFF ? 0xFFFF : missing);
-  };
+  const auto least = [](int32_t bound) { return saturated<16>(2 * kBoundBias - bound); };
   return {{join_halves(least(seen.lower[0]), least(seen.lower[1])),
            join_halves(least(seen.upper[0]), least(seen.upper[1])),
            join_halves(least(seen.lower[2]), least(seen.upper[2]))}};
 }
 
-/// Whether what three words, of upper and lower x and y and of z, are missing to what they have to
-/// reach is within a limit, which 2^15 is not. Of an axis's two bounds no more than one is missed.
+/// True if the gaps, by which `words` of a box miss the limits `least`, are within a squared limit,
+/// which is below 2^30. Words: upper x and y, lower x and y, z. At most one of an axis's two bounds
+/// is missed.
 FLASHBVH_INLINE inline bool is_within(const PackedTriple& least, const PackedTriple& words,
                                       uint32_t limit) {
-#if defined(__ARM_FEATURE_SIMD32) || defined(FLASHBVH_PORTABLE)
+#if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
   constexpr uint32_t far = 0x80008000u;
   const uint32_t xy =
       subtract_halves(least.word[0], words.word[0]) | subtract_halves(least.word[1], words.word[1]);
   const uint32_t z = subtract_halves(least.word[2], words.word[2]);
   return ((xy | z) & far) == 0 && sum_of_squares(xy, z) <= limit;
-#else  // axis by axis: halves need not be joined, and the first may reject
+#else  // axis by axis: no halves are joined, and the first axis may reject
   constexpr int32_t far = 1 << 15;
   uint32_t sum = 0;
   const auto add = [&](uint32_t least_upper, uint32_t upper, uint32_t least_lower, uint32_t lower) {
@@ -198,7 +196,7 @@ FLASHBVH_INLINE inline bool is_within(const PackedTriple& least, const PackedTri
          add(low_half(l[2]), low_half(w[2]), high_half(l[2]), high_half(w[2]));
 #endif
 }
-/// The same of a window and a box.
+/// is_within() for a window and a box.
 FLASHBVH_INLINE inline bool is_within(const PackedTriple& window, const PackedBox& box,
                                       uint32_t limit) {
 #if defined(FLASHBVH_GAP_SIMD)

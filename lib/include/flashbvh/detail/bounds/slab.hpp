@@ -32,7 +32,7 @@ struct Extent {
 
   /// `at`: less than 2^31 from either end.
   void add(int32_t at) {
-#if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE) && !defined(__OPTIMIZE_SIZE__)
+#if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE)
     least -= __usat(least - at, 31);  // negative differences saturate to 0
     most += __usat(at - most, 31);
 #else

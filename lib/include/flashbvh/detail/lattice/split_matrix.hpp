@@ -84,8 +84,6 @@ struct RotationMatrix {
   /// the bound also holds for the inverse.
   uint16_t defect;
 
-  constexpr int32_t rest_of(int i, int j) const { return rest[i][j]; }
-
   /// Gets a row with all its bits.
   constexpr void get_row(int i, int32_t& x, int32_t& y, int32_t& z) const {
     constexpr int32_t one = 1 << kRestBits;

@@ -1,9 +1,8 @@
 // Boxes of a tree whose vertices moved, from the leaves up, in one pass.
 //
-// In both layouts a node lies before its subtrees, so backwards in the array children come before
-// their parents, and the box of the child that lies right after its parent is in registers when the
-// parent's turn comes. Leaves and their triangles come in the array's order, too, so nothing is
-// looked up.
+// In both layouts a node lies before its subtrees. Backwards in the array, children come before
+// their parents, and the box of a parent's first child is still in registers when the parent
+// follows. Leaves and their triangles also come in the array's order, so no index is looked up.
 #ifndef FLASHBVH_DETAIL_QUERY_REFIT_HPP
 #define FLASHBVH_DETAIL_QUERY_REFIT_HPP
 
@@ -18,7 +17,7 @@
 
 namespace flashbvh::detail {
 
-/// Half by half the larger of the two.
+/// The larger of u and v, half by half.
 inline uint32_t larger_halves(uint32_t u, uint32_t v) {
   return subtract_halves(u, v) + v;
 }
@@ -28,27 +27,7 @@ FLASHBVH_INLINE inline void add_box(PackedBox& box, PackedBox other) {
   box.z = larger_halves(box.z, other.z);
 }
 
-#if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
-/// As one piece, in the box's own registers: three more are all that it takes.
-FLASHBVH_INLINE inline void add_stored(PackedBox& box, const PackedBox& other) {
-  uint32_t u;
-  uint32_t v;
-  __asm__(
-      "ldrd %3, %4, [%5]\n\t"
-      "uqsub16 %0, %0, %3\n\tadd %0, %3\n\t"
-      "uqsub16 %1, %1, %4\n\tadd %1, %4\n\t"
-      "ldr %3, [%5, #8]\n\t"
-      "uqsub16 %2, %2, %3\n\tadd %2, %3"
-      : "+r"(box.upper_xy), "+r"(box.lower_xy), "+r"(box.z), "=&r"(u), "=&r"(v)
-      : "r"(&other), "m"(other));
-}
-#else
-inline void add_stored(PackedBox& box, const PackedBox& other) {
-  add_box(box, other);
-}
-#endif
-
-/// Set in a bound beyond the lattice, and then in the same bound of every box that holds it.
+/// Bits that are set in a bound beyond the lattice, and in that bound of every enclosing box.
 constexpr uint32_t kBeyondLattice = 0x80008000;
 constexpr bool is_in_lattice(const PackedBox& box) {
   return ((box.upper_xy | box.lower_xy | box.z) & kBeyondLattice) == 0;
@@ -58,12 +37,11 @@ constexpr bool is_in_lattice(const Vertex& v) {
   return fits(v.x) && fits(v.y) && fits(v.z);
 }
 
-/// Spans of vertices, by their numbers, and the boxes that hold them.
+/// Bounding boxes of vertices, which are given by their numbers.
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
 
-/// Halves are compared with their signs, and raised once a box; one beyond the lattice wraps to
-/// 2^15 or more. What is the same for all is kept out of the compiler's sight, which would make it
-/// again for each.
+/// Compares signed halves and adds the bias once per box; a half beyond the lattice wraps to 2^15
+/// or more. Empty assembly hides the constants from the compiler, which would make them per vertex.
 class VertexBoxes {
  public:
   explicit VertexBoxes(const Vertex* vertices)
@@ -71,7 +49,7 @@ class VertexBoxes {
     __asm__("" : "+r"(z_), "+r"(negative_high_), "+r"(raise_));
   }
 
-  /// Of x and y half by half; of z as in a box.
+  /// Bounds of x and y, half by half; `z` as in a box.
   struct Span {
     uint32_t most;
     uint32_t least;
@@ -104,7 +82,8 @@ class VertexBoxes {
     uint32_t xy;
     uint32_t z;  ///< z + bias low, bias - z high: one product and a sum
   };
-  /// `value`, before what follows is begun: there are registers for one vertex after the other.
+  /// Returns `value`, computed before later code begins: registers suffice for one vertex at a
+  /// time.
   FLASHBVH_INLINE static uint32_t finished(uint32_t value) {
     __asm__ volatile("" : "+r"(value));
     return value;
@@ -178,7 +157,7 @@ class VertexBoxes {
 
 #endif
 
-/// No shorter than any edge in the box: its diagonal.
+/// The box's diagonal, rounded up: a bound on the edges in it.
 inline uint16_t longest_edge_in(const PackedBox& box) {
   const int64_t x = extent_x(box);
   const int64_t y = extent_y(box);
@@ -186,13 +165,13 @@ inline uint16_t longest_edge_in(const PackedBox& box) {
   return static_cast<uint16_t>(square_root(widened(x * x + y * y + z * z)) + 1);
 }
 
-/// Where a refit is: the next node's box is made of the nodes after it.
+/// The state of a refit between two nodes; a node's box is made of the nodes after it.
 struct RefitPlace {
-  uint32_t leaf;  ///< after the leaves to come
-  PackedBox box;  ///< of the node after, which came before
+  uint32_t leaf;  ///< the end of the remaining leaves
+  PackedBox box;  ///< of the last node done, which lies after the next one
 };
 
-/// Leaves' boxes, from the last one on. `kOne`: one triangle in each.
+/// The boxes of leaves, from the last leaf to the first. `kOne`: each leaf has one triangle.
 template <bool kOne, class Mesh>
 class LeafBoxes {
  public:
@@ -222,7 +201,7 @@ class LeafBoxes {
     }
   }
 
-  /// After those to come.
+  /// The end of the remaining leaves.
   uint32_t leaf() const {
     return static_cast<uint32_t>(kOne ? triangle_ - mesh_.triangles : offset_ - mesh_.leaf_offsets);
   }
@@ -234,7 +213,7 @@ class LeafBoxes {
     --triangle_;
     return box;
   }
-  /// `kQuad`: known to be one.
+  /// `kQuad`: the two triangles are known to share an edge.
   template <bool kQuad = false>
   FLASHBVH_INLINE PackedBox take_two() {
     const auto& u = triangle_[-2].corner;
@@ -246,7 +225,7 @@ class LeafBoxes {
     triangle_ -= 2;
     return boxes_.packed(span);
   }
-  /// Apart from the loop over nodes, which needs the registers.
+  /// Kept out of the loop over nodes, which needs the registers.
   FLASHBVH_NOINLINE static PackedBox box_of_many(const Mesh& mesh, const Corners<Index>* end,
                                                  const Corners<Index>* first) {
     LeafBoxes boxes(mesh, end);
@@ -268,25 +247,25 @@ class LeafBoxes {
   const Index* offset_;
 };
 
-/// Of all children of an internal node, `box` being that of the one right after it.
+/// Adds the boxes of all children of an internal node to `box`, which is its first child's.
 template <class Mesh>
 FLASHBVH_INLINE inline void add_children(const Node<typename Mesh::Index>* nodes,
                                          const Node<typename Mesh::Index>* node, PackedBox& box) {
   const auto* child = nodes + node[1].link;
   if constexpr (Mesh::kLayout == Layout::post_indexed) {
-    // Its own link where it is alone: once more does no harm.
+    // An only child is its own link, and is added twice.
     do {
-      add_stored(box, child->box);
+      add_box(box, child->box);
       child = nodes + child->link;
     } while (child != node + 1);
   } else {
     for (const auto* const end = nodes + node->link; child != end; child = nodes + child->link) {
-      add_stored(box, child->box);
+      add_box(box, child->box);
     }
   }
 }
 
-/// The boxes of `nodes` from `end` down to `begin`.
+/// Sets the boxes of `nodes` from `end` down to `begin`.
 template <bool kOne, class Mesh>
 FLASHBVH_NOINLINE void refit_nodes(Node<typename Mesh::Index>* nodes, uint32_t begin, uint32_t end,
                                    const Vertex* vertices, const Mesh& mesh, RefitPlace& place) {
