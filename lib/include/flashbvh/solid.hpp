@@ -35,7 +35,7 @@ struct [[nodiscard]] PointAnswer {
   uint32_t visits;  ///< boxes tested
 };
 
-/// Returns the side of `point`, in cells of the mesh's source frame: within +-2^29 of its origin.
+/// Returns the side of `point`, in cells of the mesh's source frame.
 /// `not_closed`: the mesh has no inside.
 ///
 /// Visits the boxes above and below the point along z, some tens. Stack: 384 bytes on Cortex-M3 to
