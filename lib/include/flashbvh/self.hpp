@@ -49,8 +49,7 @@ template <class Index>
 Answer intersects_itself(const BasicMesh<Index, Layout::post_indexed>& mesh) {
   BasicSelfQuery<BasicMesh<Index, Layout::post_indexed>, detail::Intersection> query(mesh);
   TrianglePair<Index> found;
-  const Status status = query.run(UINT32_MAX, &found, 1).status;
-  return {status == Status::full ? Status::done : status, status != Status::done};
+  return detail::answer_of(query.run(UINT32_MAX, &found, 1).status);
 }
 
 // Compiled once, in the library.

@@ -35,10 +35,7 @@ uint8_t share_of(const RobotJoint& joint, const Frame& frame, const RobotLink& l
   if (part == 0 || joint.type == JointType::prismatic || joint.type == JointType::fixed) {
     return kWholeReach;
   }
-  constexpr uint64_t arc = 12868;  // pi/16, rounded up, in 2^-16: a turn's reach
-  const auto lever =
-      static_cast<uint32_t>((arc * lever_at(frame, link, frame_of_link) + 0xFFFF) >> 16);
-  const uint32_t share = lever / part;
+  const uint32_t share = reach_at(lever_at(frame, link, frame_of_link)) / part;
   return share < kWholeReach ? static_cast<uint8_t>(share) : kWholeReach;
 }
 

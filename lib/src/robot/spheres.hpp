@@ -14,6 +14,11 @@ namespace flashbvh::detail {
 /// the nearest 1/2,048 cell.
 int64_t centre_of(const RobotLink& link, const Frame& frame, int axis);
 
+/// The reach of a point that is `lever` 1/2,048 cells away from a joint's axis, rounded up.
+constexpr uint32_t reach_at(uint64_t lever) {
+  return static_cast<uint32_t>((12868 * lever + 0xFFFF) >> 16);  // pi/16, rounded up, in 2^-16
+}
+
 /// Distance of two links' bounding spheres, in 1/256 cell, rounded down; 0 if they intersect.
 uint32_t sphere_gap(const RobotLink& a, const Frame& frame_a, const RobotLink& b,
                     const Frame& frame_b);

@@ -96,8 +96,7 @@ uint32_t reach_of(const RobotJoint& joint, const RobotLink& link) {
     default:
       break;
   }
-  constexpr uint64_t arc = 12868;  // pi/16, rounded up, in 2^-16
-  return static_cast<uint32_t>((arc * lever_of(link) + 0xFFFF) >> 16);
+  return detail::reach_at(lever_of(link));
 }
 
 /// set_sphere() with a sphere round the volume that the link's sphere sweeps at all coordinates of
