@@ -50,6 +50,19 @@ void print(const GuardedMoves& moves) {
       static_cast<double>(of.work) / static_cast<double>(of.periods), of.most_work);
 }
 
+/// Runs all guards along the same moves from a place.
+void run_at_place(const std::vector<std::unique_ptr<GuardedMoves>>& guarded, NearMoves& moves) {
+  for (const auto& of : guarded) {
+    of->begin(moves.place());
+  }
+  for (int i = 0; i < kMovesOfPlace; ++i) {
+    const NearMove move = moves.move();
+    for (const auto& of : guarded) {
+      of->run(move);
+    }
+  }
+}
+
 int guard_moves(const Robot& robot, const NearOptions& options, long periods, std::uint64_t seed) {
   Random random(seed);
   const NearScene scene(robot, options);
@@ -65,15 +78,7 @@ int guard_moves(const Robot& robot, const NearOptions& options, long periods, st
                    "distance; bake with --pair LINK,LINK=0\n");
       return 1;
     }
-    for (const auto& of : guarded) {
-      of->begin(moves.place());
-    }
-    for (int i = 0; i < kMovesOfPlace; ++i) {
-      const NearMove move = moves.move();
-      for (const auto& of : guarded) {
-        of->run(move);
-      }
-    }
+    run_at_place(guarded, moves);
   }
   std::printf(
       "%ld periods, seed %llu, %g rad a period%s\n\n"
@@ -137,15 +142,7 @@ void guard_seed(const Robot& robot, std::uint64_t seed, SoundCounts& counts) {
   }
   for (int place = 0; place < kPlacesOfSeed && moves.find_place(400); ++place) {
     ++counts.places;
-    for (const auto& of : guarded) {
-      of->begin(moves.place());
-    }
-    for (int i = 0; i < kMovesOfPlace; ++i) {
-      const NearMove move = moves.move();
-      for (const auto& of : guarded) {
-        of->run(move);
-      }
-    }
+    run_at_place(guarded, moves);
   }
   ++counts.seeds;
   counts.queries += scene.oracle().queries();

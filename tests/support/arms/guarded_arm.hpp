@@ -18,7 +18,6 @@ class Period {
  public:
   Period(const FixedArm& arm, const Values& before, const Values& now);
   Values at_end() const { return now_; }
-  Values at_start() const { return before_; }
   /// Each variable at its old value, at its new one, or between.
   Values between(Random& random) const;
   /// Values at a moment: 0 is the start, 1 the end, any other one a random moment between.
