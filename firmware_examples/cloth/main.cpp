@@ -46,7 +46,7 @@ Vector before[sheet_VERTEX_COUNT];
 
 const Pose kInPlace = Pose::translated(0, 0, 0);
 
-struct Frame {
+struct FrameAnswers {
   uint32_t of_link = 0;    ///< intersecting pairs of link and cloth
   uint32_t of_itself = 0;  ///< intersecting pairs of the cloth
   uint32_t near_link = 0;
@@ -106,7 +106,7 @@ void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
 }
 
 /// Runs all queries of a frame. Not inlined, because the stack measurement needs its frame.
-Costs run_queries(const Mesh& mesh, Cloth& cloth, Frame& frame) {
+Costs run_queries(const Mesh& mesh, Cloth& cloth, FrameAnswers& frame) {
   Costs costs;
   costs.link = port::instructions_of([&] {
     PairQuery query(link, mesh, kInPlace);
@@ -141,7 +141,7 @@ Costs run_queries(const Mesh& mesh, Cloth& cloth, Frame& frame) {
   return costs;
 }
 
-void print_frame(int number, const Frame& frame, const Costs& costs) {
+void print_frame(int number, const FrameAnswers& frame, const Costs& costs) {
   port::print("frame ", number, ": link ", frame.of_link, " near ", frame.near_link, ", itself ",
               frame.of_itself, " near ", frame.near_itself, ", digest ", frame.digest,
               "; instructions: ");
@@ -168,7 +168,7 @@ int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
       port::print("vertex ", step.vertex, " left the lattice\n");
       return 1;
     }
-    Frame frame;
+    FrameAnswers frame;
     frame.digest ^= digest;
     Costs costs = run_queries(mesh.mesh(), cloth, frame);
     costs.refit = refit;
