@@ -170,7 +170,7 @@ TEST_CASE("surface area heuristic: one triangle is a leaf, two are a node with t
   check_whole(bake::build_default(two), two, 2, 4);
 }
 
-TEST_CASE("surface area heuristic: triangles that nothing tells apart are halved") {
+TEST_CASE("surface area heuristic: triangles that are all equal are halved") {
   for (const Vertex& r : {Vertex{0, 0, 0}, Vertex{9, 0, 0}, Vertex{9, 9, 0}, Vertex{9, 8, 7}}) {
     const LatticeMesh mesh = repeated(1024, {0, 0, 0}, {0, 0, 0}, r);
     const BuildTree tree = bake::build_sah(mesh, 1);

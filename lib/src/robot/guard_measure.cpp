@@ -215,9 +215,9 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t for_stop = detail::lasting(pair.stop, began, moved, robot_->slack);
   const uint32_t for_warn = detail::lasting(pair.warn, began, moved, robot_->slack);
   const uint32_t lasting = nearest > for_warn ? for_warn : nearest > for_stop ? for_stop : 0;
-  const uint32_t asked = detail::greater(sum_of(kept, share), lasting);
+  const uint32_t limit = detail::greater(sum_of(kept, share), lasting);
   core_->nearest = nearest;
-  core_->asked = asked < kMaxGuardDistance ? asked : kMaxGuardDistance;
+  core_->asked = limit < kMaxGuardDistance ? limit : kMaxGuardDistance;
   core_->cursor = {};
 }
 
