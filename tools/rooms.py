@@ -9,8 +9,8 @@ LIB = pathlib.Path(__file__).resolve().parents[1] / "lib"
 CHECKER = LIB.parent / "proofs" / "robot"
 ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "motion", "self_test", "robot", "c"]
 # Public headers lie in one folder; headers not listed here belong to the room query.
-PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "frame", "units", "status", "version"],
-          "predicates": ["triangle"], "motion": ["body_motion", "first_contact", "flashbvh"]}
+PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "units", "status", "version"],
+          "motion": ["first_contact", "flashbvh"]}
 ROOM_OF = {f"{name}.hpp": room for room, names in PUBLIC.items() for name in names}
 
 
