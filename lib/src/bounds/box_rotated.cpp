@@ -9,9 +9,7 @@
 
 #if defined(FLASHBVH_ROTATE_SSE2)
 #include "box_rotated_sse2.hpp"
-#elif defined(FLASHBVH_PORTABLE)
-// The definition.
-#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M'
+#elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_ROTATE_ASSEMBLY 1
 #if defined(__ARM_FEATURE_DSP)
 #include "box_rotated_dsp.hpp"
@@ -20,7 +18,7 @@
 #else
 #include "box_rotated_thumb1.hpp"
 #endif
-#else
+#elif !defined(FLASHBVH_PORTABLE)
 #define FLASHBVH_ROTATE_PLAIN 1
 #include "box_rotated_plain.hpp"
 #endif
@@ -28,8 +26,7 @@
 namespace flashbvh::detail {
 namespace {
 
-#if !defined(FLASHBVH_ROTATE_ASSEMBLY)
-#if !defined(FLASHBVH_ROTATE_SSE2) && !defined(FLASHBVH_ROTATE_PLAIN)
+#if defined(FLASHBVH_PORTABLE)
 
 /// Rounds a biased bound down to whole cells, clamped to the lattice: against a box on the lattice
 /// that decides alike.
@@ -61,6 +58,8 @@ inline PackedBox rotated(const SplitMatrix& matrix, const BoxTestStart* starts,
 
 #endif
 
+#if !defined(FLASHBVH_ROTATE_ASSEMBLY)
+
 /// Rotates `box` and keeps it; 0 if it overlaps `other`.
 FLASHBVH_NOINLINE uint32_t rotate_and_compare(RotatedBox& kept, const PackedBox& box,
                                               const PackedBox& other) {
@@ -77,9 +76,8 @@ FLASHBVH_NOINLINE uint32_t rotate_and_compare(RotatedBox& kept, const PackedBox&
 
 #endif
 
-/// Rotates `b` and, if it overlaps `a`, also `a`; 0 if they overlap. This case is rare, and the
-/// only one that saves registers: as a function of its own it keeps RotatedBoxTest::gap() free of
-/// that.
+/// Rotates `b` and, if it overlaps `a`, also `a`; 0 if they overlap. Kept out of line: the case is
+/// rare, and RotatedBoxTest::gap() saves fewer registers without it.
 FLASHBVH_NOINLINE uint32_t rotate_both(RotatedBox& kept_a, RotatedBox& kept_b, const PackedBox& a,
                                        const PackedBox& b) {
   const uint32_t gap = rotate_and_compare(kept_b, b, a);
