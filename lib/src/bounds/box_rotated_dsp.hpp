@@ -1,6 +1,6 @@
 // The inner step of the rotated box test for Armv7E-M and Armv8-M Mainline cores with the DSP
 // extension: the arithmetic of box_rotated.cpp with several words per load (LDM, LDRD), which
-// compilers do not find. They cost a fifth of the most cycles that a query is proven to take.
+// compilers do not find. In C++ a query is proven to take a fifth more cycles.
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_DSP_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_DSP_HPP
 

@@ -1,6 +1,6 @@
 // The inner step of the rotated box test for Armv7-M and Armv8-M Mainline cores without the DSP
 // extension (Cortex-M3): the arithmetic of box_rotated_plain.hpp, with a branch on 0 in one
-// instruction (CBZ), a shift inside a saturation (USAT) and all sums in registers. Without it a
+// instruction (CBZ), a shift inside a saturation (USAT) and all sums in registers. In C++ a
 // query is proven to take a fifth more cycles.
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_THUMB2_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_THUMB2_HPP
