@@ -10,7 +10,7 @@ CHECKER = LIB.parent / "proofs" / "robot"
 ORDER = ["plain", "arch", "lattice", "predicates", "bounds", "walk", "query", "motion", "self_test", "robot", "c"]
 # Public headers lie in one folder; headers not listed here belong to the room query.
 PUBLIC = {"lattice": ["lattice", "mesh", "image", "pose", "units", "status", "version"],
-          "motion": ["first_contact", "flashbvh"]}
+          "predicates": ["triangle"], "motion": ["first_contact", "flashbvh"]}
 ROOM_OF = {f"{name}.hpp": room for room, names in PUBLIC.items() for name in names}
 
 
@@ -18,8 +18,6 @@ def room_of(path):
     folder = path.parent.name
     if folder in ORDER:
         return folder
-    if path.name == "status.h":
-        return "plain"
     return "c" if path.suffix == ".h" else ROOM_OF.get(path.name, "query")
 
 

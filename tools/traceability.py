@@ -78,7 +78,7 @@ def gaps_of(manual, tests):
     names = [name for name, *_ in requirements]
     yield from (f"{name}: there are two" for name in set(names) if names.count(name) > 1)
     rows = set(named(manual.split("## 3.")[1].split("## 4.")[0]))
-    for status in re.findall(r"FLASHBVH_STATUS_(\w+) =", (ROOT / "lib/include/flashbvh/status.h").read_text()):
+    for status in re.findall(r"FLASHBVH_STATUS_(\w+) =", (ROOT / "lib/include/flashbvh/plain/status.h").read_text()):
         if status.lower() not in rows:
             yield f"{status.lower()}: section 3 does not say what to do"
 

@@ -3,7 +3,7 @@
 
 #include <flashbvh/contact.hpp>
 #include <flashbvh/first_contact.hpp>
-#include <flashbvh/lattice.hpp>
+#include <flashbvh/triangle.hpp>
 
 #include "program_text.hpp"
 #include "scene.hpp"

@@ -16,7 +16,7 @@ def main(work):
     shutil.rmtree(work, ignore_errors=True)
     Path(work).mkdir(parents=True)
     options = (HERE / "Doxyfile").read_text() + (
-        f"INPUT = flashbvh flashbvh/robot {HERE}/scopes.dox\nOUTPUT_DIRECTORY = {work}\n")
+        f"INPUT = flashbvh flashbvh/robot flashbvh/plain/status.h {HERE}/scopes.dox\nOUTPUT_DIRECTORY = {work}\n")
     log = subprocess.run(["doxygen", "-"], input=options, cwd=HERE.parents[1] / "lib/include", text=True,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout
     if not Path(work, "xml/classflashbvh_1_1Pose.xml").exists():

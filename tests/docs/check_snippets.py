@@ -18,7 +18,7 @@ def problems():
             yield f"{page} shows nothing of {programs}"
         yield from (f"{page} shows what {programs} don't have:\n{block}" for block in blocks if f"\n{block}" not in source)
     guide = (ROOT / "lib/docs/guide.md").read_text()
-    statuses = re.findall("FLASHBVH_STATUS_([A-Z_]+) =", (ROOT / "lib/include/flashbvh/status.h").read_text())
+    statuses = re.findall("FLASHBVH_STATUS_([A-Z_]+) =", (ROOT / "lib/include/flashbvh/plain/status.h").read_text())
     yield from (f"the guide does not say what to do about {status.lower()}" for status in statuses
                 if not re.search(rf"^\|[^|]*`{status.lower()}`[^|]*\|", guide, re.M))
 

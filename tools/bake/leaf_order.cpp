@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh::bake {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {

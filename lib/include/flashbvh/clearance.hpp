@@ -20,8 +20,8 @@
 #include "flashbvh/collide.hpp"
 #include "flashbvh/detail/query/nearest.hpp"
 #include "flashbvh/detail/query/proximity.hpp"
-#include "flashbvh/lattice.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh {
 

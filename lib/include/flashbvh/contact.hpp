@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/bounds/transform.hpp"
-#include "flashbvh/lattice.hpp"
 #include "flashbvh/query.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh {
 

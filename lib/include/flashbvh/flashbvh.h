@@ -30,7 +30,7 @@
 #include "flashbvh/plain/memory_region.h"
 #include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"
-#include "flashbvh/status.h"
+#include "flashbvh/plain/status.h"
 #include "flashbvh/version.hpp" /* macros only, for C and C++ */
 
 #ifdef __cplusplus

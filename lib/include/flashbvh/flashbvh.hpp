@@ -18,6 +18,7 @@
 #include "flashbvh/solid.hpp"
 #include "flashbvh/status.hpp"
 #include "flashbvh/time_bound.hpp"
+#include "flashbvh/triangle.hpp"
 #include "flashbvh/version.hpp"
 
 #endif

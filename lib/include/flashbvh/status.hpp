@@ -1,4 +1,4 @@
-// Every way in which a flashbvh call can end: C++ names of the C statuses.
+// The end of a flashbvh call: its status, and the result and cursor of a query's run.
 #ifndef FLASHBVH_STATUS_HPP
 #define FLASHBVH_STATUS_HPP
 
@@ -6,12 +6,12 @@
 
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/results.h"
-#include "flashbvh/status.h"
+#include "flashbvh/plain/status.h"
 
 namespace flashbvh {
 
-/// status.h has the values, which never change, and their meanings. The compiler warns if a status
-/// is dropped (plain/language.h).
+/// plain/status.h has the values, which never change, and their meanings. The compiler warns if a
+/// status is dropped (plain/language.h).
 enum class Status : uint8_t {
   done = FLASHBVH_STATUS_DONE,
   suspended = FLASHBVH_STATUS_SUSPENDED,

@@ -1,6 +1,6 @@
 // Directions of leaf planes, for tools.
 #include "flashbvh/detail/bounds/slab.hpp"
-#include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh {
 

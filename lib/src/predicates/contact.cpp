@@ -10,7 +10,7 @@
 //
 // Invariant: only differences of corners are multiplied, so their position never matters. Each
 // value is exact up to fine_crossing.hpp.
-#include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 
 #include "contact_flat.hpp"
 #include "fine_crossing.hpp"

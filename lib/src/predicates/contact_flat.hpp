@@ -2,7 +2,7 @@
 #ifndef FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
 #define FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
 
-#include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh::detail {
 

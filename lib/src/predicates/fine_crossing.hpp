@@ -3,7 +3,7 @@
 #ifndef FLASHBVH_PREDICATES_FINE_CROSSING_HPP
 #define FLASHBVH_PREDICATES_FINE_CROSSING_HPP
 
-#include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 #include "orientation.hpp"
 
 namespace flashbvh::detail {

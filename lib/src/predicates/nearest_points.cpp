@@ -1,7 +1,7 @@
 // Nearest points of two triangles, rounded to 1/256 cell.
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
-#include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 #include "long_division.hpp"
 
 namespace flashbvh {

@@ -13,6 +13,7 @@
 #include "flashbvh/detail/lattice/packed_vector.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/lattice.hpp"
+#include "flashbvh/triangle.hpp"
 
 namespace flashbvh::detail {
 

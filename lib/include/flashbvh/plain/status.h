@@ -1,6 +1,6 @@
 /* Every way in which a flashbvh call can end, for C and, by the names of status.hpp, for C++. */
-#ifndef FLASHBVH_STATUS_H
-#define FLASHBVH_STATUS_H
+#ifndef FLASHBVH_PLAIN_STATUS_H
+#define FLASHBVH_PLAIN_STATUS_H
 
 /** The values are part of the interface and never change. All fit 8 bits. */
 typedef enum flashbvh_status {
