@@ -2,9 +2,9 @@
 // about the joint, the links are decided and guarded like any pair; inside, they are not checked,
 // and messages say so.
 //
-// The zone is as small as the contacts over the joint's range: where they grow towards a limit, a
-// real collision may be there. Shells of a link that touch the other link at some values alone (a
-// post on a table) have no zone: they are checked everywhere.
+// The zone is as small as the contacts over the middle three quarters of the joint's range: where
+// they grow towards a limit, a real collision may be there. Shells of a link that touch the other
+// link at some values alone (a post on a table) have no zone: they are checked everywhere.
 #pragma once
 
 #include <map>
