@@ -1,4 +1,4 @@
-"""guide.py WORK FLASHBVH: runs the guide's commands in order."""
+"""guide.py WORK FLASHBVH: runs the guide's commands in order, and finds each status in the guide."""
 import os
 import re
 import shutil
@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+GUIDE = (ROOT / "lib/docs/guide.md").read_text()
 
 
 def run(*command):
@@ -17,7 +18,7 @@ def run(*command):
 
 
 def commands():
-    return "".join(re.findall(r"^```sh\n(.*?)^```$", (ROOT / "lib/docs/guide.md").read_text(), re.M | re.S))
+    return "".join(re.findall(r"^```sh\n(.*?)^```$", GUIDE, re.M | re.S))
 
 
 def main(work, flashbvh):
@@ -34,6 +35,9 @@ def main(work, flashbvh):
     for line in "^ *0 .* 0$", "^any pose: at most", "^go$", "^stay$":
         if not re.search(line, log, re.M):
             sys.exit(f"{log}no '{line}'")
+    for status in re.findall("FLASHBVH_STATUS_([A-Z_]+) =", (ROOT / "lib/include/flashbvh/plain/status.h").read_text()):
+        if not re.search(rf"^\|[^|]*`{status.lower()}`[^|]*\|", GUIDE, re.M):
+            sys.exit(f"the guide does not say what to do about {status.lower()}")
     for file in map(Path, ("pairs.txt", "report.html")):
         if not file.exists() or not file.stat().st_size:
             sys.exit(f"{log}no {file}")

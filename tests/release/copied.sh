@@ -35,6 +35,7 @@ grep -qx "0.5 mm above the plate: touches" log || fail "not the plate as it is"
 # In C: the guide's program, which exits with 0 if its answers are right.
 rm copied/main.cpp copied/cortex_m4/build/main.*
 cp "$ROOT/tests/docs/guide.c" copied/main.c
+python3 "$ROOT/tests/docs/snippets.py" copied
 cp "$ROOT/firmware_examples/quick_start/plate.obj" copied
 quietly make_in_copy run "FLASHBVH=$PACKAGES/amalgamation"
 [ "${1:-}" != quick ] || exit 0

@@ -1,0 +1,36 @@
+"""snippets.py FOLDER: writes the C++ and C that README.md and the guide show into FOLDER, a file for each section of a
+page, which the programs guide.cpp, guide.c and guide_robot.c include: guide_05.cpp, readme.cpp. Fails if none does."""
+import re
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+
+def snippets(page):
+    """The text of each file by its name. Errors of compilers name lines of the page."""
+    name = page.stem.lower()
+    made, language = {}, ""
+    for number, line in enumerate(page.read_text().splitlines(keepends=True), 1):
+        if section := re.match(r"## (\d+)\. ", line):
+            name = f"{page.stem}_{int(section[1]):02}"
+        if line.startswith("```"):
+            language = line[3:].strip()
+            line = f'#line {number + 1} "{page.relative_to(ROOT)}"\n'
+        if language in ("cpp", "c"):
+            file = f"{name}.{language}"
+            made[file] = made.get(file, "") + line
+    return made
+
+
+def main(folder):
+    programs = "".join((HERE / program).read_text() for program in ("guide.cpp", "guide.c", "guide_robot.c"))
+    for page in ROOT / "README.md", ROOT / "lib/docs/guide.md":
+        for name, text in snippets(page).items():
+            if f'#include "{name}"' not in programs:
+                sys.exit(f"{page.relative_to(ROOT)}: no program of tests/docs includes {name}")
+            Path(folder, name).write_text(text)
+
+
+main(*sys.argv[1:])
