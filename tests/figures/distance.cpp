@@ -105,9 +105,7 @@ Clearance<uint16_t> add_distance(const FigureNames& names, const char* hint, con
 bool measure_pose(const MeshPair& pair, const QueryPose& query_pose, const char* motion,
                   const char* proximity) {
   const Pose pose = pose_of(query_pose);
-  QueryPose before = query_pose;
-  before.cells[0] += kStep;
-  const Clearance<uint16_t> near = distance(*pair.a, *pair.b, pose_of(before));
+  const Clearance<uint16_t> near = distance(*pair.a, *pair.b, pose_of(query_pose, kStep));
   const FigureNames names = {"distance", motion, proximity};
   const Clearance<uint16_t> first = add_distance(names, "cold", pair, pose, {});
   const Clearance<uint16_t> second = add_distance(names, "hint", pair, pose, near.witness);

@@ -8,7 +8,9 @@ using namespace flashbvh;
 namespace figures {
 namespace {
 
-bool add_queries(const FigureNames& names, const MeshPair& pair, const QueryPose& query_pose) {
+bool measure_pose(const MeshPair& pair, const QueryPose& query_pose, const char* motion,
+                  const char* proximity) {
+  const FigureNames names = {pair.a_name, motion, proximity};
   const Pose pose = pose_of(query_pose);
   RunResult all{};
   measure(names.whole("query"), [&] { all = count_pairs(*pair.a, *pair.b, pose); });
@@ -25,5 +27,5 @@ bool add_queries(const FigureNames& names, const MeshPair& pair, const QueryPose
 }  // namespace figures
 
 int main() {
-  return figures::measure_others("others", figures::add_queries);
+  return figures::measure_others("others", figures::measure_pose);
 }

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int32_t kStep = 10;  // cells, from the pose whose answer is the hint
 
-Pose pose_before(QueryPose query_pose) {
-  query_pose.cells[0] += kStep;
-  return pose_of(query_pose);
-}
-
-bool add_distances(const FigureNames& names, const MeshPair& pair, const QueryPose& query_pose) {
+bool measure_pose(const MeshPair& pair, const QueryPose& query_pose, const char* motion,
+                  const char* proximity) {
+  if (proximity == kProximityNames[static_cast<uint32_t>(Proximity::intersecting)]) {
+    return true;
+  }
+  const FigureNames names = {pair.a_name, motion, proximity};
   const Pose pose = pose_of(query_pose);
-  const auto before = distance(*pair.a, *pair.b, pose_before(query_pose));
+  const auto before = distance(*pair.a, *pair.b, pose_of(query_pose, kStep));
   Clearance<uint16_t> cold{};
   Clearance<uint16_t> hinted{};
   measure(names.whole("cold"), [&] { cold = distance(*pair.a, *pair.b, pose); });
@@ -32,10 +32,5 @@ bool add_distances(const FigureNames& names, const MeshPair& pair, const QueryPo
 }  // namespace figures
 
 int main() {
-  return figures::measure_others("others_distance", [](const auto& names, const auto& pair,
-                                                       const auto& query_pose) {
-    return names.proximity ==
-               figures::kProximityNames[static_cast<uint32_t>(figures::Proximity::intersecting)] ||
-           figures::add_distances(names, pair, query_pose);
-  });
+  return figures::measure_others("others_distance", figures::measure_pose);
 }

@@ -13,12 +13,6 @@ namespace {
 
 constexpr int32_t kWay = 100;  // cells
 
-Pose moved(const QueryPose& query_pose, int32_t by) {
-  QueryPose at = query_pose;
-  at.cells[0] += by;
-  return pose_of(at);
-}
-
 /// A turn about an axis through the middle of B's box that moves its corners by kWay.
 Move turn_of(const Mesh& b, const Pose& pose) {
   const Box box = unpack(b.nodes[0].box);
@@ -66,8 +60,8 @@ bool measure_pose(const MeshPair& pair, const QueryPose& query_pose, const char*
   if (proximity == kProximityNames[0]) {
     return true;
   }
-  const Pose from = moved(query_pose, -kWay / 2);
-  const Pose to = moved(query_pose, kWay / 2);
+  const Pose from = pose_of(query_pose, -kWay / 2);
+  const Pose to = pose_of(query_pose, kWay / 2);
   BodyMotion straight = BodyMotion::between(from, to);
   measure({{"motion", "between", motion}}, [&] { straight = BodyMotion::between(from, to); });
   measure({{"motion", "pose_at", motion}}, [&] { (void)straight.pose_at(kMotionEnd / 4); });

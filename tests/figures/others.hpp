@@ -6,23 +6,13 @@
 
 namespace figures {
 
-/// Calls `add(names, pair, query_pose)` for each pose in turn. Returns main()'s status: 1 if a call
-/// returns false. `set`: the name of the digest's set.
-template <class Add>
-int measure_others(const char* set, const Add& add) {
-  constexpr bool kRotated[] = {false, true};
+/// Calls `measure_pose` for each pose in turn (for_each_query_pose()). Returns main()'s status: 1
+/// if a call returns false. `set`: the name of the digest's set.
+template <class Call>
+int measure_others(const char* set, const Call& measure_pose) {
   bool right = true;
   for (uint32_t p = 0; p < kMeshPairCount; ++p) {
-    const MeshPair& pair = kMeshPairs[p];
-    for (const bool rotated : kRotated) {
-      for (uint32_t i = 0; i < kProximities; ++i) {
-        const FigureNames names = {pair.a_name, rotated ? "rotated" : "translated",
-                                   kProximityNames[i]};
-        for (const QueryPose& query_pose : (rotated ? pair.rotated : pair.translated)[i]) {
-          right = add(names, pair, query_pose) && right;
-        }
-      }
-    }
+    right = for_each_query_pose(measure_pose, kMeshPairs + p, 1) && right;
     print_rows();
   }
   return print_all(set, right);

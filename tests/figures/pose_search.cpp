@@ -1,6 +1,9 @@
 #include "pose_search.hpp"
 
+#include <algorithm>
+
 #include "flashbvh/collide.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/pose.hpp"
 
 using namespace flashbvh;
@@ -12,15 +15,9 @@ namespace {
 constexpr std::int32_t kRadius = 20000;
 constexpr std::int64_t kScanSteps = 64;
 
-/// The largest number whose square is at most `value`.
-std::int64_t square_root(std::int64_t value) {
-  std::int64_t root = 0;
-  for (std::int64_t bit = std::int64_t{1} << 30; bit != 0; bit >>= 1) {
-    if ((root + bit) * (root + bit) <= value) {
-      root += bit;
-    }
-  }
-  return root;
+/// Rounded down.
+std::int64_t length_of(const std::int64_t (&v)[3]) {
+  return square_root(static_cast<std::uint64_t>(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
 }
 
 /// A uniform point in a ball, but not near its middle: so its direction is uniform, too.
@@ -48,10 +45,6 @@ void measure_root(const Mesh& tree, std::int64_t (&middle)[3], std::int64_t (&si
   }
 }
 
-std::int64_t diagonal(const std::int64_t (&side)[3]) {
-  return square_root(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) + 1;
-}
-
 }  // namespace
 
 PoseSearch::PoseSearch(const Meshes& searched, const Meshes& queried, std::uint64_t seed)
@@ -60,9 +53,8 @@ PoseSearch::PoseSearch(const Meshes& searched, const Meshes& queried, std::uint6
   std::int64_t side_b[3];
   measure_root(*searched.a, middle_a_, side_a);
   measure_root(*searched.b, middle_b_, side_b);
-  reach_ = (diagonal(side_a) + diagonal(side_b)) / 2 + 2;
-  size_b_ = side_b[0] > side_b[1] ? side_b[0] : side_b[1];
-  size_b_ = size_b_ > side_b[2] ? size_b_ : side_b[2];
+  reach_ = (length_of(side_a) + length_of(side_b)) / 2 + 3;
+  size_b_ = *std::max_element(side_b, side_b + 3);
 }
 
 QueryPose PoseSearch::next(Proximity proximity, bool rotated) {
@@ -82,32 +74,22 @@ PoseSearch::Approach PoseSearch::any_approach(bool rotated) {
   if (rotated) {
     set_in_ball(random_, q);
   }
-  approach.quaternion = {static_cast<std::int32_t>(q[0]), static_cast<std::int32_t>(q[1]),
-                         static_cast<std::int32_t>(q[2]), static_cast<std::int32_t>(q[3])};
+  std::copy(q, q + 4, approach.rotated.quaternion);
   set_in_ball(random_, approach.direction);
-  const std::int64_t(&d)[3] = approach.direction;
-  approach.length = square_root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   return approach;
 }
 
 QueryPose PoseSearch::at(const Approach& approach, std::int64_t distance) const {
-  const test::Quaternion& q = approach.quaternion;
-  QueryPose query_pose = {{static_cast<std::int16_t>(q.w), static_cast<std::int16_t>(q.x),
-                           static_cast<std::int16_t>(q.y), static_cast<std::int16_t>(q.z)},
-                          {0, 0, 0},
-                          0,
-                          0,
-                          0,
-                          0};
+  QueryPose query_pose = approach.rotated;
   const Pose rotated = pose_of(query_pose);
   for (int axis = 0; axis < 3; ++axis) {
     std::int64_t middle = 0;  // B's middle, rotated
     for (int i = 0; i < 3; ++i) {
       middle += rotated.rotation(axis, i) * middle_b_[i];
     }
-    query_pose.cells[axis] =
-        static_cast<std::int32_t>((middle_a_[axis] - middle / kRotationOne) / 2 +
-                                  approach.direction[axis] * distance / approach.length);
+    query_pose.cells[axis] = static_cast<std::int32_t>(
+        (middle_a_[axis] - middle / kRotationOne) / 2 +
+        approach.direction[axis] * distance / length_of(approach.direction));
   }
   return query_pose;
 }

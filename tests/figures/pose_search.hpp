@@ -25,9 +25,8 @@ class PoseSearch {
 
  private:
   struct Approach {
-    flashbvh::test::Quaternion quaternion;
+    QueryPose rotated;  ///< at the origin; the counts are 0
     std::int64_t direction[3];
-    std::int64_t length;  ///< of the direction
   };
 
   Approach any_approach(bool rotated);

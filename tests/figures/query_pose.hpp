@@ -48,22 +48,25 @@ struct MeshPair {
 extern const MeshPair kMeshPairs[];
 extern const uint32_t kMeshPairCount;
 
-inline flashbvh::Pose pose_of(const QueryPose& query_pose) {
+/// The pose, or the pose `along_x` cells further.
+inline flashbvh::Pose pose_of(const QueryPose& query_pose, int32_t along_x = 0) {
   const int16_t(&q)[4] = query_pose.quaternion;
-  return flashbvh::Pose::rigid(flashbvh::test::rotation_of({q[0], q[1], q[2], q[3]}).entry,
-                               query_pose.cells);
+  const int32_t cells[3] = {query_pose.cells[0] + along_x, query_pose.cells[1],
+                            query_pose.cells[2]};
+  return flashbvh::Pose::rigid(flashbvh::test::rotation_of({q[0], q[1], q[2], q[3]}).entry, cells);
 }
 
-/// Calls `call(pair, query_pose, motion, proximity)` for each pose of each pair; MOTION is
+/// Calls `call(pair, query_pose, motion, proximity)` for each pose of `count` pairs; MOTION is
 /// translated or rotated. Returns whether all calls return true.
 template <class Call>
-bool for_each_query_pose(const Call& call) {
+bool for_each_query_pose(const Call& call, const MeshPair* pairs = kMeshPairs,
+                         uint32_t count = kMeshPairCount) {
   bool right = true;
   constexpr bool kRotated[] = {false, true};
   for (const bool rotated : kRotated) {
     for (uint32_t i = 0; i < kProximities; ++i) {
-      for (uint32_t p = 0; p < kMeshPairCount; ++p) {
-        const MeshPair& pair = kMeshPairs[p];
+      for (uint32_t p = 0; p < count; ++p) {
+        const MeshPair& pair = pairs[p];
         for (const QueryPose& query_pose : (rotated ? pair.rotated : pair.translated)[i]) {
           right = call(pair, query_pose, rotated ? "rotated" : "translated", kProximityNames[i]) &&
                   right;

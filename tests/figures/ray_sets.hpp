@@ -12,16 +12,14 @@ namespace figures {
 
 /// A mesh's box, in its frame.
 struct Box {
-  flashbvh::Point lower = {INT32_MAX, INT32_MAX, INT32_MAX};
-  flashbvh::Point upper = {INT32_MIN, INT32_MIN, INT32_MIN};
+  flashbvh::Point lower;
+  flashbvh::Point upper;
 
   explicit Box(const flashbvh::Mesh& mesh) {
-    for (uint32_t i = 0; i < mesh.vertex_count; ++i) {
-      const flashbvh::Vertex& v = mesh.vertices[i];
-      extend(v.x + mesh.origin[0], lower.x, upper.x);
-      extend(v.y + mesh.origin[1], lower.y, upper.y);
-      extend(v.z + mesh.origin[2], lower.z, upper.z);
-    }
+    const flashbvh::Box root = flashbvh::unpack(mesh.nodes[0].box);
+    const int32_t(&o)[3] = mesh.origin;
+    lower = {root.lower.x + o[0], root.lower.y + o[1], root.lower.z + o[2]};
+    upper = {root.upper.x + o[0], root.upper.y + o[1], root.upper.z + o[2]};
   }
   flashbvh::Point middle() const {
     return {(lower.x + upper.x) / 2, (lower.y + upper.y) / 2, (lower.z + upper.z) / 2};
@@ -36,12 +34,6 @@ struct Box {
   bool holds(const flashbvh::Point& p) const {
     return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
            p.z <= upper.z;
-  }
-
- private:
-  static void extend(int32_t value, int32_t& least, int32_t& most) {
-    least = value < least ? value : least;
-    most = value > most ? value : most;
   }
 };
 
