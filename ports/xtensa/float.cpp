@@ -1,5 +1,8 @@
 // Float and double functions that GCC calls and that its library for the LX106 omits. IEEE 754,
 // rounded to the nearest, halves to even, with subnormals, infinities and NaN.
+//
+// Sums and products of floats are computed as doubles: these have more than twice the bits of
+// floats, and 2 more, so rounding twice gives the nearest float (Figueroa 1995).
 #include <stdint.h>
 
 namespace {
@@ -84,25 +87,23 @@ typename F::Bits pack(typename F::Bits sign, int exponent, typename F::Bits mant
   return sign | bits;
 }
 
-template <class F>
-typename F::Bits add(typename F::Bits one, typename F::Bits other) {
-  if ((one & ~F::kSign) < (other & ~F::kSign)) {
-    const typename F::Bits less = one;
+uint64_t add(uint64_t one, uint64_t other) {
+  if ((one & ~Double::kSign) < (other & ~Double::kSign)) {
+    const uint64_t less = one;
     one = other;
     other = less;
   }
-  const Number<F> a(one);
-  const Number<F> b(other);
+  const Number<Double> a(one);
+  const Number<Double> b(other);
   if (a.is_special()) {
-    return a.is_nan() || (b.is_special() && a.sign != b.sign) ? F::kNan : one;
+    return a.is_nan() || (b.is_special() && a.sign != b.sign) ? Double::kNan : one;
   }
-  const typename F::Bits moved =
-      shift_right<typename F::Bits>(b.mantissa << 3, a.exponent - b.exponent);
+  const uint64_t moved = shift_right(b.mantissa << 3, a.exponent - b.exponent);
   if (a.sign == b.sign) {
-    return pack<F>(a.sign, a.exponent, (a.mantissa << 3) + moved);
+    return pack<Double>(a.sign, a.exponent, (a.mantissa << 3) + moved);
   }
-  const typename F::Bits rest = (a.mantissa << 3) - moved;
-  return rest == 0 ? 0 : pack<F>(a.sign, a.exponent, rest);
+  const uint64_t rest = (a.mantissa << 3) - moved;
+  return rest == 0 ? 0 : pack<Double>(a.sign, a.exponent, rest);
 }
 
 /// a * b * 2^-shift for numbers below 2^53; 32 < shift < 64.
@@ -115,20 +116,18 @@ uint64_t product(uint64_t a, uint64_t b, int shift) {
   return high << (64 - shift) | shift_right(least, shift);
 }
 
-template <class F>
-typename F::Bits multiply(typename F::Bits one, typename F::Bits other) {
-  Number<F> a(one);
-  Number<F> b(other);
-  const typename F::Bits sign = a.sign ^ b.sign;
+uint64_t multiply(uint64_t one, uint64_t other) {
+  Number<Double> a(one);
+  Number<Double> b(other);
+  const uint64_t sign = a.sign ^ b.sign;
   if (a.is_special() || b.is_special()) {
     const bool is_nan = a.is_nan() || b.is_nan() || a.is_zero() || b.is_zero();
-    return is_nan ? F::kNan : sign | F::kInfinity;
+    return is_nan ? Double::kNan : sign | Double::kInfinity;
   }
   a.normalise();
   b.normalise();
-  constexpr int kUp = Double::kFraction - F::kFraction;  // of a, so that all formats share a shift
-  const uint64_t mantissa = product(uint64_t{a.mantissa} << kUp, b.mantissa, Double::kFraction - 3);
-  return pack<F>(sign, a.exponent + b.exponent - F::kBias, static_cast<typename F::Bits>(mantissa));
+  return pack<Double>(sign, a.exponent + b.exponent - Double::kBias,
+                      product(a.mantissa, b.mantissa, Double::kFraction - 3));
 }
 
 uint64_t divide(uint64_t one, uint64_t other) {
@@ -159,22 +158,6 @@ uint64_t divide(uint64_t one, uint64_t other) {
                       quotient | static_cast<uint64_t>(a.mantissa != 0));
 }
 
-/// Converts a whole number.
-template <class F>
-typename F::Bits whole(uint32_t magnitude, bool is_negative) {
-  return pack<F>(is_negative ? F::kSign : 0, F::kBias + F::kFraction + 3, magnitude);
-}
-
-template <class F>
-uint32_t truncated(typename F::Bits bits) {
-  const Number<F> number(bits);
-  const int shift = number.exponent - F::kBias - F::kFraction;
-  const typename F::Bits magnitude = shift >= 0
-                                         ? number.mantissa << (shift < 31 ? shift : 31)
-                                         : (shift > -F::kWidth ? number.mantissa >> -shift : 0);
-  return static_cast<uint32_t>(number.sign != 0 ? 0 - magnitude : magnitude);
-}
-
 template <class To, class From>
 To bits_of(From value) {
   static_assert(sizeof(To) == sizeof(From), "");
@@ -183,84 +166,91 @@ To bits_of(From value) {
   return bits;
 }
 
-float single(uint32_t bits) {
-  return bits_of<float>(bits);
+/// Rounded towards 0; any number if it does not fit.
+uint32_t truncated(double value) {
+  const Number<Double> number(bits_of<uint64_t>(value));
+  const int shift = Double::kBias + Double::kFraction - number.exponent;
+  const auto magnitude =
+      static_cast<uint32_t>(shift > 0 && shift < 64 ? number.mantissa >> shift : 0);
+  return number.sign != 0 ? 0 - magnitude : magnitude;
 }
-double dual(uint64_t bits) {
-  return bits_of<double>(bits);
+
+double whole(uint32_t magnitude, uint64_t sign) {
+  return bits_of<double>(pack<Double>(sign, Double::kBias + Double::kFraction + 3, magnitude));
 }
-uint32_t bits(float value) {
-  return bits_of<uint32_t>(value);
+
+double wide(float value) {
+  const Number<Single> number(bits_of<uint32_t>(value));
+  const uint64_t sign = uint64_t{number.sign} << 32;
+  if (number.is_special()) {
+    return bits_of<double>(sign | (number.is_nan() ? Double::kNan : Double::kInfinity));
+  }
+  constexpr int kUp = Double::kFraction - Single::kFraction;
+  return bits_of<double>(pack<Double>(sign, number.exponent - Single::kBias + Double::kBias,
+                                      uint64_t{number.mantissa} << (kUp + 3)));
 }
-uint64_t bits(double value) {
-  return bits_of<uint64_t>(value);
+
+float narrow(double value) {
+  const Number<Double> number(bits_of<uint64_t>(value));
+  const auto sign = static_cast<uint32_t>(number.sign >> 32);
+  if (number.is_special()) {
+    return bits_of<float>(sign | (number.is_nan() ? Single::kNan : Single::kInfinity));
+  }
+  constexpr int kDown = Double::kFraction - Single::kFraction - 3;
+  return bits_of<float>(pack<Single>(sign, number.exponent - Double::kBias + Single::kBias,
+                                     static_cast<uint32_t>(shift_right(number.mantissa, kDown))));
 }
 
 }  // namespace
 
 extern "C" {
-float __addsf3(float a, float b) {
-  return single(add<Single>(bits(a), bits(b)));
-}
-float __subsf3(float a, float b) {
-  return single(add<Single>(bits(a), bits(b) ^ Single::kSign));
-}
-float __mulsf3(float a, float b) {
-  return single(multiply<Single>(bits(a), bits(b)));
-}
 double __adddf3(double a, double b) {
-  return dual(add<Double>(bits(a), bits(b)));
+  return bits_of<double>(add(bits_of<uint64_t>(a), bits_of<uint64_t>(b)));
 }
 double __subdf3(double a, double b) {
-  return dual(add<Double>(bits(a), bits(b) ^ Double::kSign));
+  return bits_of<double>(add(bits_of<uint64_t>(a), bits_of<uint64_t>(b) ^ Double::kSign));
 }
 double __muldf3(double a, double b) {
-  return dual(multiply<Double>(bits(a), bits(b)));
+  return bits_of<double>(multiply(bits_of<uint64_t>(a), bits_of<uint64_t>(b)));
 }
 double __divdf3(double a, double b) {
-  return dual(divide(bits(a), bits(b)));
-}
-float __floatsisf(int32_t value) {
-  return single(whole<Single>(
-      value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value), value < 0));
-}
-float __floatunsisf(uint32_t value) {
-  return single(whole<Single>(value, false));
-}
-double __floatsidf(int32_t value) {
-  return dual(whole<Double>(
-      value < 0 ? 0u - static_cast<uint32_t>(value) : static_cast<uint32_t>(value), value < 0));
+  return bits_of<double>(divide(bits_of<uint64_t>(a), bits_of<uint64_t>(b)));
 }
 double __floatunsidf(uint32_t value) {
-  return dual(whole<Double>(value, false));
+  return whole(value, 0);
+}
+double __floatsidf(int32_t value) {
+  const auto bits = static_cast<uint32_t>(value);
+  return value < 0 ? whole(0 - bits, Double::kSign) : whole(bits, 0);
 }
 int32_t __fixdfsi(double value) {
-  return static_cast<int32_t>(truncated<Double>(bits(value)));
+  return static_cast<int32_t>(truncated(value));
 }
 uint32_t __fixunsdfsi(double value) {
-  return truncated<Double>(bits(value));
-}
-uint32_t __fixunssfsi(float value) {
-  return truncated<Single>(bits(value));
+  return truncated(value);
 }
 double __extendsfdf2(float value) {
-  const Number<Single> number(bits(value));
-  const uint64_t sign = uint64_t{number.sign} << 32;
-  if (number.is_special()) {
-    return dual(sign | (number.is_nan() ? Double::kNan : Double::kInfinity));
-  }
-  constexpr int kUp = Double::kFraction - Single::kFraction;
-  return dual(pack<Double>(sign, number.exponent - Single::kBias + Double::kBias,
-                           uint64_t{number.mantissa} << (kUp + 3)));
+  return wide(value);
 }
 float __truncdfsf2(double value) {
-  const Number<Double> number(bits(value));
-  const auto sign = static_cast<uint32_t>(number.sign >> 32);
-  if (number.is_special()) {
-    return single(sign | (number.is_nan() ? Single::kNan : Single::kInfinity));
-  }
-  constexpr int kDown = Double::kFraction - Single::kFraction - 3;
-  return single(pack<Single>(sign, number.exponent - Double::kBias + Single::kBias,
-                             static_cast<uint32_t>(shift_right(number.mantissa, kDown))));
+  return narrow(value);
+}
+float __addsf3(float a, float b) {
+  return narrow(__adddf3(wide(a), wide(b)));
+}
+float __subsf3(float a, float b) {
+  return narrow(__subdf3(wide(a), wide(b)));
+}
+float __mulsf3(float a, float b) {
+  return narrow(__muldf3(wide(a), wide(b)));
+}
+float __floatsisf(int32_t value) {
+  return narrow(__floatsidf(value));
+}
+float __floatunsisf(uint32_t value) {
+  return narrow(whole(value, 0));
+}
+uint32_t __fixunssfsi(float value) {
+  return truncated(wide(value));
 }
 }
