@@ -1,4 +1,5 @@
 # The program that bakes. It runs on this machine, whatever the target of the build is.
+cmake_policy(VERSION 3.21)  # even if the caller requires an older CMake: Ninja needs its form of depfile
 set(FLASHBVH_HOST_TOOL "" CACHE FILEPATH "the program flashbvh, built for this machine")
 
 # Sets `program` to its path and `depends` to the files that must exist before it runs. Uses the first
@@ -29,13 +30,49 @@ function(flashbvh_host_tool program depends)
   endif()
 endfunction()
 
-# The program's output is valid C and C++. For projects without C, this selects C++.
-function(flashbvh_any_language)
-  if(NOT CMAKE_C_COMPILER_LOADED)
-    set(files ${ARGN})
-    list(FILTER files INCLUDE REGEX "\\.c$")
-    set_source_files_properties(${files} PROPERTIES LANGUAGE CXX)
+# Sets `options` to the program's options for the caller's variables arg_NAME: a flag for each of the `switches` that is
+# set, a flag with each value of the others.
+function(flashbvh_set_options switches)
+  set(options "")
+  foreach(option ${switches} ${ARGN})
+    string(TOLOWER --${option} flag)
+    string(REPLACE "_" "-" flag ${flag})
+    foreach(value IN LISTS arg_${option})
+      if(NOT option IN_LIST switches)
+        list(APPEND options ${flag} ${value})
+      elseif(value)
+        list(APPEND options ${flag})
+      endif()
+    endforeach()
+  endforeach()
+  set(options ${options} PARENT_SCOPE)
+endfunction()
+
+# Adds the command of the program that makes `code` and `images` in `folder`, and their library, which links `library`.
+# More arguments are those of add_custom_command().
+function(flashbvh_add_baked name library folder code images command depends)
+  # This file changes with the options, because not every generator rebuilds if a command line changes.
+  file(CONFIGURE OUTPUT ${folder}/options.txt CONTENT "${command}" @ONLY)
+  flashbvh_host_tool(program program_depends)
+  add_custom_command(OUTPUT ${code} ${images}
+    COMMAND ${program} ${command} -o ${folder}
+    DEPENDS ${depends} ${folder}/options.txt ${program_depends}
+    COMMENT "Baking ${name}"
+    VERBATIM ${ARGN})
+  if(code)
+    add_library(${name} STATIC ${code} ${images})
+    if(NOT CMAKE_C_COMPILER_LOADED)
+      list(FILTER code INCLUDE REGEX "\\.c$")  # valid C++, too
+      set_source_files_properties(${code} PROPERTIES LANGUAGE CXX)
+    endif()
+    set(visibility PUBLIC)
+  else()
+    add_library(${name} INTERFACE ${images})
+    set(visibility INTERFACE)
   endif()
+  add_library(${name}::${name} ALIAS ${name})
+  target_include_directories(${name} ${visibility} ${folder})
+  target_link_libraries(${name} ${visibility} ${library})
 endfunction()
 
 # Adds a separate build, independent of this build's flags, compiler, toolchain file and environment.
