@@ -109,14 +109,6 @@ def enter_cross_environment():
     return is_arm
 
 
-def leave_unoptimised():
-    """Compiles the program unoptimised, in less than half the time; only its build and bakes matter."""
-    launcher = Path("launcher").absolute()
-    launcher.write_text(f'#!/bin/sh\nexec {os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")} "$@" -O0\n')
-    launcher.chmod(0o755)
-    os.environ["CMAKE_CXX_COMPILER_LAUNCHER"] = str(launcher)
-
-
 def for_the_target(program):
     hold(Path(program).exists() and Path(program).stat().st_size, f"no {program}")
     if os.environ["CXX"] != "c++":
@@ -124,32 +116,38 @@ def for_the_target(program):
         hold(re.search("Machine: *ARM", log), f"{program} is no ARM program")
 
 
-def add_subdirectory():
-    """add_subdirectory() and flashbvh_add_mesh(): bakes only when a mesh, an option or the tool changes, with Ninja and
-    with make."""
+def bakes_on_change(baked, program, others, sources, options, header, effect):
+    """With Ninja and with make: bakes if one of the sources, the options or the tool changes, and not if others do.
+    `options`: the first ones and other ones, which have an effect on the header."""
     tool = own_tool()
     for generator in GENERATORS:
-        configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", "-DOPTIONS=CELL;0.01", *BARE,
-                  generator=generator)
-        bakes("built", "the first time")
-        answers("built/consumer")
-        rests("built")
-        configure("built", "-DOPTIONS=CELL;0.01", generator=generator)
-        rests("built", "configured again")
-        Path("firmware/main.cpp").touch()
-        rests("built", "another source changed")
-        Path("firmware/peg.obj").touch()
-        bakes("built", "a mesh changed")
-        rests("built", "nothing changed since the mesh")
-        configure("built", "-DOPTIONS=CELL;0.02", generator=generator)
-        bakes("built", "an option changed")
-        hold(holds("built/flashbvh/parts/peg.fbvh.h", "_CELL 0.02 "), "the option has no effect")
-        rests("built", "nothing changed since the option")
+        configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", options[0], *BARE, generator=generator)
+        bakes("built", "the first time", baked)
+        answers(program)
+        rests("built", baked=baked)
+        configure("built", options[0], generator=generator)
+        rests("built", "configured again", baked)
+        for file in others:
+            Path("firmware", file).touch()
+        rests("built", f"{others} changed", baked)
+        for file in sources:
+            Path("firmware", file).touch()
+            bakes("built", f"{file} changed", baked)
+            rests("built", f"nothing changed since {file}", baked)
+        configure("built", options[1], generator=generator)
+        bakes("built", "an option changed", baked)
+        hold(holds(header, effect), "the option has no effect")
+        rests("built", "nothing changed since the option", baked)
         Path(tool).touch()
-        bakes("built", "the tool changed")
-        answers("built/consumer")
-        hold(not Path("built/parts/peg.fbvh").exists(), "an image that was not requested")
+        bakes("built", "the tool changed", baked)
+        answers(program)
         shutil.rmtree("built")
+
+
+def add_subdirectory():
+    """add_subdirectory() and flashbvh_add_mesh()."""
+    bakes_on_change("parts", "built/consumer", ["main.cpp"], ["peg.obj"], ["-DOPTIONS=CELL;0.01", "-DOPTIONS=CELL;0.02"],
+                    "built/flashbvh/parts/peg.fbvh.h", "_CELL 0.02 ")
     # Each error is named.
     refuses(r"flashbvh_add_mesh\(parts\): give SOURCES mesh... and options with their values; not understood: CEL;1",
             *WITH_TOOL, "-DOPTIONS=CEL;1")
@@ -159,31 +157,10 @@ def add_subdirectory():
 
 
 def robot():
-    """flashbvh_add_robot(): bakes only when the URDF, one of its meshes, an option or the tool changes, with Ninja and
-    with make."""
-    tool = own_tool()
-    for generator in GENERATORS:
-        configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", "-DROBOT=STOP;0.001;WARN;0.002", *BARE,
-                  generator=generator)
-        bakes("built", "the first time", "arm")
-        answers("built/guard")
-        rests("built", baked="arm")
-        Path("firmware/guard.cpp").touch()
-        Path("firmware/plate.obj").touch()
-        rests("built", "what is none of the robot's changed", "arm")
-        Path("firmware/peg.obj").touch()
-        bakes("built", "a mesh changed", "arm")
-        rests("built", "nothing changed since the mesh", "arm")
-        Path("firmware/arm.urdf").touch()
-        bakes("built", "the URDF changed", "arm")
-        configure("built", "-DROBOT=LEAF_SIZE;2;CELL;0.0001", generator=generator)
-        bakes("built", "an option changed", "arm")
-        hold(holds("built/flashbvh/arm/arm.robot.h", "_CELL (1e-04|0.0001) "), "the option has no effect")
-        rests("built", "nothing changed since the option", "arm")
-        Path(tool).touch()
-        bakes("built", "the tool changed", "arm")
-        answers("built/guard")
-        shutil.rmtree("built")
+    """flashbvh_add_robot()."""
+    bakes_on_change("arm", "built/guard", ["guard.cpp", "plate.obj"], ["peg.obj", "arm.urdf"],
+                    ["-DROBOT=STOP;0.001;WARN;0.002", "-DROBOT=LEAF_SIZE;2;CELL;0.0001"],
+                    "built/flashbvh/arm/arm.robot.h", "_CELL (1e-04|0.0001) ")
     # Each error is named.
     words = (r"flashbvh_add_robot\(arm\): give URDF file and options with their values, PACKAGE as name=folder, PAIR "
              "as link,link=length, ZONE as joint=length; not understood:")
@@ -237,7 +214,6 @@ def cross():
     """A cross build with its compiler, flags and toolchain file in the environment: they apply to the library and the
     baked code, not to the tool, which the project builds for this machine."""
     enter_cross_environment()
-    leave_unoptimised()
     configure("built", *IN_SOURCES, "-DOPTIONS=CELL;0.01")
     bakes("built", "the first time")
     for_the_target("built/consumer")
