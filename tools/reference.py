@@ -26,9 +26,8 @@ def text_of(*command):
 
 
 def run_doxygen(folder, *options):
-    inputs = f"flashbvh flashbvh/robot flashbvh/plain/status.h {DOXYFILE.parent}/scopes.dox"
-    text = "\n".join([DOXYFILE.read_text(), f"INPUT = {inputs}", f"OUTPUT_DIRECTORY = {folder}",
-                      "WARNINGS = NO", "WARN_IF_UNDOCUMENTED = NO", "HAVE_DOT = NO", *options])
+    text = "\n".join([DOXYFILE.read_text(), f"OUTPUT_DIRECTORY = {folder}", "WARNINGS = NO",
+                      "WARN_IF_UNDOCUMENTED = NO", "HAVE_DOT = NO", *options])
     subprocess.run(["doxygen", "-"], input=text, cwd=INCLUDE, text=True, check=True, stdout=subprocess.DEVNULL)
 
 
