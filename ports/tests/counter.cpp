@@ -1,24 +1,13 @@
 // Tests the instruction counter on code of known length.
 #include "insn.hpp"
 
+#include "checks.hpp"
 #include "counter.hpp"
-#include "text.hpp"
 
 namespace {
 
-int wrong = 0;
-int measured = 0;
-
-void expect(uint32_t instructions, uint32_t expected) {
-  ++measured;
-  if (instructions != expected) {
-    ++wrong;
-    port::print("counted ", instructions, ", expected ", expected, "\n");
-  }
-}
-
 void expect_loop(uint32_t passes) {
-  expect(port::instructions_of_call(port::known_loop, reinterpret_cast<void*>(passes)),
+  expect("a loop", port::instructions_of_call(port::known_loop, reinterpret_cast<void*>(passes)),
          port::kInstructionsPerPass * passes);
 }
 
@@ -41,10 +30,9 @@ void expect_long_loops() {
 }  // namespace
 
 int main() {
-  expect(port::instructions_of([] {}), 0);
-  expect(port::instructions_of([] { __asm__ volatile("nop\n nop\n nop"); }), 3);
+  expect("nothing", port::instructions_of([] {}), 0);
+  expect("three", port::instructions_of([] { __asm__ volatile("nop\n nop\n nop"); }), 3);
   expect_random_loops(100);
   expect_long_loops();
-  port::print("wrong counts: ", wrong, " of ", measured, "\n");
-  return wrong == 0 ? 0 : 1;
+  return end_checks();
 }

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "text.hpp"
+#include "checks.hpp"
 
 namespace {
 
@@ -38,27 +38,14 @@ constexpr Case kCases[] = {
 
 uint32_t words[8];
 
-/// Returns whether a case takes the expected cycles.
-bool is_right(const Case& tested) {
-  words[0] = reinterpret_cast<uintptr_t>(words);
-  const uint32_t cycles = port::cycles_of_call(tested.code, words);
-  if (cycles != tested.cycles) {
-    port::print(tested.name, ": ", cycles, " cycles, expected ", tested.cycles, "\n");
-  }
-  return cycles == tested.cycles;
-}
-
 }  // namespace
 
 int main() {
-  int wrong = 0;
-  int cases = 0;
+  words[0] = reinterpret_cast<uintptr_t>(words);
   for (const Case& tested : kCases) {
     if (tested.cycles != kNone) {
-      ++cases;
-      wrong += is_right(tested) ? 0 : 1;
+      expect(tested.name, port::cycles_of_call(tested.code, words), tested.cycles);
     }
   }
-  port::print("wrong cycles: ", wrong, " of ", cases, "\n");
-  return wrong == 0 ? 0 : 1;
+  return end_checks();
 }

@@ -2,8 +2,8 @@
 // Cortex-M0, the STM32F4's on other cores.
 #include <stdint.h>
 
+#include "checks.hpp"
 #include "cycles.hpp"
-#include "text.hpp"
 
 namespace {
 
@@ -23,15 +23,6 @@ CODE(far,
      "movs r1, #1\n lsls r1, r1, #13\n adds r1, r0, r1\n movs r2, #1\n lsls r2, r2, #14\n"
      "adds r2, r0, r2\n .rept 2\n ldr r3, [r0]\n nop\n ldr r3, [r1]\n nop\n ldr r3, [r0]\n nop\n"
      "ldr r3, [r2]\n nop\n .endr")
-
-int wrong = 0;
-
-void expect(const char* name, uint32_t cycles, uint32_t expected) {
-  if (cycles != expected) {
-    ++wrong;
-    port::print(name, ": ", cycles, " cycles, expected ", expected, "\n");
-  }
-}
 
 /// Expects that the first call waits, and that a later call, with a warm cache, takes `cycles`.
 void expect_call(const char* name, port::Call code, uint32_t cycles, uint32_t first_waits) {
@@ -53,6 +44,5 @@ int main() {
   expect_call("narrow", narrow, 63, 16 * kMiss);
   expect_call("far", far, 31 + 4 * kMiss, (6 + 1) * kMiss);
 #endif
-  port::print("wrong waits: ", wrong, "\n");
-  return wrong == 0 ? 0 : 1;
+  return end_checks();
 }

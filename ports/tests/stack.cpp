@@ -1,7 +1,7 @@
 // Tests stack_of() on frames of known size.
 #include "stack.hpp"
 
-#include "text.hpp"
+#include "checks.hpp"
 
 // Pushes 2 words, `context` times.
 #if defined(__xtensa__)
@@ -47,20 +47,12 @@ __attribute__((naked)) void push_pairs(void*) {
 }
 #endif
 
-int wrong = 0;
 volatile uint32_t in_data[50] = {1};
 volatile uint32_t in_bss[50];
 
-void expect(uint32_t bytes, uint32_t least, uint32_t most) {
-  if (bytes < least || bytes > most) {
-    ++wrong;
-    port::print("measured ", bytes, ", expected ", least, " to ", most, "\n");
-  }
-}
-
 void expect_pairs(uint32_t pairs) {
   const uint32_t bytes = port::stack_of_call(push_pairs, reinterpret_cast<void*>(pairs));
-  expect(bytes, 8 * pairs, 8 * pairs);
+  expect("pairs of words", bytes, 8 * pairs);
 }
 
 // Writes every byte of a frame of 400 bytes; saved registers are added to it.
@@ -74,17 +66,16 @@ void fill_frame() {
 }  // namespace
 
 int main() {
-  expect(port::stack_of([] {}), 0, 0);
+  expect("nothing", port::stack_of([] {}), 0);
   for (uint32_t pairs = 1; pairs <= 100; ++pairs) {
     expect_pairs(pairs);
   }
-  expect(port::stack_of(fill_frame), 400, 440);
+  expect("a frame", port::stack_of(fill_frame), 400, 440);
   port::paint_stack();
   const uint32_t before = port::stack_used();
   fill_frame();
-  expect(port::stack_used() - before, 300, 480);
+  expect("a frame after another", port::stack_used() - before, 300, 480);
   in_bss[0] = in_data[0];
-  expect(port::static_bytes(), 400, 1000);
-  port::print("wrong depths: ", wrong, "\n");
-  return wrong == 0 ? 0 : 1;
+  expect("static bytes", port::static_bytes(), 400, 1000);
+  return end_checks();
 }

@@ -1,8 +1,8 @@
 // Tests all tasks of start-up code between reset and main().
 #include <stdint.h>
 
+#include "checks.hpp"
 #include "stack.hpp"
-#include "text.hpp"
 
 namespace {
 
@@ -18,15 +18,6 @@ Constructed constructed(seed);
 volatile float third = 3.0F;
 volatile double tenth = 10.0;
 
-int failures = 0;
-
-void check(bool holds, const char* what) {
-  if (!holds) {
-    ++failures;
-    port::print("failed: ", what, "\n");
-  }
-}
-
 bool bss_is_zero() {
   for (const volatile uint32_t& word : in_bss) {
     if (word != 0) {
@@ -39,17 +30,15 @@ bool bss_is_zero() {
 }  // namespace
 
 int main() {
-  check(in_data[0] == 1 && in_data[3] == 0x12345678, ".data is filled from flash");
-  check(bss_is_zero(), ".bss is zero");
-  check(constructed.value == 42, "a static object is constructed, after .data is filled");
+  expect(".data, filled from flash", in_data[0], 1);
+  expect("the end of .data", in_data[3], 0x12345678);
+  expect(".bss is zero", bss_is_zero() ? 1 : 0, 1);
+  expect("a static object, constructed after .data is filled", constructed.value, 42);
   const float product = 1.0F / third * 3.0F;
-  check(product > 0.999F && product < 1.001F, "float");
-  check(static_cast<int>(1e6 / tenth) == 100000, "double");
+  expect("float", product > 0.999F && product < 1.001F ? 1 : 0, 1);
+  expect("double", static_cast<uint32_t>(static_cast<int>(1e6 / tenth)), 100000);
   port::print("a stack of ", port::stack_size(), " bytes\n");  // also uses some stack
-  check(port::stack_used() > 0 && port::stack_used() < 512, "the stack is painted");
-  check(port::stack_size() >= 1024, "the stack has a size");
-  if (failures == 0) {
-    port::put("start-up as it should be\n");
-  }
-  return failures;
+  expect("the stack is painted", port::stack_used(), 1, 511);
+  expect("the stack's size", port::stack_size(), 1024, UINT32_MAX);
+  return end_checks();
 }
