@@ -6,11 +6,14 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <numeric>
 #include <stdexcept>
 
 #include "bullet_mesh.hpp"
 #include "comparison.hpp"
+#include "eigen_mesh.hpp"
 #include "flashbvh/solid.hpp"
 
 using Eigen::Vector3d;
@@ -19,31 +22,15 @@ using flashbvh::Mesh;
 namespace compare {
 namespace {
 
-struct Frame {
-  Eigen::Matrix3d rotation;
-  Vector3d translation;
-  Vector3d operator*(const Vector3d& point) const { return rotation * point + translation; }
-};
-
-Frame frame_of(const flashbvh::Pose& pose) {
-  Frame frame;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      frame.rotation(row, column) = rotation_of(pose, row, column);
-    }
-    frame.translation[row] = translation_of(pose, row);
-  }
-  return frame;
-}
-
-std::vector<Vector3d> vertices_of(const Mesh& mesh) {
-  std::vector<Vector3d> all;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
+/// A triangle's corners.
+std::array<Vector3d, 3> triangle_of(const Mesh& mesh, std::uint32_t triangle) {
+  std::array<Vector3d, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
     double point[3];
-    set_vertex(mesh, i, point);
-    all.emplace_back(point[0], point[1], point[2]);
+    set_vertex(mesh, mesh.triangles[triangle].corner[i], point);
+    corners[i] = {point[0], point[1], point[2]};
   }
-  return all;
+  return corners;
 }
 
 /// Decides whether B, in A's frame, collides with A.
@@ -74,8 +61,8 @@ class Capsules : public Approximation {
  public:
   Capsules(const Mesh& a, const Mesh& b) : a_(around(a)), b_(around(b)) {}
   bool collide(const flashbvh::Pose& pose) override {
-    const Frame frame = frame_of(pose);
-    return segments_apart(a_.from, a_.along, frame * b_.from, frame.rotation * b_.along) <=
+    const Eigen::Isometry3d frame = isometry_of(pose);
+    return segments_apart(a_.from, a_.along, frame * b_.from, frame.linear() * b_.along) <=
            a_.radius + b_.radius;
   }
   std::size_t bytes() const override { return 7 * sizeof(float); }
@@ -87,7 +74,7 @@ class Capsules : public Approximation {
     double radius;
   };
   static Capsule around(const Mesh& mesh) {
-    const std::vector<Vector3d> vertices = vertices_of(mesh);
+    const std::vector<Vector3d> vertices = points_of(mesh);
     Vector3d middle = Vector3d::Zero();
     for (const Vector3d& v : vertices) {
       middle += v / static_cast<double>(vertices.size());
@@ -123,7 +110,7 @@ class Spheres : public Approximation {
   static constexpr std::size_t kCount = 32;
   Spheres(const Mesh& a, const Mesh& b) : a_(around(a)), b_(around(b)) {}
   bool collide(const flashbvh::Pose& pose) override {
-    const Frame frame = frame_of(pose);
+    const Eigen::Isometry3d frame = isometry_of(pose);
     return std::any_of(b_.begin(), b_.end(), [&](const Sphere& of_b) {
       const Vector3d middle = frame * of_b.middle;
       return std::any_of(a_.begin(), a_.end(), [&](const Sphere& of_a) {
@@ -143,11 +130,9 @@ class Spheres : public Approximation {
     Eigen::AlignedBox3d box;
     std::vector<Vector3d> corners;
     for (const std::uint32_t triangle : triangles) {
-      for (const auto corner : mesh.triangles[triangle].corner) {
-        double point[3];
-        set_vertex(mesh, corner, point);
-        corners.emplace_back(point[0], point[1], point[2]);
-        box.extend(corners.back());
+      for (const Vector3d& corner : triangle_of(mesh, triangle)) {
+        corners.push_back(corner);
+        box.extend(corner);
       }
     }
     double radius = 0;
@@ -159,9 +144,7 @@ class Spheres : public Approximation {
   /// Divides the largest sphere's triangles along their longest side.
   static std::vector<Sphere> around(const Mesh& mesh) {
     std::vector<std::uint32_t> all(mesh.triangle_count);
-    for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-      all[i] = i;
-    }
+    std::iota(all.begin(), all.end(), 0u);
     std::vector<Sphere> spheres = {about(mesh, all)};
     while (spheres.size() < kCount) {
       const auto largest =
@@ -173,24 +156,20 @@ class Spheres : public Approximation {
       if (triangles.size() < 2) {
         break;
       }
-      const auto at = [&](std::uint32_t triangle, int axis) {
-        double sum = 0;
-        for (const auto corner : mesh.triangles[triangle].corner) {
-          double point[3];
-          set_vertex(mesh, corner, point);
-          sum += point[axis];
-        }
-        return sum;
+      const auto middle = [&mesh](std::uint32_t triangle) -> Vector3d {
+        const auto [p, q, r] = triangle_of(mesh, triangle);
+        return p + q + r;  // three times
       };
       Eigen::AlignedBox3d box;
       for (const std::uint32_t t : triangles) {
-        box.extend(Vector3d(at(t, 0), at(t, 1), at(t, 2)));
+        box.extend(middle(t));
       }
       int axis = 0;
       box.sizes().maxCoeff(&axis);
       const auto half = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
-      std::nth_element(triangles.begin(), half, triangles.end(),
-                       [&](std::uint32_t x, std::uint32_t y) { return at(x, axis) < at(y, axis); });
+      std::nth_element(
+          triangles.begin(), half, triangles.end(),
+          [&](std::uint32_t x, std::uint32_t y) { return middle(x)[axis] < middle(y)[axis]; });
       *largest = about(mesh, {triangles.begin(), half});
       spheres.push_back(about(mesh, {half, triangles.end()}));
     }
@@ -220,7 +199,7 @@ class Hulls : public Approximation {
 
  private:
   void fill(const Mesh& mesh, btConvexHullShape& hull) {
-    for (const Vector3d& v : vertices_of(mesh)) {
+    for (const Vector3d& v : points_of(mesh)) {
       hull.addPoint({static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])},
                     false);
     }
@@ -239,8 +218,8 @@ class Hulls : public Approximation {
 class Field : public Approximation {
  public:
   static constexpr int kSide = 24;
-  Field(const Mesh& a, const Mesh& b) : b_(vertices_of(b)) {
-    for (const Vector3d& v : vertices_of(a)) {
+  Field(const Mesh& a, const Mesh& b) : b_(points_of(b)) {
+    for (const Vector3d& v : points_of(a)) {
       box_.extend(v);
     }
     const Vector3d edge = box_.sizes() / (kSide - 3);
@@ -253,7 +232,7 @@ class Field : public Approximation {
     }
   }
   bool collide(const flashbvh::Pose& pose) override {
-    const Frame frame = frame_of(pose);
+    const Eigen::Isometry3d frame = isometry_of(pose);
     return std::any_of(b_.begin(), b_.end(),
                        [&](const Vector3d& v) { return looked_up(frame * v) <= 0; });
   }
@@ -277,13 +256,8 @@ class Field : public Approximation {
     const Vector3d p = Vector3d(point.x, point.y, point.z) / kCellsOfUnit;
     double least = 1e30;
     for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-      Vector3d corner[3];
-      for (int k = 0; k < 3; ++k) {
-        double at[3];
-        set_vertex(mesh, mesh.triangles[i].corner[k], at);
-        corner[k] = Vector3d(at[0], at[1], at[2]);
-      }
-      least = std::min(least, square_to(p, corner[0], corner[1], corner[2]));
+      const auto [a, b, c] = triangle_of(mesh, i);
+      least = std::min(least, square_to(p, a, b, c));
     }
     return std::sqrt(least);
   }

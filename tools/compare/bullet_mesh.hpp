@@ -3,6 +3,7 @@
 
 #include <btBulletCollisionCommon.h>
 
+#include <array>
 #include <vector>
 
 #include "units.hpp"
@@ -12,34 +13,26 @@ namespace compare {
 /// The arrays that Bullet's shapes refer to without copying.
 class BulletMesh {
  public:
-  explicit BulletMesh(const flashbvh::Mesh& mesh) {
-    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-      float point[3];
-      set_vertex(mesh, i, point);
-      vertices_.insert(vertices_.end(), point, point + 3);
-    }
-    for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-      const auto& corner = mesh.triangles[i].corner;
-      corners_.insert(corners_.end(), corner, corner + 3);
-    }
+  explicit BulletMesh(const flashbvh::Mesh& mesh)
+      : vertices_(vertices_of<float, std::array<float, 3>>(mesh)),
+        corners_(corners_of<std::array<int, 3>>(mesh)) {
     btIndexedMesh indexed;
     indexed.m_numTriangles = static_cast<int>(mesh.triangle_count);
     indexed.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(corners_.data());
-    indexed.m_triangleIndexStride = 3 * sizeof(int);
+    indexed.m_triangleIndexStride = sizeof corners_[0];
     indexed.m_numVertices = static_cast<int>(mesh.vertex_count);
     indexed.m_vertexBase = reinterpret_cast<const unsigned char*>(vertices_.data());
-    indexed.m_vertexStride = 3 * sizeof(float);
+    indexed.m_vertexStride = sizeof vertices_[0];
     array_.addIndexedMesh(indexed);
   }
   BulletMesh(const BulletMesh&) = delete;
   BulletMesh& operator=(const BulletMesh&) = delete;
 
   btTriangleIndexVertexArray& array() { return array_; }
-  const std::vector<float>& vertices() const { return vertices_; }
 
  private:
-  std::vector<float> vertices_;
-  std::vector<int> corners_;
+  std::vector<std::array<float, 3>> vertices_;
+  std::vector<std::array<int, 3>> corners_;
   btTriangleIndexVertexArray array_;
 };
 

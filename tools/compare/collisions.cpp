@@ -39,91 +39,73 @@ struct Found {
   std::size_t by_one = 0;  ///< found by only one of the two
 };
 
-void add_pairs(std::vector<Pair> ours, std::vector<Pair> theirs, Found& found) {
-  std::sort(ours.begin(), ours.end());
-  std::sort(theirs.begin(), theirs.end());
-  std::vector<Pair> differing;
-  std::set_symmetric_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
-                                std::back_inserter(differing));
-  found.by_flashbvh += ours.size();
-  found.by_other += theirs.size();
-  found.by_one += differing.size();
+/// Adds the pairs at all poses.
+void add_pairs(Collider& flashbvh, Collider& other, Found& found) {
+  for (std::size_t pose = 0; pose < kPoses; ++pose) {
+    std::vector<Pair> ours = flashbvh.pairs(pose);
+    std::vector<Pair> theirs = other.pairs(pose);
+    std::sort(ours.begin(), ours.end());
+    std::sort(theirs.begin(), theirs.end());
+    std::vector<Pair> differing;
+    std::set_symmetric_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                                  std::back_inserter(differing));
+    found.by_flashbvh += ours.size();
+    found.by_other += theirs.size();
+    found.by_one += differing.size();
+  }
 }
 
-class Collisions {
- public:
-  Collisions(const PairOfMeshes& meshes, bool rotated)
-      : of_(meshes.name + " " + name_of_motion(rotated) + " "),
-        rotated_(rotated),
-        search_(meshes.searched, meshes.queried, kSeed),
-        libraries_(all_libraries(*meshes.queried.a, *meshes.queried.b)),
-        found_(libraries_.size()) {}
-
-  void run() {
-    for (std::uint32_t i = 0; i < kProximities; ++i) {
-      const auto proximity = static_cast<Proximity>(i);
-      set_poses(proximity);
-      time(Wanted::all, kProximityNames[i]);
-      if (proximity == Proximity::intersecting) {
-        print_heap();
-        time(Wanted::first, "first");
-      }
-    }
-    for (std::size_t i = 0; i < libraries_.size(); ++i) {
-      std::printf("pairs %s%s %zu %zu %zu\n", of_.c_str(), libraries_[i].name,
-                  found_[i].by_flashbvh, found_[i].by_other, found_[i].by_one);
-    }
+/// Prints the allocations to make each library, and a query's mean allocations.
+void print_heap(const std::string& of, const std::vector<Named>& libraries) {
+  for (const Named& named : libraries) {
+    count_heap();
+    (void)named.library->query_all(Wanted::all);
+    std::printf("heap %s %s %zu %zu %.2f\n", of.c_str(), named.name, named.made.allocations,
+                named.made.bytes,
+                static_cast<double>(counted_heap().allocations) / static_cast<double>(kPoses));
   }
+}
 
- private:
-  void set_poses(Proximity proximity) {
-    std::vector<Placed> poses;
-    while (poses.size() < kPoses) {
-      poses.push_back(placed_of(search_.next(proximity, rotated_)));
-    }
-    for (std::size_t i = 0; i < libraries_.size(); ++i) {
-      libraries_[i].library->set_poses(poses);
-      for (std::size_t pose = 0; pose < kPoses; ++pose) {
-        add_pairs(libraries_[0].library->pairs(pose), libraries_[i].library->pairs(pose),
-                  found_[i]);
-      }
-    }
+void time(const std::vector<Named>& libraries, Wanted wanted, const std::string& of,
+          flashbvh::test::Random& random) {
+  std::vector<Timed> timed;
+  for (const Named& named : libraries) {
+    timed.push_back({named.name, named.library.get()});
   }
-
-  /// Prints the allocations to make each library, and a query's mean allocations.
-  void print_heap() {
-    for (const Named& named : libraries_) {
-      count_heap();
-      (void)named.library->query_all(Wanted::all);
-      std::printf("heap %s%s %zu %zu %.2f\n", of_.c_str(), named.name, named.made.allocations,
-                  named.made.bytes,
-                  static_cast<double>(counted_heap().allocations) / static_cast<double>(kPoses));
-    }
-  }
-
-  void time(Wanted wanted, const char* of_class) {
-    std::vector<Timed> timed;
-    for (const Named& named : libraries_) {
-      timed.push_back({named.name, named.library.get()});
-    }
-    print_times(timed, wanted, of_ + of_class, random_);
-    // Without other libraries in between, which would evict the caches.
-    print_times({{"flashbvh_alone", timed[0].library}, {"opcode_alone", timed[1].library}}, wanted,
-                of_ + of_class, random_);
-  }
-
-  std::string of_;
-  bool rotated_;
-  PoseSearch search_;
-  flashbvh::test::Random random_{kSeed};
-  std::vector<Named> libraries_;
-  std::vector<Found> found_;  ///< one per library
-};
+  print_times(timed, wanted, of, random);
+  // Without other libraries in between, which would evict the caches.
+  print_times({{"flashbvh_alone", timed[0].library}, {"opcode_alone", timed[1].library}}, wanted,
+              of, random);
+}
 
 }  // namespace
 
 void compare_collisions(const PairOfMeshes& meshes, bool rotated) {
-  Collisions(meshes, rotated).run();
+  const std::string of = meshes.name + " " + name_of_motion(rotated);
+  PoseSearch search(meshes.searched, meshes.queried, kSeed);
+  flashbvh::test::Random random(kSeed);
+  const std::vector<Named> libraries = all_libraries(*meshes.queried.a, *meshes.queried.b);
+  std::vector<Found> found(libraries.size());
+  for (std::uint32_t i = 0; i < kProximities; ++i) {
+    const auto proximity = static_cast<Proximity>(i);
+    std::vector<Placed> poses;
+    while (poses.size() < kPoses) {
+      poses.push_back(placed_of(search.next(proximity, rotated)));
+    }
+    for (std::size_t at = 0; at < libraries.size(); ++at) {
+      libraries[at].library->set_poses(poses);
+      add_pairs(*libraries[0].library, *libraries[at].library, found[at]);
+    }
+    time(libraries, Wanted::all, of + " " + kProximityNames[i], random);
+    if (proximity == Proximity::intersecting) {
+      print_heap(of, libraries);
+      time(libraries, Wanted::first, of + " first", random);
+    }
+  }
+  for (std::size_t at = 0; at < libraries.size(); ++at) {
+    std::printf("pairs %s %s %zu %zu %zu\n", of.c_str(), libraries[at].name, found[at].by_flashbvh,
+                found[at].by_other, found[at].by_one);
+  }
 }
 
 }  // namespace compare

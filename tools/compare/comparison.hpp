@@ -144,6 +144,16 @@ inline Placed placed_of(const figures::QueryPose& query_pose) {
           figures::pose_of(query_pose)};
 }
 
+/// The poses in a library's own form.
+template <class Convert>
+auto converted(const std::vector<Placed>& poses, const Convert& convert) {
+  std::vector<decltype(convert(poses[0].pose))> made;
+  for (const Placed& placed : poses) {
+    made.push_back(convert(placed.pose));
+  }
+  return made;
+}
+
 struct Timed {
   const char* name;
   Competitor* library;

@@ -1,8 +1,8 @@
 // Queries with answers known by construction: meshes that touch in a point or are within a cell of
 // it, distances of boxes, and rays through vertices and edges of a mesh. All numbers are integers
 // below 2^24, or their quotients by 1,024: binary32 holds each.
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -19,11 +19,8 @@ constexpr std::size_t kQueries = 2000;  ///< per kind and pair of meshes
 
 constexpr std::int64_t kFarthest = 400000;  ///< distance of a ray's ends
 
-using Cells = std::array<std::int64_t, 3>;
-
-std::int64_t product(const Cells& a, const Cells& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Cells = Eigen::Matrix<std::int64_t, 3, 1>;
+using Turn = Eigen::Matrix<std::int64_t, 3, 3>;
 
 Cells vertex_of(const Mesh& mesh, std::uint32_t i) {
   const flashbvh::Vertex& v = mesh.vertices[i];
@@ -35,55 +32,53 @@ Cells farthest(const Mesh& mesh, const Cells& way) {
   Cells best = vertex_of(mesh, 0);
   for (std::uint32_t i = 1; i < mesh.vertex_count; ++i) {
     const Cells vertex = vertex_of(mesh, i);
-    best = product(vertex, way) > product(best, way) ? vertex : best;
+    best = vertex.dot(way) > best.dot(way) ? vertex : best;
   }
   return best;
 }
 
+Point point_of(const Cells& cells) {
+  return {static_cast<std::int32_t>(cells[0]), static_cast<std::int32_t>(cells[1]),
+          static_cast<std::int32_t>(cells[2])};
+}
+
+std::size_t longest_axis(const Cells& way) {
+  std::size_t axis = 0;
+  way.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
 /// One of the 24 rotations of a cube, so that no vertex is rounded.
-flashbvh::test::Rotation any_turn(Random& random) {
+Turn any_turn(Random& random) {
   const auto quarter = [&random] {
     flashbvh::test::Quaternion q{};
     std::int32_t* const part[] = {&q.x, &q.y, &q.z};
     q.w = random.between(-1, 1);
     *part[random.below(3)] = q.w == 0 ? 1 : random.between(-1, 1);
-    return flashbvh::test::rotation_of(q);
+    const flashbvh::test::Rotation rotation = flashbvh::test::rotation_of(q);
+    const Eigen::Map<const Eigen::Matrix<std::int32_t, 3, 3, Eigen::RowMajor>> entries(
+        rotation.entry[0]);
+    return Turn(entries.cast<std::int64_t>() / flashbvh::kRotationOne);
   };
-  const flashbvh::test::Rotation first = quarter();
-  const flashbvh::test::Rotation second = quarter();
-  flashbvh::test::Rotation both{};
+  const Turn first = quarter();
+  return first * quarter();
+}
+
+Placed placed(const Turn& turn, const Cells& at) {
+  Placed placed{{}, {}, flashbvh::Pose::translated(0, 0, 0)};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      for (int k = 0; k < 3; ++k) {
-        both.entry[row][column] +=
-            first.entry[row][k] / flashbvh::kRotationOne * second.entry[k][column];
-      }
+      placed.rotation.entry[row][column] =
+          static_cast<std::int32_t>(turn(row, column) * flashbvh::kRotationOne);
     }
+    placed.cells[row] = static_cast<std::int32_t>(at[row]);
   }
-  return both;
-}
-
-Cells turned(const flashbvh::test::Rotation& turn, const Cells& cells) {
-  Cells out{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      out[row] += turn.entry[row][column] / flashbvh::kRotationOne * cells[column];
-    }
-  }
-  return out;
-}
-
-Placed placed(const flashbvh::test::Rotation& turn, const Cells& at) {
-  Placed pose{turn, {}, flashbvh::Pose::translated(0, 0, 0)};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    pose.cells[axis] = static_cast<std::int32_t>(at[axis]);
-  }
-  pose.pose = flashbvh::Pose::rigid(turn.entry, pose.cells);
-  return pose;
+  placed.pose = flashbvh::Pose::rigid(placed.rotation.entry, placed.cells);
+  return placed;
 }
 
 Cells any_way(Random& random, bool along_axis) {
-  Cells way{};
+  Cells way = Cells::Zero();
   if (along_axis) {
     way[random.below(3)] = random.below(2) == 0 ? 1 : -1;
     return way;
@@ -98,23 +93,11 @@ Cells any_way(Random& random, bool along_axis) {
 /// Puts B's farthest vertex against `way` on A's farthest vertex along `way`: a plane separates the
 /// meshes except for these vertices. With `gap`, B is one cell farther away.
 Placed any_touching(const Mesh& a, const Mesh& b, bool gap, Random& random) {
-  const flashbvh::test::Rotation turn = any_turn(random);
+  const Turn turn = any_turn(random);
   const Cells way = any_way(random, random.below(2) == 0);
-  // The direction in B's frame, by the transposed rotation.
-  Cells back{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      back[column] -= turn.entry[row][column] / flashbvh::kRotationOne * way[row];
-    }
-  }
-  const Cells of_a = farthest(a, way);
-  const Cells of_b = turned(turn, farthest(b, back));
-  Cells at{};
-  std::size_t longest = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    at[axis] = of_a[axis] - of_b[axis];
-    longest = std::abs(way[axis]) > std::abs(way[longest]) ? axis : longest;
-  }
+  const Cells back = -(turn.transpose() * way);  // in B's frame
+  Cells at = farthest(a, way) - turn * farthest(b, back);
+  const std::size_t longest = longest_axis(way);
   at[longest] += !gap ? 0 : way[longest] > 0 ? 1 : -1;
   return placed(turn, at);
 }
@@ -146,11 +129,9 @@ void query_touching(const std::string& names, const Mesh& a, const Mesh& b) {
 /// The distance of axis-aligned boxes, with B at `at`.
 double distance_of_boxes(const Mesh& a, const Mesh& b, const Cells& at) {
   double square = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    Cells way{};
-    way[axis] = 1;
-    Cells back{};
-    back[axis] = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Cells way = Cells::Unit(axis);
+    const Cells back = -way;
     const auto above = farthest(b, back)[axis] + at[axis] - farthest(a, way)[axis];
     const auto below = farthest(a, back)[axis] - farthest(b, way)[axis] - at[axis];
     const auto gap = static_cast<double>(std::max({std::int64_t{0}, above, below}));
@@ -160,7 +141,6 @@ double distance_of_boxes(const Mesh& a, const Mesh& b, const Cells& at) {
 }
 
 void query_distances(const std::string& names, const Mesh& a, const Mesh& b) {
-  const flashbvh::test::Rotation none = flashbvh::test::rotation_of({1, 0, 0, 0});
   Random random(kSeed);
   std::vector<Placed> poses;
   std::vector<double> lengths;
@@ -169,7 +149,7 @@ void query_distances(const std::string& names, const Mesh& a, const Mesh& b) {
                       random.between(-4000, 4000)};
     const double length = distance_of_boxes(a, b, at);
     if (length > 0) {
-      poses.push_back(placed(none, at));
+      poses.push_back(placed(Turn::Identity(), at));
       lengths.push_back(length);
     }
   }
@@ -193,12 +173,7 @@ void query_distances(const std::string& names, const Mesh& a, const Mesh& b) {
 flashbvh::Segment any_segment(const Cells& twice, Random& random) {
   const auto part = [&random] { return random.between(-100000, 100000); };
   const Cells from = {part(), part(), part()};
-  const auto point = [](std::int64_t x, std::int64_t y, std::int64_t z) {
-    return Point{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
-                 static_cast<std::int32_t>(z)};
-  };
-  return {point(from[0], from[1], from[2]),
-          point(twice[0] - from[0], twice[1] - from[1], twice[2] - from[2])};
+  return {point_of(from), point_of(twice - from)};
 }
 
 /// A segment in a plane at most a cell beyond the farthest vertex along `way`: it hits nothing.
@@ -207,25 +182,11 @@ flashbvh::Segment any_beside(const Mesh& mesh, Random& random) {
   const Cells other = {random.between(-200, 200), random.between(-200, 200),
                        random.between(1, 200)};
   Cells at = farthest(mesh, way);
-  Cells along{};
-  std::size_t longest = 0;
-  std::int64_t size = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t y = (axis + 1) % 3;
-    const std::size_t z = (axis + 2) % 3;
-    along[axis] = way[y] * other[z] - way[z] * other[y];
-    size = std::max(size, std::abs(along[axis]));
-    longest = std::abs(way[axis]) > std::abs(way[longest]) ? axis : longest;
-  }
+  const std::size_t longest = longest_axis(way);
   at[longest] += way[longest] > 0 ? 1 : -1;
-  const std::int64_t times = kFarthest / size;
-  const auto point = [&](std::int64_t sign) {
-    const auto part = [&](std::size_t i) {
-      return static_cast<std::int32_t>(at[i] + sign * times * along[i]);
-    };
-    return Point{part(0), part(1), part(2)};
-  };
-  return {point(-1), point(1)};
+  Cells along = way.cross(other);
+  along *= kFarthest / std::max<std::int64_t>(1, along.cwiseAbs().maxCoeff());
+  return {point_of(at - along), point_of(at + along)};
 }
 
 enum class Aim { vertex, edge, beside };
@@ -238,7 +199,7 @@ flashbvh::Segment any_ray(const Mesh& mesh, Aim aim, Random& random) {
   const auto& corner = mesh.triangles[random.below(mesh.triangle_count)].corner;
   const Cells first = vertex_of(mesh, corner[0]);
   const Cells second = vertex_of(mesh, corner[aim == Aim::edge ? 1 : 0]);
-  return any_segment({first[0] + second[0], first[1] + second[1], first[2] + second[2]}, random);
+  return any_segment(first + second, random);
 }
 
 /// Counts wrong answers: a ray misses its target, hits behind it, or hits a mesh that it passes.

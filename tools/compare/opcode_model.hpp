@@ -19,16 +19,9 @@ namespace compare {
 /// The triangles are in the order of the baked mesh.
 class OpcodeModel {
  public:
-  explicit OpcodeModel(const flashbvh::Mesh& mesh) {
-    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-      float point[3];
-      set_vertex(mesh, i, point);
-      vertices_.emplace_back(point[0], point[1], point[2]);
-    }
-    for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-      const auto& corner = mesh.triangles[i].corner;
-      triangles_.emplace_back(corner[0], corner[1], corner[2]);
-    }
+  explicit OpcodeModel(const flashbvh::Mesh& mesh)
+      : vertices_(vertices_of<float, IceMaths::Point>(mesh)),
+        triangles_(corners_of<IceMaths::IndexedTriangle>(mesh)) {
     interface_.SetNbTriangles(mesh.triangle_count);
     interface_.SetNbVertices(mesh.vertex_count);
     interface_.SetPointers(triangles_.data(), vertices_.data());

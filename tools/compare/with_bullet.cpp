@@ -63,10 +63,7 @@ class Bullet : public Collider {
   }
 
   void set_poses(const std::vector<Placed>& poses) override {
-    poses_.clear();
-    for (const Placed& placed : poses) {
-      poses_.push_back(transform_of(placed.pose));
-    }
+    poses_ = converted(poses, transform_of);
   }
 
   /// Finds all pairs even if only the first is wanted: Bullet does not stop at a hit.
@@ -124,8 +121,8 @@ class BulletRayCaster : public RayCaster {
       : mesh_(mesh), shape_(&mesh_.array(), /*useQuantizedAabbCompression=*/true) {}
 
   double nearest(const flashbvh::Segment& segment) override {
-    const btVector3 from = point_of(segment.from);
-    const btVector3 to = point_of(segment.to);
+    const btVector3 from = in_units<btVector3>(segment.from);
+    const btVector3 to = in_units<btVector3>(segment.to);
     Nearest nearest(from, to);
     shape_.performRaycast(&nearest, from, to);
     return nearest.share;
@@ -141,11 +138,6 @@ class BulletRayCaster : public RayCaster {
     }
     double share = kNoHit;
   };
-
-  static btVector3 point_of(const flashbvh::Point& point) {
-    const auto units = [](std::int32_t cells) { return static_cast<float>(cells / kCellsOfUnit); };
-    return {units(point.x), units(point.y), units(point.z)};
-  }
 
   BulletMesh mesh_;
   btBvhTriangleMeshShape shape_;

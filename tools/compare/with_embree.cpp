@@ -2,6 +2,7 @@
 // Embree's tutorial, by Moeller's intervals (float_triangles.hpp).
 #include <embree3/rtcore.h>
 
+#include <array>
 #include <stdexcept>
 
 #include "comparison.hpp"
@@ -13,22 +14,11 @@ using flashbvh::Mesh;
 namespace compare {
 namespace {
 
-/// One thread, like all other libraries.
-class Device {
- public:
-  Device() : device_(rtcNewDevice("threads=1")) {
-    if (device_ == nullptr) {
-      throw std::runtime_error("Embree has no device");
-    }
-  }
-  ~Device() { rtcReleaseDevice(device_); }
-  Device(const Device&) = delete;
-  Device& operator=(const Device&) = delete;
-  RTCDevice get() const { return device_; }
-
- private:
-  RTCDevice device_;
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
 };
+using Device = std::unique_ptr<RTCDeviceTy, Release>;
 
 /// Triangles in their final position, their planes, and Embree's tree of their boxes.
 class Scene {
@@ -40,16 +30,14 @@ class Scene {
     rtcSetGeometryUserData(boxes, &triangles_);
     rtcSetGeometryBoundsFunction(boxes, set_bounds, nullptr);
     rtcCommitGeometry(boxes);
-    rtcAttachGeometry(scene_, boxes);
+    rtcAttachGeometry(get(), boxes);
     rtcReleaseGeometry(boxes);
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitScene(scene_);
+    rtcSetSceneBuildQuality(get(), RTC_BUILD_QUALITY_HIGH);
+    rtcCommitScene(get());
   }
-  ~Scene() { rtcReleaseScene(scene_); }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
+  Scene(Scene&&) = delete;  // Embree refers to its triangles
 
-  RTCScene get() const { return scene_; }
+  RTCScene get() const { return scene_.get(); }
   const Flat& triangle(std::uint32_t i) const { return triangles_[i]; }
 
  private:
@@ -66,7 +54,7 @@ class Scene {
   }
 
   std::vector<Flat> triangles_;
-  RTCScene scene_;
+  std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
 bool intersect(const Flat& a, const Flat& b) {
@@ -79,42 +67,46 @@ bool intersect(const Flat& a, const Flat& b) {
          crossing_intersect(a.corner, b.corner, a.normal, b.normal, of_a, of_b);
 }
 
-/// B's triangles at a pose; without a pose, the mesh's own triangles.
-std::vector<Flat> triangles_of(const Mesh& mesh, const flashbvh::Pose* pose) {
+/// A mesh's triangles at a pose.
+std::vector<Flat> triangles_of(const Mesh& mesh, const flashbvh::Pose& pose) {
   std::vector<Vec> vertices;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    double p[3];
-    set_vertex(mesh, i, p);
-    float at[3];
-    for (int row = 0; row < 3; ++row) {
-      at[row] = static_cast<float>(
-          pose == nullptr ? p[row]
-                          : rotation_of(*pose, row, 0) * p[0] + rotation_of(*pose, row, 1) * p[1] +
-                                rotation_of(*pose, row, 2) * p[2] + translation_of(*pose, row));
-    }
-    vertices.push_back({at[0], at[1], at[2]});
+  for (const auto& p : vertices_of<double, std::array<double, 3>>(mesh)) {
+    const auto along = [&](int row) {
+      return static_cast<float>(rotation_of(pose, row, 0) * p[0] +
+                                rotation_of(pose, row, 1) * p[1] +
+                                rotation_of(pose, row, 2) * p[2] + translation_of(pose, row));
+    };
+    vertices.push_back({along(0), along(1), along(2)});
   }
   std::vector<Flat> triangles;
-  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-    const auto& c = mesh.triangles[i].corner;
-    Flat flat = {{vertices[c[0]], vertices[c[1]], vertices[c[2]]}, {}, 0};
-    flat.normal = normal_of(flat.corner);
-    flat.offset = dot(flat.normal, flat.corner[0]);
-    triangles.push_back(flat);
+  for (const auto& [p, q, r] : corners_of<std::array<std::uint16_t, 3>>(mesh)) {
+    triangles.push_back(flat_of(vertices[p], vertices[q], vertices[r]));
   }
   return triangles;
+}
+
+/// One thread, like all other libraries.
+Device new_device() {
+  Device device(rtcNewDevice("threads=1"));
+  if (device == nullptr) {
+    throw std::runtime_error("Embree has no device");
+  }
+  return device;
 }
 
 class WithEmbree : public Collider {
  public:
   WithEmbree(const Mesh& a, const Mesh& b)
-      : mesh_a_(&a), mesh_b_(&b), a_(device_, triangles_of(a, nullptr)) {}
+      : mesh_a_(&a),
+        mesh_b_(&b),
+        device_(new_device()),
+        a_(device_, triangles_of(a, flashbvh::Pose::translated(0, 0, 0))) {}
 
   /// Makes a scene of B for each pose.
   void set_poses(const std::vector<Placed>& poses) override {
     placed_.clear();
     for (const Placed& placed : poses) {
-      placed_.push_back(std::make_unique<Scene>(device_, triangles_of(*mesh_b_, &placed.pose)));
+      placed_.push_back(std::make_unique<Scene>(device_, triangles_of(*mesh_b_, placed.pose)));
     }
   }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "comparison.hpp"
-#include "units.hpp"
+#include "eigen_mesh.hpp"
 
 using flashbvh::Mesh;
 
@@ -14,40 +14,12 @@ namespace {
 
 /// The model's triangles are in the order of the baked mesh.
 template <class Volume>
-std::shared_ptr<fcl::BVHModel<Volume>> model_of(const flashbvh::Mesh& mesh) {
-  std::vector<fcl::Vector3d> vertices;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    double point[3];
-    set_vertex(mesh, i, point);
-    vertices.emplace_back(point[0], point[1], point[2]);
-  }
-  std::vector<fcl::Triangle> triangles;
-  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-    const auto& corner = mesh.triangles[i].corner;
-    triangles.emplace_back(corner[0], corner[1], corner[2]);
-  }
+std::shared_ptr<fcl::BVHModel<Volume>> model_of(const Mesh& mesh) {
   auto model = std::make_shared<fcl::BVHModel<Volume>>();
   model->beginModel();
-  model->addSubModel(vertices, triangles);
+  model->addSubModel(points_of(mesh), corners_of<fcl::Triangle>(mesh));
   model->endModel();
   return model;
-}
-
-using Transforms = std::vector<fcl::Transform3d, Eigen::aligned_allocator<fcl::Transform3d>>;
-
-Transforms transforms_of(const std::vector<Placed>& poses) {
-  Transforms transforms;
-  for (const Placed& placed : poses) {
-    fcl::Transform3d transform = fcl::Transform3d::Identity();
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) {
-        transform.linear()(row, column) = rotation_of(placed.pose, row, column);
-      }
-      transform.translation()[row] = translation_of(placed.pose, row);
-    }
-    transforms.push_back(transform);
-  }
-  return transforms;
 }
 
 class Fcl : public Collider {
@@ -55,7 +27,9 @@ class Fcl : public Collider {
   Fcl(const Mesh& a, const Mesh& b)
       : mesh_a_(&a), mesh_b_(&b), a_(model_of<fcl::OBBRSSd>(a)), b_(model_of<fcl::OBBRSSd>(b)) {}
 
-  void set_poses(const std::vector<Placed>& poses) override { poses_ = transforms_of(poses); }
+  void set_poses(const std::vector<Placed>& poses) override {
+    poses_ = converted(poses, isometry_of);
+  }
 
   std::size_t query_all(Wanted wanted) override {
     std::size_t count = 0;
@@ -87,7 +61,7 @@ class Fcl : public Collider {
   const Mesh* mesh_b_;
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> a_;
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> b_;
-  Transforms poses_;
+  std::vector<fcl::Transform3d> poses_;
   fcl::CollisionResultd result_;
 };
 
@@ -96,7 +70,9 @@ class FclDistances : public DistanceMeter {
  public:
   FclDistances(const Mesh& a, const Mesh& b) : a_(model_of<Volume>(a)), b_(model_of<Volume>(b)) {}
 
-  void set_poses(const std::vector<Placed>& poses) override { poses_ = transforms_of(poses); }
+  void set_poses(const std::vector<Placed>& poses) override {
+    poses_ = converted(poses, isometry_of);
+  }
 
   std::size_t query_all(Wanted /*wanted*/) override {
     double sum = 0;
@@ -120,7 +96,7 @@ class FclDistances : public DistanceMeter {
 
   std::shared_ptr<fcl::BVHModel<Volume>> a_;
   std::shared_ptr<fcl::BVHModel<Volume>> b_;
-  Transforms poses_;
+  std::vector<fcl::Transform3d> poses_;
   fcl::DistanceRequestd request_{/*enable_nearest_points=*/true};
   fcl::DistanceResultd result_;
 };

@@ -27,10 +27,7 @@ class Flashbvh : public Collider {
 
   void set_poses(const std::vector<Placed>& poses) override {
     poses_ = poses;
-    rows_.clear();
-    for (const Placed& placed : poses) {
-      rows_.push_back(rows_of(placed.pose));
-    }
+    rows_ = converted(poses, rows_of);
   }
 
   std::size_t query_all(Wanted wanted) override {

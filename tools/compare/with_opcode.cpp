@@ -22,10 +22,7 @@ class WithOpcode : public Collider {
   }
 
   void set_poses(const std::vector<Placed>& poses) override {
-    poses_.clear();
-    for (const Placed& placed : poses) {
-      poses_.push_back(matrix_of(placed.pose));
-    }
+    poses_ = converted(poses, matrix_of);
   }
 
   std::size_t query_all(Wanted wanted) override {
@@ -73,8 +70,8 @@ class OpcodeRayCaster : public RayCaster {
   }
 
   double nearest(const flashbvh::Segment& segment) override {
-    const IceMaths::Point from = point_of(segment.from);
-    IceMaths::Point way = point_of(segment.to) - from;
+    const IceMaths::Point from = in_units<IceMaths::Point>(segment.from);
+    IceMaths::Point way = in_units<IceMaths::Point>(segment.to) - from;
     const float length = way.Magnitude();
     way /= length;
     collider_.SetMaxDist(length);
@@ -90,11 +87,6 @@ class OpcodeRayCaster : public RayCaster {
   }
 
  private:
-  static IceMaths::Point point_of(const flashbvh::Point& point) {
-    const auto units = [](std::int32_t cells) { return static_cast<float>(cells / kCellsOfUnit); };
-    return {units(point.x), units(point.y), units(point.z)};
-  }
-
   OpcodeModel model_;
   Opcode::RayCollider collider_;
   Opcode::CollisionFaces faces_;

@@ -24,8 +24,9 @@ struct Flat {
   float offset;
 };
 
-inline Vec normal_of(const Vec (&corner)[3]) {
-  return cross(corner[1] - corner[0], corner[2] - corner[0]);
+inline Flat flat_of(const Vec& p, const Vec& q, const Vec& r) {
+  const Vec normal = cross(q - p, r - p);
+  return {{p, q, r}, normal, dot(normal, p)};
 }
 
 /// Heights of the corners over a plane.

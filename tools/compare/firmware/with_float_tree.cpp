@@ -49,16 +49,10 @@ class Tree {
  public:
   void build(const Mesh& mesh) {
     triangles_.clear();
+    const std::vector<Vec> vertices = vertices_of<float, Vec>(mesh);
     for (uint32_t i = 0; i < mesh.triangle_count; ++i) {
-      Flat flat;
-      for (int k = 0; k < 3; ++k) {
-        float at[3];
-        set_vertex(mesh, mesh.triangles[i].corner[k], at);
-        flat.corner[k] = {at[0], at[1], at[2]};
-      }
-      flat.normal = normal_of(flat.corner);
-      flat.offset = dot(flat.normal, flat.corner[0]);
-      triangles_.push_back(flat);
+      const auto& corner = mesh.triangles[i].corner;
+      triangles_.push_back(flat_of(vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]));
     }
     nodes_.assign(1, Node());
     fill(0, 0, static_cast<uint32_t>(triangles_.size()));
