@@ -27,9 +27,7 @@ def skin(mesh, rings):
     around = len(rings[0])
     corners = [[mesh.corner(*point) for point in points] for points in rings]
     for low, high in zip(corners, corners[1:]):
-        for i in range(around):
-            j = (i + 1) % around
-            mesh.quad(low[i], low[j], high[j], high[i])
+        mesh.band(low, high)
     for points, end, order in (rings[0], corners[0], -1), (rings[-1], corners[-1], 1):
         middle = mesh.corner(*(sum(p[axis] for p in points) / around for axis in range(3)))
         for i in range(around):

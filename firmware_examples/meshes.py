@@ -39,6 +39,12 @@ class Mesh:
         self.face(a, b, c)
         self.face(a, c, d)
 
+    def band(self, low, high):
+        """Connects two closed rings of corners, both counter-clockwise as seen from `high`."""
+        for i in range(len(low)):
+            j = (i + 1) % len(low)
+            self.quad(low[i], low[j], high[j], high[i])
+
 
 def torus(mesh, around, across, ring, tube):
     def corner(i, j):
@@ -124,9 +130,7 @@ def room(mesh):
             foot = nearest(x + radius * cos(turn)), nearest(y + radius * sin(turn))
             low.append(mesh.corner(*foot, 0))
             high.append(mesh.corner(*foot, height))
-        for i in range(around):
-            j = (i + 1) % around
-            mesh.quad(low[i], low[j], high[j], high[i])
+        mesh.band(low, high)
         for i in range(1, around - 1):
             mesh.face(low[0], low[i + 1], low[i])
             mesh.face(high[0], high[i], high[i + 1])
@@ -218,18 +222,13 @@ def gear(mesh, teeth, rings, radius):
     rims = [[ring(at, height * layer / layers) for layer in range(1, layers)] for at in (0, rings)]
     high = [ring(at, height) for at in range(rings + 1)]
 
-    def strip(one, other):
-        for i in range(around):
-            j = (i + 1) % around
-            mesh.quad(one[i], one[j], other[j], other[i])
-
     for at in range(rings):
-        strip(low[at], low[at + 1])
-        strip(high[at + 1], high[at])
+        mesh.band(low[at], low[at + 1])
+        mesh.band(high[at + 1], high[at])
     walls = [low[0], *rims[0], high[0]], [low[rings], *rims[1], high[rings]]
     for layer in range(layers):
-        strip(walls[0][layer + 1], walls[0][layer])
-        strip(walls[1][layer], walls[1][layer + 1])
+        mesh.band(walls[0][layer + 1], walls[0][layer])
+        mesh.band(walls[1][layer], walls[1][layer + 1])
 
 
 def turned(mesh, around, radius, length):

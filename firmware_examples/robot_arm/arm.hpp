@@ -1,6 +1,5 @@
 // The arm's joints and its forward kinematics: the links' poses at given angles, in float.
-#ifndef ROBOT_ARM_ARM_HPP
-#define ROBOT_ARM_ARM_HPP
+#pragma once
 
 #include <flashbvh/pose.hpp>
 
@@ -22,5 +21,3 @@ struct ArmPose {
 
 /// The links' poses at these joint angles. Takes 104 bytes per link.
 ArmPose arm_pose(const float (&angles)[kJointCount]);
-
-#endif

@@ -1,6 +1,5 @@
 // The configurations that the example tests.
-#ifndef ROBOT_ARM_CONFIGURATIONS_HPP
-#define ROBOT_ARM_CONFIGURATIONS_HPP
+#pragma once
 
 #include "joints.hpp"
 
@@ -44,5 +43,3 @@ constexpr bool all_are_allowed() {
   return true;
 }
 static_assert(all_are_allowed(), "a configuration beyond the joints' limits");
-
-#endif

@@ -52,9 +52,8 @@ def main():
         rows = [row(joint, number) for number, joint in enumerate(joints, 1)]
     except (Unexpected, xml.ParseError) as why:
         sys.exit(f"{sys.argv[1]}: not the arm that was expected: {why}")
-    print("// Written by joints.py; the numbers are those of the URDF file.\n#ifndef ROBOT_ARM_JOINTS_HPP\n"
-          "#define ROBOT_ARM_JOINTS_HPP\n\n#include \"arm.hpp\"\n\n"
-          "constexpr Joint kJoints[kJointCount] = {", *rows, "};\n\n#endif", sep="\n")
+    print("// Written by joints.py; the numbers are those of the URDF file.\n#pragma once\n\n#include \"arm.hpp\"\n\n"
+          "constexpr Joint kJoints[kJointCount] = {", *rows, "};", sep="\n")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 // The arm's links: images that the build compiled, and images as bytes in flash.
-#ifndef ROBOT_ARM_LINKS_HPP
-#define ROBOT_ARM_LINKS_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -61,5 +60,3 @@ constexpr uint32_t kStackNeed =
            larger(larger(forearm_STACK_NEED, wrist_STACK_NEED), palm_STACK_NEED));
 
 }  // namespace robot
-
-#endif

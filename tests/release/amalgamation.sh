@@ -19,7 +19,7 @@ for compiler in $native; do
   quietly $compiler -std=c++17 $level $digest flashbvh.o -o digest
   same_digest ./digest
   quietly $compiler -std=c++17 $level -ffp-contract=off "-I$files" -I. \
-    "-I$ROOT/firmware_examples/robot_guard" "-I$ROOT/firmware_examples/robot_guard/host" \
+    "-I$ROOT/firmware_examples/robot_guard" "-I$ROOT/firmware_examples/host" \
     "-I$ROOT/firmware_examples/robot_guard/cell_arm" "$ROOT/firmware_examples/robot_guard/main.cpp" \
     -x c++ cell_arm.robot.c -x none flashbvh.o flashbvh_robot.o -o guard
   ./guard >answer || fail "the guard ended with $?"

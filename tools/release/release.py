@@ -129,9 +129,9 @@ def write_examples(target: Path, flashbvh: str) -> None:
         shutil.copy(TEMPLATES / "sketch/text.hpp", folder)
         subprocess.run([flashbvh, *command, "-o", folder], cwd=examples / name, check=True,
                        stdout=subprocess.DEVNULL)
-    for header in ["quick_start/query.hpp", "robot_guard/cell_arm/arm.hpp", "robot_guard/motion.hpp",
-                   "robot_guard/host/timer.hpp"]:
+    for header in ["quick_start/query.hpp", "robot_guard/cell_arm/arm.hpp", "robot_guard/motion.hpp"]:
         shutil.copy(examples / header, target / header.split("/")[0])
+    shutil.copy(examples / "host/timer.hpp", target / "robot_guard")
 
 
 def files_below(folder: Path) -> list[Path]:
