@@ -54,6 +54,10 @@ std::uint64_t key_of(std::uint32_t first, std::uint32_t second) {
   return std::uint64_t{first} << 32 | second;
 }
 
+bool is_one_of(const TriangleIds& ids, std::size_t triangle) {
+  return std::binary_search(ids.begin(), ids.end(), triangle);
+}
+
 /// An edge of one triangle.
 struct Edge {
   std::uint32_t low;
@@ -69,14 +73,9 @@ std::vector<Edge> edges_of(const std::vector<TriangleCorners>& triangles,
                            const TriangleIds& duplicates) {
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
-  auto duplicate = duplicates.begin();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (duplicate != duplicates.end() && *duplicate == i) {
-      ++duplicate;
-      continue;
-    }
     const auto& [p, q, r] = triangles[i];
-    if (p == q || q == r || r == p) {
+    if (is_one_of(duplicates, i) || p == q || q == r || r == p) {
       continue;
     }
     for (const auto& [from, to] : {std::pair(p, q), std::pair(q, r), std::pair(r, p)}) {
@@ -152,10 +151,8 @@ bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates)
   // Six times the volume: sums tetrahedra with an apex at the lattice's zero, each below 2^45. Sums
   // may wrap; the total fits unless the surface winds round the same cells 2^15 times.
   std::uint64_t volume = 0;
-  auto duplicate = duplicates.begin();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (duplicate != duplicates.end() && *duplicate == i) {
-      ++duplicate;
+    if (is_one_of(duplicates, i)) {
       continue;
     }
     const Vertex& p = mesh.vertices[mesh.triangles[i][0]];

@@ -38,6 +38,9 @@ FileMesh MeshBuilder::finish() {
     throw UserError(file_, "has no polygons or triangles; export the mesh again");
   }
   leave_out_empty_bodies();
+  if (left_out_ != 0) {
+    built_.warnings.push_back(concat(left_out_, " points or lines left out"));
+  }
   return std::move(built_);
 }
 
@@ -83,16 +86,13 @@ void MeshBuilder::add(const bake::TriangleCorners& triangle) {
 }
 
 std::vector<bake::SourceMesh> meshes_of_bodies(const FileMesh& whole) {
-  std::vector<MeshBuilder> builders(whole.bodies.size(), MeshBuilder(""));
-  const bake::SourceMesh& mesh = whole.mesh;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    builders[whole.body_of[i]].add_triangle({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+  std::vector<std::vector<std::uint32_t>> triangles(whole.bodies.size());
+  for (std::uint32_t i = 0; i < whole.body_of.size(); ++i) {
+    triangles[whole.body_of[i]].push_back(i);
   }
   std::vector<bake::SourceMesh> meshes;
-  meshes.reserve(builders.size());
-  for (MeshBuilder& builder : builders) {
-    meshes.push_back(builder.finish().mesh);
+  for (const std::vector<std::uint32_t>& of_body : triangles) {
+    meshes.push_back(part_of(whole.mesh, of_body));
   }
   return meshes;
 }

@@ -43,6 +43,9 @@ class MeshBuilder {
   /// Adds a triangle that does not refer to points.
   void add_triangle(const std::array<Position, 3>& corners);
 
+  /// Counts a point or a line, which the mesh leaves out with a warning.
+  void leave_out() { ++left_out_; }
+
   /// All later additions belong to a new body, or to one that was begun before.
   std::uint32_t begin_body(std::string_view name);
   void resume_body(std::uint32_t body) { body_ = body; }
@@ -66,6 +69,7 @@ class MeshBuilder {
   std::vector<FilePoint> points_;
   std::map<Position, std::uint32_t> vertex_at_;
   std::uint32_t body_ = kUnused;  ///< kUnused: none begun
+  std::size_t left_out_ = 0;
   FileMesh built_;
 };
 

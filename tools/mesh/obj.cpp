@@ -52,7 +52,7 @@ class ObjReader {
     } else if (keyword == "o" || keyword == "g") {
       body(words);
     } else if (keyword == "p" || keyword == "l") {
-      ++left_out_;
+      builder_.leave_out();
     } else if (std::find(kNoShape.begin(), kNoShape.end(), keyword) == kNoShape.end()) {
       throw UserError(
           at_line(file_, number), quoted(keyword),
@@ -60,13 +60,7 @@ class ObjReader {
     }
   }
 
-  FileMesh finish() {
-    FileMesh mesh = builder_.finish();
-    if (left_out_ != 0) {
-      mesh.warnings.push_back(concat(left_out_, " points or lines left out"));
-    }
-    return mesh;
-  }
+  FileMesh finish() { return builder_.finish(); }
 
  private:
   void vertex(const Words& words, std::size_t number) {
@@ -124,7 +118,6 @@ class ObjReader {
   MeshBuilder builder_;
   std::map<std::string, std::uint32_t> bodies_;
   std::vector<std::uint32_t> corners_;
-  std::size_t left_out_ = 0;
 };
 
 }  // namespace

@@ -54,9 +54,6 @@ class SceneReader {
     add(*scene_.mRootNode, kIdentity);
     FileMesh mesh = builder_.finish();
     mesh.precision = half_ulp(largest_);
-    if (left_out_ != 0) {
-      mesh.warnings.push_back(concat(left_out_, " points or lines left out"));
-    }
     return mesh;
   }
 
@@ -83,7 +80,7 @@ class SceneReader {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace& face = mesh.mFaces[i];
       if (face.mNumIndices < 3) {
-        ++left_out_;
+        builder_.leave_out();
         continue;
       }
       corners.clear();
@@ -124,7 +121,6 @@ class SceneReader {
   const std::string& file_;
   MeshBuilder builder_;
   double largest_ = 0;  ///< largest sum of a coordinate's absolute summands
-  std::size_t left_out_ = 0;
 };
 
 /// Opens regular files alone: a file may refer to a device or a pipe without end.
