@@ -35,8 +35,8 @@ std::uint64_t cost_of(const BinaryTree& tree);
 /// O(n log n) to sort, then O(n) per level.
 BinaryTree sweep(const LatticeMesh& mesh);
 
-/// Moves subtrees to places where they cost less. Returns the decrease of the cost, never negative.
-std::uint64_t reinsert_all(BinaryTree& tree);
+/// Moves subtrees to places where they cost less. The tree's cost never grows.
+void reinsert_all(BinaryTree& tree);
 
 /// The tree with each largest subtree of up to `leaf_size` triangles made a leaf.
 BuildTree with_leaves(const BinaryTree& tree, std::uint32_t leaf_size);

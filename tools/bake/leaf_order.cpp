@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bake/length.hpp"
 #include "flashbvh/triangle.hpp"
 
 namespace flashbvh::bake {
@@ -10,16 +11,6 @@ namespace {
 
 std::int64_t dot(const Point& u, const Point& v) {
   return std::int64_t{u.x} * v.x + std::int64_t{u.y} * v.y + std::int64_t{u.z} * v.z;
-}
-
-std::uint64_t square_root(std::uint64_t square) {
-  std::uint64_t root = 0;
-  for (std::uint64_t bit = std::uint64_t{1} << 31; bit != 0; bit >>= 1) {
-    if ((root | bit) * (root | bit) <= square) {
-      root |= bit;
-    }
-  }
-  return root;
 }
 
 /// The extent of the leaf's triangles along a direction, in 1/256 cell; one cell at least.

@@ -1,9 +1,10 @@
-// The length of a vector, rounded equally everywhere: std::hypot of three arguments differs between
-// standard libraries.
+// Square roots, and the length of a vector, rounded equally everywhere: std::hypot of three
+// arguments differs between standard libraries.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace flashbvh::bake {
 
@@ -15,6 +16,17 @@ inline double length(double x, double y, double z) {
   }
   const auto squared = [most](double part) { return (part / most) * (part / most); };
   return most * std::sqrt(squared(x) + squared(y) + squared(z));
+}
+
+/// The square root, rounded down; below 2^32.
+inline std::uint64_t square_root(std::uint64_t square) {
+  std::uint64_t root = 0;
+  for (std::uint64_t bit = std::uint64_t{1} << 31; bit != 0; bit >>= 1) {
+    if ((root | bit) * (root | bit) <= square) {
+      root |= bit;
+    }
+  }
+  return root;
 }
 
 }  // namespace flashbvh::bake

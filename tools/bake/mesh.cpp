@@ -1,12 +1,14 @@
 #include "bake/mesh.hpp"
 
-#include <map>
+#include <unordered_map>
 
 namespace flashbvh::bake {
 
-SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& numbers) {
-  SourceMesh part;
-  std::map<std::uint32_t, std::uint32_t> index_of;
+namespace {
+
+template <class Mesh>
+void add_part(const Mesh& mesh, const std::vector<std::uint32_t>& numbers, Mesh& part) {
+  std::unordered_map<std::uint32_t, std::uint32_t> index_of;
   for (const std::uint32_t number : numbers) {
     TriangleCorners corners = mesh.triangles[number];
     for (std::uint32_t& corner : corners) {
@@ -19,6 +21,19 @@ SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& num
     }
     part.triangles.push_back(corners);
   }
+}
+
+}  // namespace
+
+SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& numbers) {
+  SourceMesh part;
+  add_part(mesh, numbers, part);
+  return part;
+}
+
+LatticeMesh part_of(const LatticeMesh& mesh, const std::vector<std::uint32_t>& numbers) {
+  LatticeMesh part = {mesh.cell, mesh.origin, {}, {}, mesh.deviation, mesh.unit, mesh.name};
+  add_part(mesh, numbers, part);
   return part;
 }
 

@@ -19,8 +19,6 @@ struct SourceMesh {
   std::vector<TriangleCorners> triangles;
 };
 
-/// A mesh of the triangles with these numbers and their vertices, in order of first use.
-SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& numbers);
 void append(const SourceMesh& more, SourceMesh& mesh);
 
 /// The longest name of a mesh in an image, in bytes.
@@ -36,5 +34,9 @@ struct LatticeMesh {
   Unit unit = Unit::none;
   std::string name;  ///< without folder and extension; at most kMaxNameSize bytes are kept
 };
+
+/// A mesh of the triangles with these numbers and their vertices, in order of first use.
+SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& numbers);
+LatticeMesh part_of(const LatticeMesh& mesh, const std::vector<std::uint32_t>& numbers);
 
 }  // namespace flashbvh::bake

@@ -142,13 +142,11 @@ constexpr int kPasses = 2;
 
 }  // namespace
 
-std::uint64_t reinsert_all(BinaryTree& tree) {
-  const std::uint64_t before = cost_of(tree);
+void reinsert_all(BinaryTree& tree) {
   Reinsertion reinsertion(tree);
   for (int i = 0; i < kPasses; ++i) {
     reinsertion.pass();
   }
-  return before - cost_of(tree);
 }
 
 }  // namespace flashbvh::bake

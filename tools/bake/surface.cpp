@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "bake/length.hpp"
+
 namespace flashbvh::bake {
 namespace {
 
@@ -11,15 +13,6 @@ std::uint64_t squared_length(const Vertex& p, const Vertex& q) {
     return static_cast<std::uint64_t>(difference * difference);
   };
   return square(p.x - q.x) + square(p.y - q.y) + square(p.z - q.z);
-}
-
-/// The square root, rounded up.
-std::uint16_t root_of(std::uint64_t squared) {
-  std::uint64_t root = 0;
-  while (root * root < squared) {
-    ++root;
-  }
-  return static_cast<std::uint16_t>(root);
 }
 
 }  // namespace
@@ -60,7 +53,8 @@ Surface surface_of(const LatticeMesh& mesh) {
   }
   const std::vector<std::uint32_t> first = shells_of(mesh.triangles, mesh.vertices.size());
   Surface surface;
-  surface.longest_edge = root_of(longest);
+  const std::uint64_t root = square_root(longest);  // rounded down
+  surface.longest_edge = static_cast<std::uint16_t>(root * root < longest ? root + 1 : root);
   surface.is_closed = is_closed(mesh.triangles);
   for (const TriangleCorners& corners : mesh.triangles) {
     surface.shell_vertices.push_back(first[corners[0]]);

@@ -60,26 +60,12 @@ TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const Bake
   mark(defects.collapsed, options.drop_degenerate);
   mark(defects.duplicates, options.drop_duplicate);
   TriangleIds kept;
-  std::vector<bake::TriangleCorners> triangles;
-  constexpr std::uint32_t kUnused = 0xFFFFFFFF;
-  std::vector<std::uint32_t> index_of(mesh.vertices.size(), kUnused);
-  std::vector<Vertex> vertices;
   for (std::size_t i = 0; i < dropped.size(); ++i) {
-    if (dropped[i]) {
-      continue;
-    }
-    kept.push_back(static_cast<std::uint32_t>(i));
-    triangles.push_back(mesh.triangles[i]);
-    for (std::uint32_t& corner : triangles.back()) {
-      if (index_of[corner] == kUnused) {
-        index_of[corner] = static_cast<std::uint32_t>(vertices.size());
-        vertices.push_back(mesh.vertices[corner]);
-      }
-      corner = index_of[corner];
+    if (!dropped[i]) {
+      kept.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  mesh.triangles = std::move(triangles);
-  mesh.vertices = std::move(vertices);
+  mesh = part_of(mesh, kept);
   return kept;
 }
 
