@@ -39,14 +39,23 @@ std::string cells_per_unit_literal(double cell) {
   std::memcpy(&bits, &cell, sizeof bits);
   return float_literal(cells_per_unit(bits));
 }
+
 /// The macro for bounds of queries.
-/// For bounds.
 std::string tree_size(const std::string& word) {
   std::string text = "/** A flashbvh_tree_size. */\n#define " + word + "_TREE_SIZE \\\n  {";
   for (const char* const part : {"_DEPTH", "_ARITY", "_LEAF_SIZE", "_LEAF_COUNT"}) {
     text += word + part + ", ";
   }
   return text + word + "_TRIANGLE_COUNT}\n";
+}
+
+/// In the unit, and in 1/256 cell, rounded up, as firmware adds it to a distance.
+std::string deviation_macros(const std::string& word, double deviation, double cell,
+                             const std::string& unit) {
+  return concat("#define ", word, "_DEVIATION ", floating_literal(deviation), " /* in ",
+                unit.empty() ? "the mesh's unit" : unit, ": from the file's mesh */\n#define ",
+                word, "_DEVIATION_FINE ", fixed(std::ceil(deviation / cell * kFineOne), 0),
+                " /* the same in 1/256 cell */\n");
 }
 
 std::string view_of(const ImageHeader& header) {
@@ -80,19 +89,6 @@ std::string cell_macros(const std::string& word, double cell, const std::string&
                 unit.empty() ? "the mesh's unit" : unit, " */\n#define ", word, "_CELLS_PER_UNIT ",
                 cells_per_unit_literal(cell), "\n");
 }
-
-namespace {
-
-/// In the unit, and in 1/256 cell, rounded up, as firmware adds it to a distance.
-std::string deviation_macros(const std::string& word, double deviation, double cell,
-                             const std::string& unit) {
-  return concat("#define ", word, "_DEVIATION ", floating_literal(deviation), " /* in ",
-                unit.empty() ? "the mesh's unit" : unit, ": from the file's mesh */\n#define ",
-                word, "_DEVIATION_FINE ", fixed(std::ceil(deviation / cell * kFineOne), 0),
-                " /* the same in 1/256 cell */\n");
-}
-
-}  // namespace
 
 SourceFiles image_in_c(const std::vector<std::uint32_t>& image, const OutputName& name,
                        const SourceFrame& frame, const std::string& about) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -22,12 +23,6 @@ bool is_word(char c) {
 bool is_reserved(const std::string& word) {
   return word.size() > 1 && word[0] == '_' &&
          (word[1] == '_' || (word[1] >= 'A' && word[1] <= 'Z'));
-}
-
-std::string small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return text;
 }
 
 std::string word_of(std::string text) {
@@ -63,7 +58,7 @@ OutputName output_name(const std::string& mesh_path, const std::string& chosen) 
 
 void TakenOutputs::add(const OutputName& name, const std::string& mesh, const char* fix) {
   const auto take = [&](std::map<std::string, std::string>& taken, const std::string& wanted) {
-    const auto [known, is_new] = taken.emplace(small_letters(wanted), wanted);
+    const auto [known, is_new] = taken.emplace(lower_case(wanted), wanted);
     if (!is_new) {
       const std::string other = "'" + known->second + "'";
       throw UserError(mesh, "would be written as '", wanted, "' like ",
@@ -96,8 +91,8 @@ std::vector<OutputName> distinct_names(const std::vector<std::string>& names) {
   for (const std::string& any : names) {
     const std::string wanted = word_of(any);
     std::string name = wanted;
-    for (std::size_t& number = last_number.emplace(small_letters(wanted), 1).first->second;
-         !taken.insert(small_letters(name)).second;) {
+    for (std::size_t& number = last_number.emplace(lower_case(wanted), 1).first->second;
+         !taken.insert(lower_case(name)).second;) {
       name = concat(wanted, "_", ++number);
     }
     made.push_back({name, name});
