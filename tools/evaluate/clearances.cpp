@@ -20,29 +20,15 @@ NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle
           nearest_points_of(a, b)};
 }
 
-/// Firmware's predicate with a counter of triangle tests.
+/// Firmware's predicate; counts triangle tests.
 struct CountingWithin : Within {
-  std::uint32_t tested = 0;
+  std::uint64_t* tested;
 
   bool test(const Triangle& a, const Triangle& b, std::uint32_t i, std::uint32_t j) {
-    ++tested;
+    ++*tested;
     return Within::test(a, b, i, j);
   }
 };
-
-/// A query with firmware's predicate and its counts.
-template <class Mesh>
-struct CountedWithin : Query<Ranked<Mesh>, CountingWithin> {
-  CountedWithin(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t reach)
-      : Query<Ranked<Mesh>, CountingWithin>(a, b, pose, {}, CountingWithin{within(reach)}) {}
-  std::uint32_t triangle_tests() const { return this->tested; }
-};
-
-template <class Query>
-void count(const Query& query, ClearanceAnswer& answer) {
-  answer.visits = query.stats().visits;
-  answer.triangle_pairs = query.triangle_tests();
-}
 
 template <class Mesh>
 ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
@@ -61,7 +47,8 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
   if (found.status != Status::done) {
     return answer;
   }
-  count(query, answer);
+  answer.visits = query.stats().visits;
+  answer.triangle_pairs = query.triangle_tests();
   answer.lower = found.lower;
   answer.upper = found.upper;
   if (!found.in_range) {
@@ -79,8 +66,9 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
 template <class Mesh>
 ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t distance,
                           bool all) {
-  CountedWithin<Mesh> query(a, b, pose, distance);
   ClearanceAnswer answer;
+  Query<Ranked<Mesh>, CountingWithin> query(a, b, pose, {},
+                                            {within(distance), &answer.triangle_pairs});
   const auto take = [&](const auto& pair) {
     Triangle of_a;
     Triangle of_b;
@@ -90,7 +78,7 @@ ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::u
   };
   answer.status = query.run(UINT32_MAX, take).status;
   answer.status = answer.status == Status::full ? Status::done : answer.status;
-  count(query, answer);
+  answer.visits = query.stats().visits;
   std::sort(
       answer.nearest.begin(), answer.nearest.end(), [](const NearestPair& p, const NearestPair& q) {
         return std::tie(p.triangles.a, p.triangles.b) < std::tie(q.triangles.a, q.triangles.b);

@@ -77,18 +77,6 @@ AxisTranslation axis_translation(double length, double cell, const std::string& 
   return {static_cast<std::int32_t>(cells), static_cast<std::int16_t>(fractions - cells * 65536)};
 }
 
-template <class Tree>
-std::vector<LatticePoint> rotated_vertices(const Tree& b, const Pose& pose) {
-  std::vector<LatticePoint> vertices;
-  for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
-    const auto along = [&](int axis) {
-      return std::int64_t{transformed_coordinate(b.origin, b.vertices[i], pose, axis)};
-    };
-    vertices.push_back({along(0), along(1), along(2)});
-  }
-  return vertices;
-}
-
 using Words = std::vector<std::string_view>;
 
 std::int32_t cells_of(std::string_view word, double cell, const std::string& place) {
@@ -215,17 +203,19 @@ std::array<double, 12> pose_numbers(const Pose& pose, double cell) {
   return numbers;
 }
 
-std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pose) {
-  if (!pose.is_translation()) {
-    return std::visit([&](const auto& tree) { return rotated_vertices(tree, pose); }, b);
-  }
-  std::vector<LatticePoint> vertices = vertices_of(b);
-  for (LatticePoint& point : vertices) {
-    for (int axis = 0; axis < 3; ++axis) {
-      point[static_cast<std::size_t>(axis)] += pose.translation(axis);
-    }
-  }
-  return vertices;
+std::vector<LatticePoint> transformed_vertices(const AnyTree& any, const Pose& pose) {
+  return std::visit(
+      [&](const auto& b) {
+        std::vector<LatticePoint> vertices;
+        for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
+          const auto along = [&](int axis) {
+            return std::int64_t{transformed_coordinate(b.origin, b.vertices[i], pose, axis)};
+          };
+          vertices.push_back({along(0), along(1), along(2)});
+        }
+        return vertices;
+      },
+      any);
 }
 
 std::vector<Point> read_lattice_points(const std::string& path, double cell) {
