@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -219,41 +220,33 @@ class MjcfReader {
 
   bool set_geometry(int geom, int body, UrdfGeometry& geometry) {
     using Shape = UrdfGeometry::Shape;
+    static const std::map<int, Shape> shapes = {{mjGEOM_BOX, Shape::box},
+                                                {mjGEOM_SPHERE, Shape::sphere},
+                                                {mjGEOM_CYLINDER, Shape::cylinder},
+                                                {mjGEOM_CAPSULE, Shape::capsule},
+                                                {mjGEOM_ELLIPSOID, Shape::ellipsoid},
+                                                {mjGEOM_MESH, Shape::triangles}};
+    const auto shape = shapes.find(m_.geom_type[geom]);
+    if (shape == shapes.end()) {
+      warn(body_place(body),
+           concat("has a ", m_.geom_type[geom] == mjGEOM_PLANE ? "plane" : "height field",
+                  ", which is left out; if the robot can hit it, write it as a box"));
+      return false;
+    }
+    geometry.shape = shape->second;
     const mjtNum* const size = row(m_.geom_size, 3, geom);
     geometry.size = {2 * size[0], 2 * size[1], 2 * size[2]};
     geometry.radius = size[0];
     geometry.length = 2 * size[1];
-    switch (m_.geom_type[geom]) {
-      case mjGEOM_BOX:
-        geometry.shape = Shape::box;
-        return true;
-      case mjGEOM_SPHERE:
-        geometry.shape = Shape::sphere;
-        return true;
-      case mjGEOM_CYLINDER:
-        geometry.shape = Shape::cylinder;
-        return true;
-      case mjGEOM_CAPSULE:
-        geometry.shape = Shape::capsule;
-        return true;
-      case mjGEOM_ELLIPSOID:
-        geometry.shape = Shape::ellipsoid;
-        return true;
-      case mjGEOM_MESH:
-        set_mesh(m_.geom_dataid[geom], geom, geometry);
-        return true;
-      default:
-        warn(body_place(body),
-             concat("has a ", m_.geom_type[geom] == mjGEOM_PLANE ? "plane" : "height field",
-                    ", which is left out; if the robot can hit it, write it as a box"));
-        return false;
+    if (geometry.shape == Shape::triangles) {
+      set_mesh(m_.geom_dataid[geom], geom, geometry);
     }
+    return true;
   }
 
   void set_mesh(int mesh, int geom, UrdfGeometry& geometry) {
     const std::string mesh_name = name(mjOBJ_MESH, "mesh", mesh);
     const auto file = document_.mesh_files.find(mesh_name);
-    geometry.shape = UrdfGeometry::Shape::triangles;
     geometry.mesh = file == document_.mesh_files.end() ? mesh_name : file->second;
     const float* const vertices = row(m_.mesh_vert, 3, m_.mesh_vertadr[mesh]);
     const int* const faces = row(m_.mesh_face, 3, m_.mesh_faceadr[mesh]);
