@@ -28,6 +28,11 @@ def any_arm(random, joints):
     return text + "</robot>"
 
 
+def padded(size):
+    """Rounded up to whole words."""
+    return (size + 3) // 4 * 4
+
+
 class Rows:
     """Rows of one array: fields by name."""
     def __init__(self, data, begin, count, form, names):
@@ -37,6 +42,9 @@ class Rows:
 
     def __len__(self):
         return self.count
+
+    def __iter__(self):
+        return map(self.__getitem__, range(self.count))
 
     def __getitem__(self, i):
         values = self.form.unpack_from(self.data, self.begin + i * self.form.size)
@@ -75,7 +83,7 @@ class Image:
         self.link_names = [name.decode() for name in names[1 + h["joints"]:1 + h["joints"] + h["links"]]]
         self.mount_names = [name.decode() for name in names[1 + h["joints"] + h["links"]:-1]]
         self.names_at = at
-        at = (at + h["names"] + 3) // 4 * 4
+        at = padded(at + h["names"])
         self.meshes = []
         for _ in range(h["links"]):
             self.meshes.append(at)
@@ -113,19 +121,17 @@ class Image:
         return self.boxes(joints[0]) * (self.boxes(joints[1]) if len(joints) == 2 else 1)
 
     def mesh(self, link):
-        """The mesh's arrays of nodes and vertices: their offsets and their lengths."""
+        """The mesh's arrays of nodes, triangles' corners and vertices: their offsets and their lengths."""
         at = self.meshes[link]
         nodes, leaves, triangles, vertices = struct.unpack_from("<4I", self.data, at + 16)
-        place = at + 80 + 16 * nodes
-        for size in ([2 * nodes] * 2 if self.data[at + 79] & 1 else []) + [6 * triangles, 2 * triangles] + (
-                [2 * leaves + 2] if leaves != triangles else []):
-            place = (place + size + 3) // 4 * 4
-        return (at + 80, nodes), (place, vertices), triangles
+        corners = at + 80 + 16 * nodes + (2 * padded(2 * nodes) if self.data[at + 79] & 1 else 0)
+        offsets = padded(2 * leaves + 2) if leaves != triangles else 0
+        place = corners + padded(6 * triangles) + padded(2 * triangles) + offsets
+        return (at + 80, nodes), (corners, triangles), (place, vertices)
 
     def repair_sums(self):
         """Recomputes the reaches of pairs."""
-        for i in range(len(self.pairs)):
-            pair = self.pairs[i]
+        for i, pair in enumerate(self.pairs):
             a, b = self.between(pair["a"], pair["b"])
             sums = sum(self.reaches[self.links[link]["first"] + n]["value"]
                        for link, joints in ((pair["a"], a), (pair["b"], b)) for n in range(len(joints)))
@@ -135,14 +141,9 @@ class Image:
         begin = self.tables.begin + sum(self.table_size(self.pairs[k]) for k in range(i))
         pair, size = self.pairs[i], self.table_size(self.pairs[i]) if len(self.tables) else 0
         names_end = self.names_at + self.header[0]["names"]
-        padded = (names_end + 3) // 4 * 4
-        names_end = bytes(self.data[self.names_at:names_end])
-        after = bytes(self.data[begin + size:self.names_at]) + names_end
         at = self.pairs.begin + 16 * i
-        front = bytes(self.data[:at]) + bytes(self.data[at + 16:begin]) + after
-        front += bytes(-len(front) % 4)
-        meshes = bytes(self.data[padded:])
-        self.data[:] = front + meshes
+        front = self.data[:at] + self.data[at + 16:begin] + self.data[begin + size:names_end]
+        self.data[:] = front + bytes(-len(front) % 4) + self.data[padded(names_end):]
         h = self.header[0]
         self.header.set(0, bytes=len(self.data), pairs=h["pairs"] - 1, tables=h["tables"] - size,
                         pair_joints=h["pair_joints"] - pair["joints_a"] - pair["joints_b"])
@@ -164,12 +165,8 @@ class Image:
         value = add(self.tables.begin, self.tables.end, value)
         value = add(20, 32, value)
         for link, at in enumerate(self.meshes):
-            (nodes, node_count), (vertices, vertex_count), triangles = self.mesh(link)
-            flags = data[at + 79] & 1
-            corners = nodes + 16 * node_count + (2 * ((2 * node_count + 3) // 4 * 4) if flags else 0)
-            value = add(nodes, nodes + 16 * node_count, value)
-            value = add(corners, corners + 6 * triangles, value)
-            value = add(vertices, vertices + 6 * vertex_count, value)
+            for (begin, count), size in zip(self.mesh(link), (16, 6, 6)):
+                value = add(begin, begin + size * count, value)
             value = add(at + 44, at + 56, value)
         self.header.set(0, hash=value)
         own = self.meshes[0]

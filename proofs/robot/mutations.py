@@ -19,11 +19,11 @@ from urdf import Urdf, refusals
 
 ARMS = ["revolute prismatic mimic", "revolute revolute", "continuous revolute prismatic", "prismatic revolute revolute",
         "revolute continuous mimic", "continuous revolute"]
-KINDS = []
+KINDS = {}
 
 
 def kind(function):
-    KINDS.append(function)
+    KINDS[function.__name__] = function
     return function
 
 
@@ -39,70 +39,69 @@ def any_of(random, choices):
 
 def any_row(random, rows, wanted=lambda row: True):
     """The number of a random row among the wanted ones."""
-    return any_of(random, [i for i in range(len(rows)) if wanted(rows[i])])
-
-
-def change_reach(image, random, factor, slides=False):
-    number, joint, link = any_of(random, [
-        (image.links[link]["first"] + n, joint, link) for link in range(len(image.links))
-        for n, joint in enumerate(image.branch(link)) if (image.joints[joint]["type"] == 2) == slides])
-    image.reaches.set(number, value=int(image.reaches[number]["value"] * factor))
-    image.repair_sums()
-    return rf"reach of joint {image.joint_names[joint]}, link {image.name(link)}"
+    return any_of(random, [i for i, row in enumerate(rows) if wanted(row)])
 
 
 def pair_name(image, pair):
     return f"{image.name(pair['a'])} - {image.name(pair['b'])}"
 
 
-@kind
-def lower_a_reach(image, random, said):
-    return change_reach(image, random, 0.93)
+def row_kind(name, array, refused, fields, wanted=lambda row: True):
+    """A kind that changes fields of one row; `refused`: the refusal, with the row's name."""
+    def change(image, random, said):
+        rows = getattr(image, array)
+        i = any_row(random, rows, wanted)
+        rows.set(i, **fields(rows[i], random))
+        named = {"links": image.name, "joints": image.joint_names.__getitem__, "header": lambda i: ""}
+        return refused.format(named.get(array, lambda i: pair_name(image, rows[i]))(i))
+
+    KINDS[name] = change
 
 
-@kind
-def raise_a_reach(image, random, said):
-    return change_reach(image, random, 5)
+def reach_kind(name, factor, slides=False):
+    """A kind that changes the reach of a joint that slides or turns."""
+    def change(image, random, said):
+        number, joint, link = any_of(random, [
+            (image.links[link]["first"] + n, joint, link) for link in range(len(image.links))
+            for n, joint in enumerate(image.branch(link)) if (image.joints[joint]["type"] == 2) == slides])
+        image.reaches.set(number, value=int(image.reaches[number]["value"] * factor))
+        image.repair_sums()
+        return rf"reach of joint {image.joint_names[joint]}, link {image.name(link)}"
+
+    KINDS[name] = change
 
 
-@kind
-def change_a_slides_reach(image, random, said):
-    return change_reach(image, random, 0.5, slides=True)
-
-
-@kind
-def change_a_sum(image, random, said):
-    i = any_row(random, image.pairs)
-    image.pairs.set(i, reach=image.pairs[i]["reach"] - random.randrange(1, 1000))
-    return "reach of pair " + pair_name(image, image.pairs[i])
-
-
-@kind
-def shrink_a_sphere(image, random, said):
-    i = any_row(random, image.links)
-    image.links.set(i, radius=int(image.links[i]["radius"] * 0.95))
-    return f"sphere of link {image.name(i)}"
-
-
-@kind
-def move_a_sphere(image, random, said):
-    i = any_row(random, image.links)
-    image.links.set(i, z=image.links[i]["z"] + image.links[i]["radius"] // 4)
-    return f"sphere of link {image.name(i)}"
-
-
-@kind
-def exchange_joints_between(image, random, said):
-    i = any_row(random, image.pairs, lambda pair: pair["joints_a"] != pair["joints_b"])
-    pair = image.pairs[i]
-    image.pairs.set(i, joints_a=pair["joints_b"], joints_b=pair["joints_a"])
-    return "joints of pair " + pair_name(image, pair)
+reach_kind("lower_a_reach", 0.93)
+reach_kind("raise_a_reach", 5)
+reach_kind("change_a_slides_reach", 0.5, slides=True)
+row_kind("change_a_sum", "pairs", "reach of pair {}",
+         lambda row, random: {"reach": row["reach"] - random.randrange(1, 1000)})
+row_kind("shrink_a_sphere", "links", "sphere of link {}", lambda row, _: {"radius": int(row["radius"] * 0.95)})
+row_kind("move_a_sphere", "links", "sphere of link {}", lambda row, _: {"z": row["z"] + row["radius"] // 4})
+row_kind("exchange_joints_between", "pairs", "joints of pair {}",
+         lambda row, _: {"joints_a": row["joints_b"], "joints_b": row["joints_a"]},
+         lambda row: row["joints_a"] != row["joints_b"])
+row_kind("exchange_a_pairs_links", "pairs", "pair {}", lambda row, _: {"a": row["b"], "b": row["a"]})
+row_kind("warn_nearer_than_stop", "pairs", "distances of pair {}", lambda row, _: {"warn": row["stop"] - 1},
+         lambda row: row["stop"] > 0)
+row_kind("lower_the_slack", "header", "slack", lambda row, random: {"slack": row["slack"] - random.randrange(8, 100)})
+row_kind("shrink_a_zone", "unguarded", "zone of {}", lambda row, _: {"radius": int(row["radius"] * 0.6)},
+         lambda row: row["why"] == 0)
+row_kind("bend_a_frame", "joints", "frame of joint {}",
+         lambda row, random: {"r1": row["r1"] + random.choice([-1, 1]) * 100000})
+row_kind("lower_a_deviation", "links", "deviation of link {}", lambda row, _: {"deviation": row["deviation"] // 2})
+row_kind("change_first_reach", "links", "first_reach of link {}", lambda row, _: {"first": row["first"] - 1},
+         lambda row: row["first"] > 0)
+row_kind("change_a_mimic", "joints", "limits of joint {}", lambda row, _: {"multiplier": row["multiplier"] // 2},
+         lambda row: row["shift"] > 0)
+row_kind("hang_a_link_elsewhere", "links", "first_reach of link|reaches: ", lambda row, _: {"joint": row["joint"] - 1},
+         lambda row: row["joint"] not in (0, 255))
 
 
 @kind
 def remove_a_pair(image, random, said):
     colliding = {(pair["a"], pair["b"]) for pair in said["pairs"] if pair["verdict"] == "can"}
-    zones = {tuple(sorted((row["a"], row["b"]))) for row in map(image.unguarded.__getitem__, range(len(image.unguarded)))}
+    zones = {tuple(sorted((row["a"], row["b"]))) for row in image.unguarded}
     i = any_row(random, image.pairs, lambda pair: (image.link_names[pair["a"]], image.link_names[pair["b"]]) in colliding
                 and (pair["a"], pair["b"]) not in zones and image.whole_of(pair["a"]) == pair["a"]
                 and image.whole_of(pair["b"]) == pair["b"])
@@ -112,47 +111,19 @@ def remove_a_pair(image, random, said):
 
 
 @kind
-def exchange_a_pairs_links(image, random, said):
-    i = any_row(random, image.pairs)
-    pair = image.pairs[i]
-    image.pairs.set(i, a=pair["b"], b=pair["a"])
-    return "pair " + pair_name(image, image.pairs[i])
-
-
-@kind
-def warn_nearer_than_stop(image, random, said):
-    i = any_row(random, image.pairs, lambda pair: pair["stop"] > 0)
-    image.pairs.set(i, warn=image.pairs[i]["stop"] - 1)
-    return "distances of pair " + pair_name(image, image.pairs[i])
-
-
-@kind
-def lower_the_slack(image, random, said):
-    image.header.set(0, slack=image.header[0]["slack"] - random.randrange(8, 100))
-    return "slack"
-
-
-@kind
 def raise_a_table_byte(image, random, said):
     i = any_row(random, image.tables, lambda row: 0 < row["byte"] < 200)
     image.tables.set(i, byte=image.tables[i]["byte"] + 40)
-    for pair in map(image.pairs.__getitem__, range(len(image.pairs))):
+    for pair in image.pairs:
         if i < image.table_size(pair):
             return f"table of {pair_name(image, pair)}, byte {i}:"
         i -= image.table_size(pair)
 
 
 @kind
-def shrink_a_zone(image, random, said):
-    i = any_row(random, image.unguarded, lambda row: row["why"] == 0)
-    image.unguarded.set(i, radius=int(image.unguarded[i]["radius"] * 0.6))
-    return "zone of " + pair_name(image, image.unguarded[i])
-
-
-@kind
 def widen_a_limit(image, random, said):
     """Widens a slide beyond a turning joint, or a joint with a mimic: reaches or tables no longer hold."""
-    joints = [image.joints[i] for i in range(len(image.joints))]
+    joints = list(image.joints)
     i = any_row(random, image.joints, lambda row: row["shift"] == 0 and row["type"] != 1 and (
         any(other["shift"] and other["variable"] == row["variable"] for other in joints) or
         row["type"] == 2 and row["parent"] != 255 and joints[row["parent"]]["type"] != 2))
@@ -172,23 +143,9 @@ def move_a_joint(image, random, said):
 
 
 @kind
-def bend_a_frame(image, random, said):
-    i = any_row(random, image.joints)
-    image.joints.set(i, r1=image.joints[i]["r1"] + random.choice([-1, 1]) * 100000)
-    return f"frame of joint {image.joint_names[i]}"
-
-
-@kind
-def lower_a_deviation(image, random, said):
-    i = any_row(random, image.links)
-    image.links.set(i, deviation=image.links[i]["deviation"] // 2)
-    return f"deviation of link {image.name(i)}"
-
-
-@kind
 def move_a_vertex(image, random, said):
     link = any_row(random, image.links)
-    _, (vertices, count), _ = image.mesh(link)
+    *_, (vertices, count) = image.mesh(link)
     at = vertices + 6 * random.randrange(count) + 2 * random.randrange(3)
     value = struct.unpack_from("<h", image.data, at)[0]
     struct.pack_into("<h", image.data, at, max(-16383, min(16383, value + (9000 if value > 0 else -9000))))
@@ -198,24 +155,10 @@ def move_a_vertex(image, random, said):
 @kind
 def shrink_a_box(image, random, said):
     link = any_row(random, image.links)
-    (nodes, count), _, _ = image.mesh(link)
+    (nodes, count), *_ = image.mesh(link)
     at = nodes + 16 * random.randrange(count) + 2 * random.randrange(6)
     struct.pack_into("<H", image.data, at, max(1, struct.unpack_from("<H", image.data, at)[0] - 200))
     return f"mesh of link {image.name(link)}"
-
-
-@kind
-def change_first_reach(image, random, said):
-    i = any_row(random, image.links, lambda row: row["first"] > 0)
-    image.links.set(i, first=image.links[i]["first"] - 1)
-    return f"first_reach of link {image.name(i)}"
-
-
-@kind
-def change_a_mimic(image, random, said):
-    i = any_row(random, image.joints, lambda row: row["shift"] > 0)
-    image.joints.set(i, multiplier=image.joints[i]["multiplier"] // 2)
-    return f"limits of joint {image.joint_names[i]}"
 
 
 @kind
@@ -223,13 +166,6 @@ def name_another_joint_of_a_zone(image, random, said):
     i = any_row(random, image.unguarded, lambda row: row["why"] == 0)
     image.unguarded.set(i, joint=(image.unguarded[i]["joint"] + 1) % len(image.joints))
     return "unguarded pair " + pair_name(image, image.unguarded[i])
-
-
-@kind
-def hang_a_link_elsewhere(image, random, said):
-    i = any_row(random, image.links, lambda row: row["joint"] not in (0, 255))
-    image.links.set(i, joint=image.links[i]["joint"] - 1)
-    return "first_reach of link|reaches: "
 
 
 class Checked:
@@ -297,8 +233,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     random = randoms.Random(arguments.seed)
-    with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor() as pool:
-        folder = pathlib.Path(name)
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor() as pool:
+        folder = pathlib.Path(folder)
         urdfs = [arguments.urdf] + [folder / f"arm{i}.urdf" for i in range(len(ARMS))]
         for urdf, joints in zip(urdfs[1:], ARMS):
             urdf.write_text(any_arm(random, joints.split()))
@@ -310,17 +246,17 @@ def main():
             check_urdf(urdf, (folder / f"{urdf.stem}.robot").read_bytes())
         check_exits(arguments.checker, folder / f"{arguments.urdf.stem}.robot", folder)
         made = []
-        for change in itertools.islice(itertools.cycle(KINDS), 10 * arguments.count):
+        for name in itertools.islice(itertools.cycle(KINDS), 10 * arguments.count):
             said, data = random.choice(baked)
             image = Image(data)
             try:
-                expected = change(image, random, said)
+                expected = KINDS[name](image, random, said)
             except NoSuchRow:
                 continue
             if bytes(image.data) != data and len(made) < arguments.count:
                 path = folder / f"{len(made)}.robot"
                 path.write_bytes(image.repaired())
-                made.append((change.__name__, path, expected))
+                made.append((name, path, expected))
         results = list(pool.map(lambda made: judged(arguments.checker, *made[1:]), made))
     survivors = [(name, result) for (name, _, _), result in zip(made, results) if result is not None]
     for name, result in survivors:

@@ -90,15 +90,14 @@ def fixed_frame(r, t):
 def image_places(image, coordinates):
     """The frames of the image's mounts in the base's frame, in cells."""
     frames = {255: NONE}
-    for i, coordinate in enumerate(coordinates):
-        row = image.joints[i]
+    for i, (row, coordinate) in enumerate(zip(image.joints, coordinates)):
         fixed = fixed_frame([row[f"r{k}"] for k in range(9)], [row[k] for k in "xyz"])
         moved = ((NONE[0], [0, 0, coordinate / 2048]) if row["type"] == 2 else
                  (turned((0, 0, 1), coordinate * TURN), [0, 0, 0]))
         frames[i] = product(product(frames[row["parent"]], fixed), moved)
     places = {}
-    for i, name in enumerate(image.mount_names):
-        joint, *rest = struct.unpack("<B3x12i", image.mounts[i]["bytes"])
+    for name, mount in zip(image.mount_names, image.mounts):
+        joint, *rest = struct.unpack("<B3x12i", mount["bytes"])
         places[name] = product(frames[joint], fixed_frame(rest[:9], rest[9:]))
     return places
 
@@ -110,8 +109,7 @@ def coordinate(row, value):
 
 def check_limits(image, urdf, cell):
     """The image allows no more than the URDF, up to 2^-22 of a radian or metre, or of a longer limit."""
-    for i, name in enumerate(image.joint_names):
-        row = image.joints[i]
+    for name, row in zip(image.joint_names, image.joints):
         unit = cell / 2048 if row["type"] == 2 else TURN
         if name in urdf.limits and row["type"] != 1 and row["shift"] == 0:
             lower, upper = urdf.limits[name]
@@ -127,14 +125,11 @@ def check_places(image, urdf, cell, random):
     """The largest error of a mount, or the first row whose error is too large."""
     for _ in range(PLACES):
         values = {}
-        for i in range(len(image.joints)):
-            row = image.joints[i]
+        for name, row in zip(image.joint_names, image.joints):
             if row["shift"] == 0:
                 low, high = (-(1 << 27), (1 << 27) - 1) if row["type"] == 1 else (row["lower"], row["upper"])
-                values[row["variable"]] = (image.joint_names[i], random.randint(low, high),
-                                           cell / 2048 if row["type"] == 2 else TURN)
-        coordinates = [coordinate(image.joints[i], values[image.joints[i]["variable"]][1])
-                       for i in range(len(image.joints))]
+                values[row["variable"]] = (name, random.randint(low, high), cell / 2048 if row["type"] == 2 else TURN)
+        coordinates = [coordinate(row, values[row["variable"]][1]) for row in image.joints]
         places = urdf.places({name: value * unit for name, value, unit in values.values()})
         for name, (r, t) in image_places(image, coordinates).items():
             if name not in places:

@@ -434,25 +434,22 @@ Proof.
   pose proof (rank_limit B (last_sibling cells_b j j - 1)) as L. cbn in L. lia.
 Qed.
 
+(* The lemmas of B and of A come in pairs with one proof each; the two trees differ only on ties of rank. *)
+
 (* To a child x of n, whether down from n or aside from another child. *)
-Ltac kid F I := pose proof (fmt_inside _ _ F _ _ I) as [_ ?]; pose proof (fmt_monotone _ _ F _ _ I);
-  pose proof (find_kid _ _ F _ _ I) as K; pose proof (after_parent' _ _ F _ _ I).
+Ltac kid F x order := intros L I [R P]; pose proof (fmt_inside _ _ F _ _ I) as [_ ?]; pose proof (fmt_monotone _ _ F _ _ I);
+  pose proof (find_kid _ _ F _ _ I) as K; pose proof (after_parent' _ _ F _ _ I);
+  unfold side, side_of, leaf_of, leaf, above_a, above_b, rank_a, rank_b in *; cbn [place place_rank node];
+  rewrite good_eq, K, (proj2 (order _ _) P); unfold above_a, above_b, rank_a, rank_b; rewrite K;
+  split; [lia | destruct x; [lia|]; cbn [Nat.eqb]; now rewrite ?andb_false_r].
 Lemma kid_b i n x : i < length cells_a -> In x (children_b n) -> (rank_a i < rank_b n <= above_a i)%Z ->
   good i x /\ leaf_of (place cells_a i) (place cells_b x) = (if is_leaf cells_a i then LeafA else NoLeaf) /\
   side i x = (if is_leaf cells_a i then LeafA else NoLeaf).
-Proof.
-  intros L I [R P]. kid FB I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
-  rewrite K. fold (above_a i) (rank_b n). rewrite (proj2 (Z.leb_le _ _) P), andb_comm.
-  split; [apply good_eq; unfold above_b, rank_a, rank_b in *; rewrite K; lia|]. now destruct x; [lia|].
-Qed.
+Proof. kid FB x Z.leb_le. Qed.
 Lemma kid_a j n x : j < length cells_b -> In x (children_a n) -> (rank_b j <= rank_a n < above_b j)%Z ->
   good x j /\ leaf_of (place cells_a x) (place cells_b j) = (if is_leaf cells_b j then LeafB else NoLeaf) /\
   side x j = (if is_leaf cells_b j then LeafB else NoLeaf).
-Proof.
-  intros L I [R P]. kid FA I. unfold side, side_of, leaf_of, leaf. cbn [place place_rank node].
-  rewrite K. fold (above_b j) (rank_a n). rewrite (proj2 (Z.leb_gt _ _) P).
-  split; [apply good_eq; unfold above_a, rank_a, rank_b in *; rewrite K; lia|]. now destruct x; [lia|].
-Qed.
+Proof. kid FA x Z.leb_gt. Qed.
 
 Lemma internal_sides i j : is_leaf cells_a i = false -> is_leaf cells_b j = false -> side i j = NoLeaf.
 Proof.
@@ -472,11 +469,8 @@ Lemma stands_for_enter i j visit : good i j ->
   Stands_for (enter cells_a cells_b visit (place cells_a i) (place cells_b j)) (state_at visit i j).
 Proof.
   intros G S T. unfold enter. fold leaf_of. unfold leaf_of in *.
-  destruct (leaf _ _ _ _) eqn:E.
-  - destruct visit; constructor; auto.
-  - apply For_below_a; auto; try discriminate; try constructor. unfold leaf, place in E. cbn in E.
-    destruct (_ <=? _)%Z, (is_leaf cells_a i), (is_leaf cells_b j); try discriminate; auto.
-  - apply For_below_b; auto; try discriminate; try constructor. unfold leaf, place in E. cbn in E.
+  destruct (leaf _ _ _ _) eqn:E; [destruct visit; constructor; auto | apply For_below_a | apply For_below_b]; auto;
+    try discriminate; try constructor; unfold leaf, place in E; cbn in E;
     destruct (_ <=? _)%Z, (is_leaf cells_a i), (is_leaf cells_b j); try discriminate; auto.
 Qed.
 
@@ -493,67 +487,47 @@ Proof.
 Qed.
 
 (* Down into B, down into A. *)
+Ltac down F i j n smaller kid order := intros G T L R x; pose proof G as ((LA & LB) & R1 & R2);
+  destruct (internal _ _ F n L) as (r & K); fold x in K; pose proof (in_eq x r) as I; rewrite <- K in I;
+  assert smaller as S by (pose proof (fmt_rank _ _ F n ltac:(now rewrite K));
+    destruct R as [R | R]; [apply Z.ltb_lt in R; cbn; lia | exact R]);
+  split; [exact I|]; split; [|destruct (kid x) as (Gx & _ & Sx); auto];
+  unfold pair_at; cbn [turn]; fold (overlap i j) in T; rewrite T, (proj2 (order _ _) S);
+  change (kids B j) with (children_b j); change (kids A i) with (children_a i); now rewrite K.
 Lemma down_b i j : good i j -> tested cells_a cells_b bound begin touch i j = true -> is_leaf cells_b j = false ->
   is_leaf cells_a i = true \/ (rank_a i < rank_b j)%Z -> let x := first_child cells_b j in
   In x (children_b j) /\ turn A B overlap (Visit (pair_at i j)) = Visit (pair_at i x) /\ good i x /\
   side i x = (if is_leaf cells_a i then LeafA else NoLeaf).
-Proof.
-  intros G T L R x. pose proof G as ((LA & LB) & R1 & R2). destruct (internal _ _ FB j L) as (r & K). fold x in K.
-  assert (rank A i < rank B j)%Z as R'.
-  { pose proof (fmt_rank _ _ FB j ltac:(now rewrite K)). destruct R as [R | R]; [apply Z.ltb_lt in R; cbn; lia | exact R]. }
-  assert (In x (children_b j)) as I by (rewrite K; now left). split; [exact I|].
-  split; [|destruct (kid_b i j x LA I (conj R' R2)) as (Gx & _ & Sx); auto].
-  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T, (proj2 (Z.ltb_lt _ _) R').
-  change (kids B j) with (children_b j). now rewrite K.
-Qed.
+Proof. down FB i j j (rank A i < rank B j)%Z (kid_b i j) Z.ltb_lt. Qed.
 Lemma down_a i j : good i j -> tested cells_a cells_b bound begin touch i j = true -> is_leaf cells_a i = false ->
   is_leaf cells_b j = true \/ (rank_b j <= rank_a i)%Z -> let x := first_child cells_a i in
   In x (children_a i) /\ turn A B overlap (Visit (pair_at i j)) = Visit (pair_at x j) /\ good x j /\
   side x j = (if is_leaf cells_b j then LeafB else NoLeaf).
-Proof.
-  intros G T L R x. pose proof G as ((LA & LB) & R1 & R2). destruct (internal _ _ FA i L) as (r & K). fold x in K.
-  assert (rank B j <= rank A i)%Z as R'.
-  { pose proof (fmt_rank _ _ FA i ltac:(now rewrite K)). destruct R as [R | R]; [apply Z.ltb_lt in R; cbn; lia | exact R]. }
-  assert (In x (children_a i)) as I by (rewrite K; now left). split; [exact I|].
-  split; [|destruct (kid_a j i x LB I (conj R' R1)) as (Gx & _ & Sx); auto].
-  unfold pair_at. cbn [turn]. fold (overlap i j) in T. rewrite T, (proj2 (Z.ltb_ge _ _) R').
-  change (kids A i) with (children_a i). now rewrite K.
-Qed.
+Proof. down FA i j i (rank B j <= rank A i)%Z (kid_a j i) Z.ltb_ge. Qed.
 
 (* Aside or up in B, in A. *)
+Ltac aside T F i j x order := intros G Z P; rewrite good_eq in G; destruct G as ((LA & LB) & R1 & R2);
+  destruct (has_parent _ _ F x ltac:(lia)) as (n & I & N); exists n; split; [exact I|];
+  pose proof (find_kid _ _ F _ _ I) as K; pose proof (fmt_inside _ _ F _ _ I) as [Ln _];
+  pose proof (rank_below_parent T n (all_under _ _ F n Ln)) as M; cbn in M;
+  unfold pair_at; cbn [turn]; rewrite (proj2 (order (parent_rank B j) (parent_rank A i)) P);
+  change (next A i) with (arr_next cells_a i); change (next B j) with (arr_next cells_b j);
+  change (is_root B j) with (j =? 0); rewrite ?(proj2 (Nat.eqb_neq x 0) Z);
+  unfold above_a, above_b, rank_a, rank_b in *; split; [lia|];
+  destruct N as [[-> E] | (s & -> & J & _)]; [split; [exact E|]; split; [apply good_eq | now rewrite E] | now split];
+  unfold above_a, above_b, rank_a, rank_b; lia.
 Lemma aside_b i j : good i j -> j <> 0 -> (above_b j <= above_a i)%Z -> exists n, In j (children_b n) /\
   (rank_a i < rank_b n <= above_a i)%Z /\ match arr_next cells_b j with
   | Some s => In s (children_b n) /\ turn A B overlap (Behind (pair_at i j)) = Visit (pair_at i s)
   | None => n = j - 1 /\ good i n /\ turn A B overlap (Behind (pair_at i j)) = Behind (pair_at i n)
   end.
-Proof.
-  intros G Z P. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2).
-  destruct (has_parent _ _ FB j ltac:(lia)) as (n & I & N). exists n. split; [exact I|].
-  pose proof (find_kid _ _ FB _ _ I) as K. pose proof (fmt_inside _ _ FB _ _ I) as [Ln _].
-  pose proof (rank_below_parent B n (all_under _ _ FB n Ln)) as M. cbn in M.
-  fold (above_b j) (above_b n) (rank_b n) in *. split; [lia|]. unfold pair_at. cbn [turn].
-  change (parent_rank A i) with (above_a i). change (parent_rank B j) with (above_b j).
-  rewrite (proj2 (Z.leb_le _ _) P). change (next B j) with (arr_next cells_b j). change (is_root B j) with (j =? 0).
-  destruct N as [[-> E] | (s & -> & J & _)]; [|now split]. split; [exact E|].
-  split; [apply good_eq; lia|]. destruct (Nat.eqb_spec j 0); [lia | now rewrite E].
-Qed.
-Lemma aside_a i j : good i j -> (above_a i < above_b j)%Z -> exists n, In i (children_a n) /\
+Proof. aside B FB i j j Z.leb_le. Qed.
+Lemma aside_a i j : good i j -> i <> 0 -> (above_a i < above_b j)%Z -> exists n, In i (children_a n) /\
   (rank_b j <= rank_a n < above_b j)%Z /\ match arr_next cells_a i with
   | Some s => In s (children_a n) /\ turn A B overlap (Behind (pair_at i j)) = Visit (pair_at s j)
   | None => n = i - 1 /\ good n j /\ turn A B overlap (Behind (pair_at i j)) = Behind (pair_at n j)
   end.
-Proof.
-  intros G P. rewrite good_eq in G. destruct G as ((LA & LB) & R1 & R2).
-  assert (i <> 0) as Z by (intros ->; pose proof (above_limit_b j); change (above_a 0) with kRootParentRank in P; lia).
-  destruct (has_parent _ _ FA i ltac:(lia)) as (n & I & N). exists n. split; [exact I|].
-  pose proof (find_kid _ _ FA _ _ I) as K. pose proof (fmt_inside _ _ FA _ _ I) as [Ln _].
-  pose proof (rank_below_parent A n (all_under _ _ FA n Ln)) as M. cbn in M.
-  fold (above_a i) (above_a n) (rank_a n) in *. split; [lia|]. unfold pair_at. cbn [turn].
-  change (parent_rank A i) with (above_a i). change (parent_rank B j) with (above_b j).
-  rewrite (proj2 (Z.leb_gt _ _) P). change (next A i) with (arr_next cells_a i).
-  destruct N as [[-> E] | (s & -> & J & _)]; [|now split]. split; [exact E|].
-  split; [apply good_eq; lia | now rewrite E].
-Qed.
+Proof. aside A FA i j i Z.leb_gt. Qed.
 
 (* next(), from behind any good pair. *)
 Ltac next_goes kid F L I R T NL resumed leaf := let s := fresh in let J := fresh in let S := fresh in let IL := fresh in
@@ -577,7 +551,9 @@ Proof.
       rewrite (proj2 (Z.leb_le _ _) P). constructor. }
     destruct (aside_b i j G Z P) as (n & I & R & T).
     next_goes (kid_b i n) FB LA I R T NL resumed (is_leaf cells_a i).
-  - rewrite (place_next _ _ FA i LA). destruct (aside_a i j G P) as (n & I & R & T).
+  - assert (i <> 0) as Z
+      by (intros ->; pose proof (above_limit_b j); change (above_a 0) with kRootParentRank in P; lia).
+    rewrite (place_next _ _ FA i LA). destruct (aside_a i j G Z P) as (n & I & R & T).
     next_goes (kid_a j n) FA LB I R T NL resumed (is_leaf cells_b j).
 Qed.
 
@@ -614,61 +590,42 @@ Proof.
       unfold rank_a. rewrite (place_descend _ _ FA i I). now apply For_visit.
 Qed.
 
+(* Below a leaf: at node x under m of tree T, in the pair (i, j); the walk came from the pair (a, b). *)
+Ltac below T F cells i j a b x m resumed visit leaf goes down kid aside :=
+  intros Gm G L U S NL; pose proof G as ((LA & LB) & _); pose proof (proj1 (good_eq _ _) Gm) as (_ & Ra & Rb);
+  destruct visit; cbn zeta; unfold state_at, step; cbn [code_turn finds pair_below node place];
+  fold (place cells_a a) (place cells_b b);
+  [ specialize (S eq_refl); assert (tested cells_a cells_b bound begin touch i j = touch leaf i j) as Tested
+      by (unfold tested; fold side; now rewrite S);
+    rewrite finds_spec, Tested, L, ?andb_true_r; split; [|reflexivity];
+    destruct (touch leaf i j); [destruct (is_leaf cells x) eqn:?|];
+    [ rewrite turn_leaves by assumption; apply (goes resumed false); auto; discriminate
+    | destruct (down i j G Tested ltac:(assumption) (or_introl L)) as (I & -> & Gx & Sx); rewrite L in Sx;
+      apply (goes resumed true); auto; apply (Under_trans T m x _ U); now apply kid_under
+    | rewrite turn_rejected by assumption; apply (goes resumed false); auto; discriminate ]
+  | split; [|reflexivity]; destruct (Nat.eqb_spec x m) as [->|N]; [now apply next_simulates|];
+    destruct (above_below _ _ F m x ltac:(assumption) U N) as [J P];
+    unfold above_a, above_b, rank_a, rank_b in Ra, Rb;
+    destruct (aside i j G J ltac:(unfold above_a, above_b; lia)) as (n & I & R & Turn);
+    destruct (parent_under _ _ F m x n U N I) as [V _];
+    unfold arr_next in Turn; destruct (Nat.ltb_spec (c_link (cell cells x)) x);
+    [ destruct Turn as [J' ->]; destruct (kid n _ ltac:(assumption) J' R) as (Gs & _ & Ss); rewrite L in Ss;
+      apply (goes resumed true); auto; apply (Under_trans T m n _ V); now apply kid_under
+    | destruct Turn as (-> & Gn & ->); apply (goes resumed false); auto; discriminate ] ].
 Lemma simulates_below_a resumed visit i m j : good i m -> good i j ->
   is_leaf cells_a i = true -> Under (T := B) m j ->
   (visit = true -> side i j = LeafA) -> (resumed = false -> side i m = NoLeaf) ->
   let c := CBelow resumed visit LeafA (place cells_a i) (place cells_b m) j in
   Stands_for (step c) (turn A B overlap (state_at visit i j)) /\
   finds cells_a cells_b bound touch c = finds_of (state_at visit i j).
-Proof.
-  intros Gm G L U S NL. pose proof G as ((LA & LB) & _). pose proof (proj1 (good_eq _ _) Gm) as (_ & _ & Rm).
-  destruct visit; cbn zeta; unfold state_at, step; cbn [code_turn finds pair_below node place];
-    fold (place cells_a i) (place cells_b m).
-  - specialize (S eq_refl). assert (tested cells_a cells_b bound begin touch i j = touch LeafA i j) as T
-      by (unfold tested; fold side; now rewrite S).
-    rewrite finds_spec, T, L. split; [|reflexivity].
-    assert (Stands_for (CBelow resumed false LeafA (place cells_a i) (place cells_b m) j)
-      (Behind (pair_at i j))) as Go by (apply (For_below_a resumed false i m j); auto; discriminate).
-    destruct (touch LeafA i j); [|now rewrite turn_rejected].
-    destruct (is_leaf cells_b j) eqn:F; [now rewrite turn_leaves|].
-    destruct (down_b i j G T F (or_introl L)) as (I & -> & Gx & Sx). rewrite L in Sx.
-    apply (For_below_a resumed true i m); auto. apply (Under_trans B m j _ U). now apply kid_under.
-  - split; [|reflexivity]. destruct (Nat.eqb_spec j m) as [->|N]; [now apply next_simulates|].
-    destruct (above_below _ _ FB m j LB U N) as [J P]. fold (above_b j) (rank_b m) in P.
-    destruct (aside_b i j G J ltac:(lia)) as (n & I & R & T). destruct (parent_under _ _ FB m j n U N I) as [V _].
-    unfold arr_next in T. destruct (Nat.ltb_spec (c_link (cell cells_b j)) j).
-    + destruct T as [J' ->]. destruct (kid_b i n _ LA J' R) as (Gs & _ & Ss). rewrite L in Ss.
-      apply (For_below_a resumed true i m); auto. apply (Under_trans B m n _ V). now apply kid_under.
-    + destruct T as (-> & Gn & ->). apply (For_below_a resumed false i m); auto; discriminate.
-Qed.
-
+Proof. below B FB cells_b i j i m j m resumed visit LeafA For_below_a down_b (kid_b i) aside_b. Qed.
 Lemma simulates_below_b resumed visit m i j : good m j -> good i j ->
   is_leaf cells_b j = true -> Under (T := A) m i ->
   (visit = true -> side i j = LeafB) -> (resumed = false -> side m j = NoLeaf) ->
   let c := CBelow resumed visit LeafB (place cells_a m) (place cells_b j) i in
   Stands_for (step c) (turn A B overlap (state_at visit i j)) /\
   finds cells_a cells_b bound touch c = finds_of (state_at visit i j).
-Proof.
-  intros Gm G L U S NL. pose proof G as ((LA & LB) & _). pose proof (proj1 (good_eq _ _) Gm) as (_ & Rm & _).
-  destruct visit; cbn zeta; unfold state_at, step; cbn [code_turn finds pair_below node place];
-    fold (place cells_a m) (place cells_b j).
-  - specialize (S eq_refl). assert (tested cells_a cells_b bound begin touch i j = touch LeafB i j) as T
-      by (unfold tested; fold side; now rewrite S).
-    rewrite finds_spec, T, L, andb_true_r. split; [|reflexivity].
-    assert (Stands_for (CBelow resumed false LeafB (place cells_a m) (place cells_b j) i)
-      (Behind (pair_at i j))) as Go by (apply (For_below_b resumed false m i j); auto; discriminate).
-    destruct (touch LeafB i j); [|now rewrite turn_rejected].
-    destruct (is_leaf cells_a i) eqn:F; [now rewrite turn_leaves|].
-    destruct (down_a i j G T F (or_introl L)) as (I & -> & Gx & Sx). rewrite L in Sx.
-    apply (For_below_b resumed true m); auto. apply (Under_trans A m i _ U). now apply kid_under.
-  - split; [|reflexivity]. destruct (Nat.eqb_spec i m) as [->|N]; [now apply next_simulates|].
-    destruct (above_below _ _ FA m i LA U N) as [J P]. fold (above_a i) (rank_a m) in P.
-    destruct (aside_a i j G ltac:(lia)) as (n & I & R & T). destruct (parent_under _ _ FA m i n U N I) as [V _].
-    unfold arr_next in T. destruct (Nat.ltb_spec (c_link (cell cells_a i)) i).
-    + destruct T as [J' ->]. destruct (kid_a j n _ LB J' R) as (Gs & _ & Ss). rewrite L in Ss.
-      apply (For_below_b resumed true m); auto. apply (Under_trans A m n _ V). now apply kid_under.
-    + destruct T as (-> & Gn & ->). apply (For_below_b resumed false m); auto; discriminate.
-Qed.
+Proof. below A FA cells_a i j m j i m resumed visit LeafB For_below_b down_a (kid_a j) aside_a. Qed.
 
 Theorem simulates : Simulates.
 Proof.
