@@ -13,9 +13,12 @@ Local Open Scope Z_scope.
 
 (* ============================================================== Part 1: definitions *)
 
-Definition decide {P} (d : {P} + {~ P}) : bool := if d then true else false.
-Definition either {P Q} (d : {P} + {~ P}) (e : {Q} + {~ Q}) : {P \/ Q} + {~ (P \/ Q)}.
-Proof. destruct d; [left; now left|]. destruct e; [left; now right | right; tauto]. Defined.
+(* Decides comparisons and their disjunctions. *)
+Class Dec (P : Prop) := dec : {P} + {~ P}.
+Local Instance dec_less a b : Dec (a < b) := Z_lt_dec a b.
+Local Instance dec_or P Q : Dec P -> Dec Q -> Dec (P \/ Q).
+Proof. intros [] []; [left | left | left | right]; tauto. Defined.
+Definition decide P {d : Dec P} : bool := if d then true else false.
 
 (* ---- An image: nodes, their boxes, and triangles by their slots; for a leaf, by its node, its triangles and the
    directions of its slabs, its plane's first. *)
@@ -90,23 +93,12 @@ Definition reach t : Z := reach_along x t + reach_along y t + reach_along z t.
 Definition moved_boxes_reject o s t : Prop :=
   (x (high t) + x o < x (low s) \/ y (high t) + y o < y (low s) \/ z (high t) + z o < z (low s)) \/
   (x (high s) < x (low t) + x o \/ y (high s) < y (low t) + y o \/ z (high s) < z (low t) + z o).
-Definition moved_boxes_dec o s t : {moved_boxes_reject o s t} + {~ moved_boxes_reject o s t} :=
-  either (either (Z_lt_dec _ _) (either (Z_lt_dec _ _) (Z_lt_dec _ _)))
-    (either (Z_lt_dec _ _) (either (Z_lt_dec _ _) (Z_lt_dec _ _))).
 Definition on_a r root s t : Prop :=
   with_all rejects_on_a r (reach root) (most_rest r) s t.
 Definition on_b r root s t : Prop :=
   with_all rejects_on_b r (reach root) (defect r) s t.
-Definition axis_dec e offset margin t lower upper : {axis_rejects e offset margin t lower upper} +
-  {~ axis_rejects e offset margin t lower upper} := either (Z_lt_dec _ _) (Z_lt_dec _ _).
-Definition on_a_dec r root s t : {on_a r root s t} + {~ on_a r root s t} :=
-  either (axis_dec _ _ _ _ _ _) (either (axis_dec _ _ _ _ _ _) (axis_dec _ _ _ _ _ _)).
-Definition on_b_dec r root s t : {on_b r root s t} + {~ on_b r root s t} :=
-  either (axis_dec _ _ _ _ _ _) (either (axis_dec _ _ _ _ _ _) (axis_dec _ _ _ _ _ _)).
-Definition slab_dec e lower upper offset margin t : {slab_rejects e lower upper offset margin t} +
-  {~ slab_rejects e lower upper offset margin t} := either (Z_lt_dec _ _) (Z_lt_dec _ _).
 
-Definition box_beyond t e lower upper offset margin : bool := decide (slab_dec e lower upper offset margin t).
+Definition box_beyond t e lower upper offset margin : bool := decide (slab_rejects e lower upper offset margin t).
 Definition corners_beyond those e lower upper offset margin : bool := corners_reject e lower upper offset margin those.
 
 Section Two.
@@ -121,14 +113,14 @@ Let root_b := box B 0.
    code: include/flashbvh/detail/walk/leaf_planes.hpp | return reached == nullptr || edge.may_touch *)
 Definition boxes_overlap s t : bool :=
   match pose with
-  | Moved o => negb (decide (moved_boxes_dec o s t))
-  | Turned r => negb (decide (on_a_dec r root_b s t)) && negb (decide (on_b_dec r root_b s t))
+  | Moved o => negb (decide (moved_boxes_reject o s t))
+  | Turned r => negb (decide (on_a r root_b s t)) && negb (decide (on_b r root_b s t))
   end.
 Definition window_passes (side : Side) s t : bool :=
   match pose, side with
-  | Moved o, _ => negb (decide (moved_boxes_dec o s t))
-  | Turned r, LeafB => negb (decide (on_a_dec r root_b s t))
-  | Turned r, _ => negb (decide (on_b_dec r root_b s t))
+  | Moved o, _ => negb (decide (moved_boxes_reject o s t))
+  | Turned r, LeafB => negb (decide (on_a r root_b s t))
+  | Turned r, _ => negb (decide (on_b r root_b s t))
   end.
 Definition slab_of_a e those (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
   let lower := least e those in let upper := most e those in
@@ -236,7 +228,7 @@ Proof. unfold opens. now rewrite andb_true_iff. Qed.
 Definition is_tree m (opened : opens m = true) := accepted_is_tree _ _ (opened_cells m opened).
 
 Ltac bools := repeat rewrite ?andb_true_iff, ?Z.leb_le, ?Nat.ltb_lt in *.
-Lemma decided P (d : {P} + {~ P}) : negb (decide d) = true <-> ~ P.
+Lemma decided P {d : Dec P} : negb (decide P) = true <-> ~ P.
 Proof. unfold decide. destruct d; cbn; split; auto; discriminate || tauto. Qed.
 
 Lemma inside_box s t p : is_inside s t = true -> in_box s p -> in_box t p.
@@ -352,13 +344,15 @@ Proof.
   unfold reached, mx, my, mz, reach_along, in_box in *. lia.
 Qed.
 
-Lemma boxes_apart n k : filled A n -> filled B k ->
-  (match pose with Moved o => moved_boxes_reject o (box A n) (box B k)
-   | Turned r => on_a r (box B 0) (box A n) (box B k) \/ on_b r (box B 0) (box A n) (box B k) end) ->
+Let boxes_reject n k := match pose with
+  | Moved o => moved_boxes_reject o (box A n) (box B k)
+  | Turned r => on_a r (box B 0) (box A n) (box B k) \/ on_b r (box B 0) (box A n) (box B k)
+  end.
+Lemma boxes_apart n k : filled A n -> filled B k -> boxes_reject n k ->
   apart (in_box (box A n)) (in_box (box B k)).
 Proof.
   intros FN FK H. destruct (filled_box A n opened_a FN) as [OA LA], (filled_box B k opened_b FK) as [OB LB].
-  unfold apart, fits in *. destruct pose as [o | r].
+  unfold apart, fits, boxes_reject in *. destruct pose as [o | r].
   - unfold Apart, moved_boxes_reject, in_box, put, dot in *. clear - H.
     destruct H as [[H | [H | H]] | [H | [H | H]]].
     1, 4: exists {| x := 1; y := 0; z := 0 |}.
@@ -382,7 +376,7 @@ Definition right_of (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) (other : Point
   beyond e lower upper offset margin other.
 Lemma box_beyond_right t : right_of (box_beyond t) (in_box t).
 Proof.
-  intros e l u o g. unfold box_beyond, decide. destruct (slab_dec _ _ _ _ _ _); [intros _; now apply slab_separates | easy].
+  intros e l u o g. unfold box_beyond, decide. destruct (dec_or _ _ _ _); [intros _; now apply slab_separates | easy].
 Qed.
 Lemma corners_beyond_right those : right_of (corners_beyond those) (fun p => In p those).
 Proof. intros e l u o g. apply corners_separate. Qed.
@@ -451,17 +445,16 @@ Proof. intros P. now apply (corners_in A opened_a n l i p). Qed.
 Lemma in_b p : In p (points (corners B j)) -> in_box (box B k) p.
 Proof. intros P. now apply (corners_in B opened_b k m j p). Qed.
 
-Lemma boxes_stay : ~ (match pose with Moved o => moved_boxes_reject o (box A n) (box B k)
-  | Turned r => on_a r (box B 0) (box A n) (box B k) \/ on_b r (box B 0) (box A n) (box B k) end).
+Lemma boxes_stay : ~ boxes_reject n k.
 Proof. intros R. apply (never _ _ in_a in_b). apply boxes_apart; auto using filled_a, filled_b. Qed.
 
 Lemma boxes_say : boxes_overlap B pose (box A n) (box B k) = true.
 Proof.
-  pose proof boxes_stay as S. unfold boxes_overlap. destruct pose; rewrite ?andb_true_iff, !decided; tauto.
+  pose proof boxes_stay as S. unfold boxes_reject, boxes_overlap in *. destruct pose; rewrite ?andb_true_iff, !decided; tauto.
 Qed.
 Lemma windows_say side : window_passes B pose side (box A n) (box B k) = true.
 Proof.
-  pose proof boxes_stay as S. unfold window_passes. destruct pose, side; rewrite decided; tauto.
+  pose proof boxes_stay as S. unfold boxes_reject, window_passes in *. destruct pose, side; rewrite decided; tauto.
 Qed.
 Lemma first_of {T} (those : list T) : incl (firstn 1 those) those.
 Proof. destruct those; intros e; cbn; tauto. Qed.
@@ -596,7 +589,7 @@ Proof.
   destruct (node_in A OA 0%nat (low (box A 0))) as [L _].
   { apply (fmt_some _ _ (proj1 (is_tree A OA))). }
   unfold is_inside, lattice in L. cbn [low high x y z] in L. bools.
-  unfold bound, boxes_overlap, decide. destruct (on_a_dec _ _ _ _) as [|N]; auto. exfalso. apply N.
+  unfold bound, boxes_overlap, decide. destruct (dec_or _ _ _ _) as [|N]; auto. exfalso. apply N.
   unfold on_a, with_all, with_entries, rejects_on_a. cbv zeta.
   destruct H as [H | [H | H]]; [left | right; left | right; right]; apply far_is_rejected; auto; lia.
 Qed.
