@@ -70,6 +70,10 @@ Definition Apart (these those : Point -> Prop) : Prop := exists n,
   (forall w v, these w -> those v -> dot n w < dot n v) \/
   (forall w v, these w -> those v -> dot n v < dot n w).
 
+(* Proves Apart along an axis, if the tactic proves one of its sides. *)
+Ltac on_some_axis tac := let on n := exists n; unfold dot; cbn [x y z]; first [left; tac | right; tac] in
+  first [on {| x := 1; y := 0; z := 0 |} | on {| x := 0; y := 1; z := 0 |} | on {| x := 0; y := 0; z := 1 |}].
+
 (* ============================================================== Statements, and their proofs *)
 
 Theorem apart_not_meet these those p q r s t o : Apart these those ->
@@ -201,16 +205,9 @@ Qed.
 
 (* ---- All tests, for one pose. *)
 Lemma placed_swap kx ky kz o p q s : placed ky kx kz o q p s = placed kx ky kz o p q s.
-Proof.
-  unfold placed, before_rounding. rewrite (Z.add_comm (rest ky * q) (rest kx * p)).
-  now rewrite (Z.add_comm (coarse ky * q) (coarse kx * p)).
-Qed.
+Proof. unfold placed, before_rounding. do 4 f_equal; [ring | f_equal; ring]. Qed.
 Lemma placed_turn kx ky kz o p q s : placed kz kx ky o s p q = placed kx ky kz o p q s.
-Proof.
-  unfold placed, before_rounding.
-  replace (rest kz * s + rest kx * p + rest ky * q) with (rest kx * p + rest ky * q + rest kz * s) by ring.
-  now replace (coarse kz * s + coarse kx * p + coarse ky * q) with (coarse kx * p + coarse ky * q + coarse kz * s) by ring.
-Qed.
+Proof. unfold placed, before_rounding. do 4 f_equal; [ring | f_equal; ring]. Qed.
 
 Lemma coarse_column k1 k2 k3 d : 0 <= d <= 6442450944 ->
   Z.abs (k1 * k1 + k2 * k2 + k3 * k3 - one22 * one22) <= d ->
@@ -272,45 +269,41 @@ Proof.
   assert (0 <= reach) by (clear - R; lia). assert (0 <= reach * defect <= 49149 * 6144) by (clear - H reach_most defects; nia).
   clear - H H0 reach_most. change (16384 / 8) with 2048. set (rd := reach * defect) in *. clearbody rd. divisions. lia.
 Qed.
-Lemma small_d : 0 <= d <= 6442450944.
-Proof. unfold d, one, one22. change (4194304 * 4194304 / 16777216) with 1048576. clear - defects. lia. Qed.
+
+(* A point of B along each of B's axes, by the theorem of the first one. *)
+Lemma near_on_b u : reached u ->
+  let near k1 k2 k3 k := Z.abs (dot (column k1 k2 k3) (place u) - back k1 k2 k3 - cell14 * k) <= axis_margin reach defect in
+  near a1 a2 a3 (x u) /\ near b1 b2 b3 (y u) /\ near c1 c2 c3 (z u).
+Proof.
+  intros (X & Y & Z0). split; [|split].
+  - apply (within_axis_margin a1 a2 a3 b1 b2 b3 c1 c2 c3 _ _ _ mp mq ms); auto.
+  - unfold dot, place, column. cbn [x y z]. rewrite <- (placed_swap a1), <- (placed_swap a2), <- (placed_swap a3).
+    apply (within_axis_margin b1 b2 b3 a1 a2 a3 c1 c2 c3 _ _ _ mq mp ms); auto; [|clear - ab; subst d one; lia].
+    clear - X Y Z0 reaches. lia.
+  - unfold dot, place, column. cbn [x y z]. rewrite <- (placed_turn a1), <- (placed_turn a2), <- (placed_turn a3).
+    apply (within_axis_margin c1 c2 c3 a1 a2 a3 b1 b2 b3 _ _ _ ms mp mq); auto; [|clear - ac; subst d one; lia|clear - bc; subst d one; lia].
+    clear - X Y Z0 reaches. lia.
+Qed.
 
 Theorem boxes_reject_safely : boxes_reject -> Apart (in_box box_a) (placed_of (in_box box_b)).
 Proof.
   destruct rests as (R1 & R2 & R3). destruct orders as [(OX & OY & OZ) (PX & PY & PZ)].
   destruct limits as [(LX & HX & LY & HY & LZ & HZ) (MX & NX & MY & NY & MZ & NZ)].
   intros [[H | [H | H]] | [H | [H | H]]].
-  1: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LX HX OX R1 H) as [S | S]; exists {| x := 1; y := 0; z := 0 |}.
-  3: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LY HY OY R2 H) as [S | S]; exists {| x := 0; y := 1; z := 0 |}.
-  5: destruct (box_on_a_axis _ _ _ _ _ _ _ _ _ LZ HZ OZ R3 H) as [S | S]; exists {| x := 0; y := 0; z := 1 |}.
-  1,3,5: right; intros w v (WX & WY & WZ) (u & U & ->); specialize (S u U (reach_sum u (in_reach u U)));
-    unfold dot, place; cbn [x y z]; clear - S WX WY WZ; lia.
-  1,2,3: left; intros w v (WX & WY & WZ) (u & U & ->); specialize (S u U (reach_sum u (in_reach u U)));
-    unfold dot, place; cbn [x y z]; clear - S WX WY WZ; lia.
+  1: pose proof (box_on_a_axis _ _ _ _ _ _ _ _ _ LX HX OX R1 H) as Side.
+  2: pose proof (box_on_a_axis _ _ _ _ _ _ _ _ _ LY HY OY R2 H) as Side.
+  3: pose proof (box_on_a_axis _ _ _ _ _ _ _ _ _ LZ HZ OZ R3 H) as Side.
+  1-3: destruct Side as [S | S]; on_some_axis ltac:(intros w v (WX & WY & WZ) (u & U & ->);
+    specialize (S u U (reach_sum u (in_reach u U))); cbn [place x y z]; clear - S WX WY WZ; lia).
   all: assert (in_box box_b (low box_b)) as Some_ by (unfold in_box; clear - PX PY PZ; lia);
-    pose proof (small_axis_margin _ (in_reach _ Some_)) as Margin; clear Some_.
-  - apply (box_on_b_axis (column a1 a2 a3) (back a1 a2 a3) (axis_margin reach defect) box_a (in_box box_b) place x _ _
-      lattice_a MX NX PX Margin (coarse_column _ _ _ d small_d aa)); auto.
-    intros u U. split; [|apply U]. destruct (in_reach u U) as (Q1 & Q2 & Q3).
-    exact (within_axis_margin a1 a2 a3 b1 b2 b3 c1 c2 c3 (x u) (y u) (z u) mp mq ms reach defect o1 o2 o3
-      (conj Q1 (conj Q2 (conj Q3 reaches))) defects aa bb cc ab ac bc).
-  - apply (box_on_b_axis (column b1 b2 b3) (back b1 b2 b3) (axis_margin reach defect) box_a (in_box box_b) place y _ _
-      lattice_a MY NY PY Margin (coarse_column _ _ _ d small_d bb)); auto.
-    intros u U. split; [|apply U]. destruct (in_reach u U) as (Q1 & Q2 & Q3).
-    assert (mq + mp + ms = reach) as R by (clear - reaches; lia).
-    assert (Z.abs (b1 * a1 + b2 * a2 + b3 * a3) <= d) as ba by (now rewrite !(Z.mul_comm (b1)), !(Z.mul_comm b2), !(Z.mul_comm b3)).
-    pose proof (within_axis_margin b1 b2 b3 a1 a2 a3 c1 c2 c3 (y u) (x u) (z u) mq mp ms reach defect o1 o2 o3
-      (conj Q2 (conj Q1 (conj Q3 R))) defects bb aa cc ba bc ac) as G.
-    rewrite (placed_swap a1 b1 c1), (placed_swap a2 b2 c2), (placed_swap a3 b3 c3) in G. exact G.
-  - apply (box_on_b_axis (column c1 c2 c3) (back c1 c2 c3) (axis_margin reach defect) box_a (in_box box_b) place z _ _
-      lattice_a MZ NZ PZ Margin (coarse_column _ _ _ d small_d cc)); auto.
-    intros u U. split; [|apply U]. destruct (in_reach u U) as (Q1 & Q2 & Q3).
-    assert (ms + mp + mq = reach) as R by (clear - reaches; lia).
-    assert (Z.abs (c1 * a1 + c2 * a2 + c3 * a3) <= d) as ca by (now rewrite !(Z.mul_comm c1), !(Z.mul_comm c2), !(Z.mul_comm c3)).
-    assert (Z.abs (c1 * b1 + c2 * b2 + c3 * b3) <= d) as cb by (now rewrite !(Z.mul_comm c1), !(Z.mul_comm c2), !(Z.mul_comm c3)).
-    pose proof (within_axis_margin c1 c2 c3 a1 a2 a3 b1 b2 b3 (z u) (x u) (y u) ms mp mq reach defect o1 o2 o3
-      (conj Q3 (conj Q1 (conj Q2 R))) defects cc aa bb ca cb ab) as G.
-    rewrite (placed_turn a1 b1 c1), (placed_turn a2 b2 c2), (placed_turn a3 b3 c3) in G. exact G.
+    pose proof (small_axis_margin _ (in_reach _ Some_)) as Margin; pose proof (entry_limit defect defects) as D.
+  1: apply (box_on_b_axis _ (back a1 a2 a3) _ _ (in_box box_b) place x _ _ lattice_a MX NX PX Margin
+    (coarse_column _ _ _ d D aa)) in H; auto.
+  2: apply (box_on_b_axis _ (back b1 b2 b3) _ _ (in_box box_b) place y _ _ lattice_a MY NY PY Margin
+    (coarse_column _ _ _ d D bb)) in H; auto.
+  3: apply (box_on_b_axis _ (back c1 c2 c3) _ _ (in_box box_b) place z _ _ lattice_a MZ NZ PZ Margin
+    (coarse_column _ _ _ d D cc)) in H; auto.
+  all: intros u U; pose proof (near_on_b u (in_reach u U)) as N; cbv zeta in N; split; [apply N | apply U].
 Qed.
 
 (* ---- Slabs. `e`: a direction of 13 bits, of a leaf of A, and then of B. *)

@@ -353,13 +353,8 @@ Lemma boxes_apart n k : filled A n -> filled B k -> boxes_reject n k ->
 Proof.
   intros FN FK H. destruct (filled_box A n opened_a FN) as [OA LA], (filled_box B k opened_b FK) as [OB LB].
   unfold apart, fits, boxes_reject in *. destruct pose as [o | r].
-  - unfold Apart, moved_boxes_reject, in_box, put, dot in *. clear - H.
-    destruct H as [[H | [H | H]] | [H | [H | H]]].
-    1, 4: exists {| x := 1; y := 0; z := 0 |}.
-    3, 5: exists {| x := 0; y := 1; z := 0 |}.
-    5, 6: exists {| x := 0; y := 0; z := 1 |}.
-    all: cbn [x y z]; first [left; intros w v W (u & U & ->); cbn [x y z]; lia
-      | right; intros w v W (u & U & ->); cbn [x y z]; lia].
+  - unfold Apart, moved_boxes_reject, in_box, put in *. clear - H. destruct H as [[H | [H | H]] | [H | [H | H]]];
+      on_some_axis ltac:(intros w v W (u & U & ->); cbn [x y z]; lia).
   - destruct pose_fits as (D & aa & bb & cc & ab & ac & bc).
     assert (reach (box B 0) <= 3 * kMaxCoordinate) as Most.
     { destruct FK as [K (p & P)]. destruct (below B opened_b 0%nat k) as [Z0 In0]; auto; [now apply all_under|].
@@ -553,11 +548,8 @@ Proof.
   destruct (corners A i) as [[p q] r], (corners B j) as [[s t] o]. cbn in In_a.
   apply (apart_not_meet (in_box (box A n)) (fun v => v = put pose s \/ v = put pose t \/ v = put pose o)); auto 8.
   unfold beside, in_box in *. generalize dependent (put pose s). generalize (put pose t) (put pose o).
-  clear. intros t o s H. unfold Apart, dot.
-  destruct H as [[H | H] | [[H | H] | [H | H]]];
-    [exists {| x := 1; y := 0; z := 0 |} | exists {| x := 1; y := 0; z := 0 |} | exists {| x := 0; y := 1; z := 0 |} |
-     exists {| x := 0; y := 1; z := 0 |} | exists {| x := 0; y := 0; z := 1 |} | exists {| x := 0; y := 0; z := 1 |}];
-    cbn [x y z]; first [left; intros w v W [-> | [-> | ->]]; lia | right; intros w v W [-> | [-> | ->]]; lia].
+  clear. intros t o s H. unfold Apart.
+  destruct H as [[H | H] | [[H | H] | [H | H]]]; on_some_axis ltac:(intros w v W [-> | [-> | ->]]; lia).
 Qed.
 
 Lemma far_is_rejected e offset margin t lower upper : - kMaxCoordinate <= lower -> upper <= kMaxCoordinate ->
