@@ -2,15 +2,15 @@
 # check.sh LIB OUT [NAME...]   Checks the proofs, or those with these names, of the code in LIB, in the folder OUT.
 #
 # A Coq file prints its theorems with `Print Assumptions`. A gappa file proves one claim, stated in its first line. A
-# cvc5 file has, after each check-sat, a comment with the expected result and its meaning:
-#   (check-sat) ; unsat: no box ...
+# cvc5 file has, after each check, a comment with the expected result and its meaning:
+#   (check-sat-assuming (FORMULA)) ; unsat: no box ...
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 lib=$(cd "$1" && pwd) out=$2
 shift 2
-walk="Constants Ranked Code Stackless Query Image Work Proved"
-arithmetic="Margins Slabs Triangle Segment Helly Flat Lines Test Rejects"
-both="Exact"
+walk="Constants.v Ranked.v Code.v Stackless.v Query.v Image.v Work.v Proved.v"
+arithmetic="Margins.v Slabs.v Triangle.v Segment.v Helly.v Flat.v Lines.v Test.v Rejects.v"
+both="Exact.v"
 python3 -B "$here/prelude.py" "$lib" "$out" "$here"/walk/*.v "$here"/arithmetic/*.v \
   "$here"/arithmetic/*.g "$here"/arithmetic/*.smt2
 cd "$out"
@@ -24,12 +24,12 @@ attempt() {
 
 # Every printed theorem must be closed, and no other output is allowed.
 coq() {
-  for module; do
-    attempt "$module.v" coqc -q "$module.v" || return 1
-    theorems=$(sed -n 's/^Print Assumptions \(.*\)\.$/\1/p' "$module.v")
-    [ "$(grep -c "^Closed under the global context" "$module.v.log" || true)" = \
-      "$(echo "$theorems" | grep -c . || true)" ] || { echo "$module.v: REFUSED: an axiom"; return 1; }
-    [ -z "$theorems" ] || printf '%-22s %s\n' "$module.v" "$(echo $theorems)"
+  for file; do
+    attempt "$file" coqc -q "$file" || return 1
+    theorems=$(sed -n 's/^Print Assumptions \(.*\)\.$/\1/p' "$file")
+    [ "$(grep -c "^Closed under the global context" "$file.log" || true)" = \
+      "$(echo "$theorems" | grep -c . || true)" ] || { echo "$file: REFUSED: an axiom"; return 1; }
+    [ -z "$theorems" ] || printf '%-22s %s\n' "$file" "$(echo $theorems)"
   done
 }
 gappas() {
@@ -40,7 +40,7 @@ gappas() {
 }
 solvers() {
   for file; do
-    sed -n 's/^(check-sat) ; \(unsat\|sat\):.*/\1/p' "$file" >"$file.expected"
+    sed -n 's/^(check-sat.* ; \(unsat\|sat\):.*/\1/p' "$file" >"$file.expected"
     attempt "$file" cvc5 --incremental "$file" || return 1
     cmp -s "$file.log" "$file.expected" ||
       { echo "$file: REFUSED"; diff "$file.log" "$file.expected" | head; return 1; }
@@ -64,17 +64,17 @@ differential() {
 names="$*"
 began=$(date +%s)
 # In parallel: the walk and all that is not Coq's, and arithmetic; then the proofs that use both.
-{ coq $(for module in $walk; do wanted "$module.v"; done | sed 's/\.v$//') &&
+{ coq $(wanted $walk) &&
     { [ -n "$names" ] || differential; } &&
     gappas $(wanted *.g) && solvers $(wanted *.smt2); } >walk.said 2>&1 &
 one=$!
-coq $(for module in $arithmetic; do wanted "$module.v"; done | sed 's/\.v$//') >arithmetic.said 2>&1 &
+coq $(wanted $arithmetic) >arithmetic.said 2>&1 &
 two=$!
 status=0
 wait $one || status=1
 wait $two || status=1
 cat walk.said arithmetic.said
-[ $status -ne 0 ] || coq $(for module in $both; do wanted "$module.v"; done | sed 's/\.v$//') || status=1
+[ $status -ne 0 ] || coq $(wanted $both) || status=1
 ! grep -nE '^ *(Admitted|Axiom|Parameter|Conjecture)|admit\.' ./*.v || status=1
 [ $status -eq 0 ] || { echo "== A proof was refused" >&2; exit 1; }
 echo "== All proofs checked in $(($(date +%s) - began)) s"

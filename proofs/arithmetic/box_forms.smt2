@@ -56,21 +56,9 @@
            (concat (uqsub16 #x00000000 (add16 #x00000000 #x00000000))
                    (uqsub16 l2 (add16 a2 (swap_halves b2)))))))
 
-(push 1) (assert (distinct portable plain))
-(check-sat) ; unsat: plain words differ
-(pop 1)
-(push 1) (assert (distinct portable dsp))
-(check-sat) ; unsat: UQSUB16 differs
-(pop 1)
-(push 1) (assert (distinct portable sse2))
-(check-sat) ; unsat: SSE2 differs
-(pop 1)
-(push 1) (assert (distinct portable neon))
-(check-sat) ; unsat: NEON differs
-(pop 1)
-(push 1) (assert portable)
-(check-sat) ; sat: boxes can overlap
-(pop 1)
-(push 1) (assert (not portable))
-(check-sat) ; sat: boxes can be disjoint
-(pop 1)
+(check-sat-assuming ((distinct portable plain))) ; unsat: plain words differ
+(check-sat-assuming ((distinct portable dsp))) ; unsat: UQSUB16 differs
+(check-sat-assuming ((distinct portable sse2))) ; unsat: SSE2 differs
+(check-sat-assuming ((distinct portable neon))) ; unsat: NEON differs
+(check-sat-assuming (portable)) ; sat: boxes can overlap
+(check-sat-assuming ((not portable))) ; sat: boxes can be disjoint

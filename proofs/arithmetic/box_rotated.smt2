@@ -41,12 +41,8 @@
 (push 1)
 (assert (and (bound ux) (bound lx) (bound uy) (bound ly) (bound uz) (bound lz)))
 (assert (and (parts px nx) (parts py ny) (parts pz nz)))
-(push 1) (assert (distinct upper_dsp upper_sse2))
-(check-sat) ; unsat: SMLAD's and PMADDWD's sums differ
-(pop 1)
-(push 1) (assert (distinct (smlad px nx ux lx start) (bvadd start (add_plain px nx ux lx))))
-(check-sat) ; unsat: an entry's two products and the one that a branch takes differ
-(pop 1)
+(check-sat-assuming ((distinct upper_dsp upper_sse2))) ; unsat: SMLAD's and PMADDWD's sums differ
+(check-sat-assuming ((distinct (smlad px nx ux lx start) (bvadd start (add_plain px nx ux lx))))) ; unsat: an entry's two products and the one that a branch takes differ
 (pop 1)
 
 ; ---- whole cells of a sum
@@ -68,27 +64,19 @@
 (define-fun vqshrun ((s Word)) Half  ; to 16 unsigned bits
   (ite (bvslt (cells s) #x00000000) #x0000
   (ite (bvsgt (cells s) #x0000ffff) #xffff ((_ extract 15 0) (cells s)))))
-(push 1) (assert (distinct (whole sum) (whole_plain sum other_sum)))
-(check-sat) ; unsat: plain code's cells differ
-(pop 1)
-(push 1) (assert (distinct ((_ extract 15 0) (whole sum)) (whole_sse2 sum)))
-(check-sat) ; unsat: SSE2's cells differ
-(pop 1)
-(push 1) (assert (distinct (whole sum) (usat15 (bvashr sum split))))
-(check-sat) ; unsat: USAT's cells differ
-(pop 1)
+(check-sat-assuming ((distinct (whole sum) (whole_plain sum other_sum)))) ; unsat: plain code's cells differ
+(check-sat-assuming ((distinct ((_ extract 15 0) (whole sum)) (whole_sse2 sum)))) ; unsat: SSE2's cells differ
+(check-sat-assuming ((distinct (whole sum) (usat15 (bvashr sum split))))) ; unsat: USAT's cells differ
 
 ; ---- the comparison: the sum of cells and another box's bound, which is at least 1, is below the bias
 (declare-fun h () Half)
 (define-fun uqadd ((x Half) (y Half)) Half (ite (bvult (bvadd x y) x) #xffff (bvadd x y)))
-(push 1) (assert (and (bound h) (distinct h #x0000)))
-(assert (distinct (= #b0 ((_ extract 15 15) (bvadd ((_ extract 15 0) (whole sum)) h)))
-                  (bvsge (uqadd (vqshrun sum) h) #x0000)))
-(check-sat) ; unsat: Helium's comparison differs
-(pop 1)
+(assert (and (bound h) (distinct h #x0000)))
+(define-fun helium_differs () Bool
+  (distinct (= #b0 ((_ extract 15 15) (bvadd ((_ extract 15 0) (whole sum)) h))) (bvsge (uqadd (vqshrun sum) h) #x0000)))
+(check-sat-assuming (helium_differs)) ; unsat: Helium's comparison differs
 ; cells cut off by a clamp compare like the bound itself
-(push 1) (assert (and (bound h) (distinct h #x0000)))
-(assert (distinct (bvsge (bvadd (cells sum) (zext h)) (_ bv@2 * kBoundBias@ 32))
-                  (bvuge (bvadd ((_ extract 15 0) (whole sum)) h) (_ bv@2 * kBoundBias@ 16))))
-(check-sat) ; unsat: a clamped bound decides otherwise
-(pop 1)
+(define-fun clamp_differs () Bool
+  (distinct (bvsge (bvadd (cells sum) (zext h)) (_ bv@2 * kBoundBias@ 32))
+            (bvuge (bvadd ((_ extract 15 0) (whole sum)) h) (_ bv@2 * kBoundBias@ 16))))
+(check-sat-assuming (clamp_differs)) ; unsat: a clamped bound decides otherwise

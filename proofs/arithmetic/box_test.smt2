@@ -92,21 +92,9 @@
   (and (reaches a_upper_xy (subtract least0 b_lower_xy)) (reaches a_lower_xy (subtract least1 b_upper_xy))
        (reaches a_z (swap_halves (subtract (swap_halves least2) b_z)))))
 
-(push 1) (assert (distinct overlap test))
-(check-sat) ; unsat: the packed test differs
-(pop 1)
-(push 1) (assert (= overlap disjoint))
-(check-sat) ; unsat: boxes_disjoint() differs
-(pop 1)
-(push 1) (assert (distinct test window_of_a))
-(check-sat) ; unsat: A's window differs
-(pop 1)
-(push 1) (assert (distinct test window_of_b))
-(check-sat) ; unsat: B's window differs
-(pop 1)
-(push 1) (assert test)
-(check-sat) ; sat: boxes can overlap
-(pop 1)
-(push 1) (assert (not test))
-(check-sat) ; sat: boxes can be disjoint
-(pop 1)
+(check-sat-assuming ((distinct overlap test))) ; unsat: the packed test differs
+(check-sat-assuming ((= overlap disjoint))) ; unsat: boxes_disjoint() differs
+(check-sat-assuming ((distinct test window_of_a))) ; unsat: A's window differs
+(check-sat-assuming ((distinct test window_of_b))) ; unsat: B's window differs
+(check-sat-assuming (test)) ; sat: boxes can overlap
+(check-sat-assuming ((not test))) ; sat: boxes can be disjoint

@@ -18,22 +18,14 @@
   (= spare (bvand (bvsub (bvor o0 spare) i0) (bvsub (bvor o1 spare) i1) (bvsub (bvor o2 spare) i2) spare)))
 ; a box in another: no bound, upper or negated lower, beyond the other's
 (define-fun within ((i Word) (o Word)) Bool (and (bvule (low i) (low o)) (bvule (high i) (high o))))
-(push 1) (assert (and (on_lattice i0 i1 i2) (on_lattice o0 o1 o2)))
-(assert (distinct inside (and (within i0 o0) (within i1 o1) (within i2 o2))))
-(check-sat) ; unsat: is_inside() differs
-(pop 1)
+(define-fun all_within () Bool (and (within i0 o0) (within i1 o1) (within i2 o2)))
+(check-sat-assuming ((on_lattice i0 i1 i2) (on_lattice o0 o1 o2) (distinct inside all_within))) ; unsat: is_inside() differs
 
 ; Node::data of 16 and of 32 bits: the top byte, signed, is the rank
 (declare-fun d16 () Half) (declare-fun d32 () Word)
 (define-fun byte ((c Half)) Word ((_ sign_extend 24) ((_ extract 7 0) c)))
 (define-fun rank16 () Word (byte (bvlshr d16 #x0008)))
 (define-fun rank32 () Word (byte ((_ extract 15 0) (bvlshr d32 #x00000018))))
-(push 1) (assert (distinct (bvslt rank16 #x00000000) (distinct #x0000 (bvand d16 #x8000))))
-(check-sat) ; unsat: a leaf is what has a negative rank, 16 bits
-(pop 1)
-(push 1) (assert (distinct (bvslt rank32 #x00000000) (distinct #x00000000 (bvand d32 #x80000000))))
-(check-sat) ; unsat: a leaf is what has a negative rank, 32 bits
-(pop 1)
-(push 1) (assert (bvsgt rank16 (_ bv@kRootParentRank@ 32)))
-(check-sat) ; unsat: a rank above that of a root's missing parent
-(pop 1)
+(check-sat-assuming ((distinct (bvslt rank16 #x00000000) (distinct #x0000 (bvand d16 #x8000))))) ; unsat: a leaf is what has a negative rank, 16 bits
+(check-sat-assuming ((distinct (bvslt rank32 #x00000000) (distinct #x00000000 (bvand d32 #x80000000))))) ; unsat: a leaf is what has a negative rank, 32 bits
+(check-sat-assuming ((bvsgt rank16 (_ bv@kRootParentRank@ 32)))) ; unsat: a rank above that of a root's missing parent
