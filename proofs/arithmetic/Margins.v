@@ -102,17 +102,8 @@ Theorem entries_of_word x y : - 2 ^ 15 <= x < 2 ^ 15 ->
   let first := if low <? 2 ^ 15 then low else low - 65536 in
   first = x /\ (x + 65536 * y - first) / 65536 = y.
 Proof.
-  intros X low first. assert (low = if x <? 0 then x + 65536 else x) as L.
-  { unfold low. rewrite (Z.mul_comm 65536), Z.mod_add by easy. change (2 ^ 15) with 32768 in X.
-    destruct (Z.ltb_spec x 0).
-    - rewrite <- (Z.mod_add x 1 65536) by easy. apply Z.mod_small. lia.
-    - apply Z.mod_small. lia. }
-  assert (first = x) as F.
-  { unfold first. rewrite L. change (2 ^ 15) with 32768 in *. destruct (Z.ltb_spec x 0).
-    - destruct (Z.ltb_spec (x + 65536) 32768); lia.
-    - destruct (Z.ltb_spec x 32768); lia. }
-  split; [exact F |]. rewrite F. replace (x + 65536 * y - x) with (y * 65536) by lia.
-  now apply Z.div_mul.
+  intros X. cbv zeta. change (2 ^ 15) with 32768 in *. destruct (Z.ltb_spec ((x + 65536 * y) mod 65536) 32768);
+    Z.to_euclidean_division_equations; lia.
 Qed.
 
 Section Near.
@@ -130,17 +121,11 @@ Let whole := turned' / cell14 + cells.
 Theorem near_sums_fit :
   Z.abs (parts fraction kx ky kz ox oy oz) <= 2 ^ 24 /\ Z.abs turned' <= 2 ^ 31 - 2 ^ 28.
 Proof.
-  assert (forall k, Z.abs k <= one22 + 2 ^ 9 -> Z.abs (coarse k) <= 16387) as C.
-  { intros k K. change (one22 + 2 ^ 9) with 4194816 in K. unfold coarse, rest8.
-    change (256 / 2) with 128. divisions. lia. }
-  assert (forall k, Z.abs (rest k) <= 128) as R by (intros k; pose proof (rest_fits k); lia).
-  assert (forall o, - 2 ^ 15 <= o < 2 ^ 15 -> Z.abs o <= 32768) as O by (intros; lia).
-  pose proof (product_bound _ _ _ _ (R kx) (O _ Ox)) as Rx.
-  pose proof (product_bound _ _ _ _ (R ky) (O _ Oy)) as Ry.
-  pose proof (product_bound _ _ _ _ (R kz) (O _ Oz)) as Rz.
-  pose proof (product_bound _ _ _ _ (C _ Kx) (O _ Ox)) as Cx.
-  pose proof (product_bound _ _ _ _ (C _ Ky) (O _ Oy)) as Cy.
-  pose proof (product_bound _ _ _ _ (C _ Kz) (O _ Oz)) as Cz.
+  assert (forall k o, Z.abs k <= one22 + 2 ^ 9 -> - 2 ^ 15 <= o < 2 ^ 15 ->
+    Z.abs (rest k * o) <= 128 * 32768 /\ Z.abs (coarse k * o) <= 16387 * 32768) as P.
+  { intros k o K O. change (one22 + 2 ^ 9) with 4194816 in K. change (2 ^ 15) with 32768 in O. pose proof (rest_fits k).
+    split; apply product_bound; try lia. unfold coarse, rest8. change (256 / 2) with 128. clear - K. divisions. lia. }
+  destruct (P _ _ Kx Ox) as [Rx Cx], (P _ _ Ky Oy) as [Ry Cy], (P _ _ Kz Oz) as [Rz Cz].
   unfold turned', turned, parts. rewrite Z.abs_le in *. revert Part Rx Ry Rz Cx Cy Cz. clear.
   change (one22 / 65536) with 64. change rest8 with 256. change (256 / 2) with 128.
   change (2 ^ 15) with 32768. change (2 ^ 24) with 16777216. change (2 ^ 31 - 2 ^ 28) with 1879048192.
@@ -212,12 +197,11 @@ Proof.
   unfold placed, before_rounding, offset, offset_along, kHalf, cell14, rest8, one22.
   change (4194304 / 65536) with 64. change (256 / 2) with 128.
   rewrite !Z.mul_add_distr_l.
-  set (cx := coarse (kept gx) * px) in *. set (cy := coarse (kept gy) * py) in *.
-  set (cz := coarse (kept gz) * pz) in *. set (rx := rest (kept gx) * px) in *.
-  set (ry := rest (kept gy) * py) in *. set (rz := rest (kept gz) * pz) in *.
-  set (kx := kept gx * px) in *. set (ky := kept gy * py) in *. set (kz := kept gz * pz) in *.
-  set (qx := kept gx * ox) in *. set (qy := kept gy * oy) in *. set (qz := kept gz * oz) in *.
-  clearbody cx cy cz rx ry rz kx ky kz qx qy qz. divisions. lia.
+  repeat match goal with H : kept ?k * ?u = _ |- _ => revert H end.
+  generalize (coarse (kept gx) * px) (coarse (kept gy) * py) (coarse (kept gz) * pz) (rest (kept gx) * px)
+    (rest (kept gy) * py) (rest (kept gz) * pz) (kept gx * px) (kept gy * py) (kept gz * pz) (kept gx * ox)
+    (kept gy * oy) (kept gz * oz).
+  intros. divisions. lia.
 Qed.
 
 (* ---- The rotated box on A's axes contains the placed vertices.
