@@ -7,6 +7,7 @@
     apart FUNCTION                      Calls of it cost only the call instruction.
     special FUNCTION                    Like apart, if only the general case is proven.
     root NAME FUNCTION                  A function to prove, under a name.
+    table FILE                          Also reads the table FILE of the same folder.
 
 FUNCTION: a regular expression for names as in the source, with arguments. FILE: a file name in any
 subfolder of the sources; the file must contain TEXT.
@@ -49,11 +50,14 @@ class Loops:
         self._sources = Path(sources)
         self._apart: list[str] = []
         self._special: list[str] = []
-        for line in Path(table).read_text().splitlines():
-            if line.strip() and not line.startswith("#"):
-                self._read(line)
+        self._read_table(Path(table))
 
-    def _read(self, line: str) -> None:
+    def _read_table(self, path: Path) -> None:
+        for line in path.read_text().splitlines():
+            if line.strip() and not line.startswith("#"):
+                self._read(line, path)
+
+    def _read(self, line: str, path: Path) -> None:
         word, *rest = line.split(None, 5)
         match word, rest:
             case "cut", [function, name, count, file, text]:
@@ -65,6 +69,8 @@ class Loops:
                 self._special.append(function)
             case "root", [name, function]:
                 self.roots[name] = function
+            case "table", [file]:
+                self._read_table(path.with_name(file))
             case _:
                 raise Refused(f"not understood: {line}")
 
