@@ -6,12 +6,9 @@ CUTS: see turns.py. CORE: its name; SOURCES: the folder of guard_loops.txt's fil
 
 Counts that the table leaves open apply to a whole period, and lib/docs/bounded_time.md gives them. So a call costs the
 part outside such loops, and this program adds up their turns.
-
 """
 from __future__ import annotations
 
-import sys
-from pathlib import Path
 from typing import Iterator
 
 from machine_code.cost import Costs
@@ -20,10 +17,10 @@ from machine_code.loops import Loops
 from machine_code.measure import Instructions
 from machine_code.program import Program
 
-from prove import GO_ON, SHAPE, Found, check_units, exit_with, write
+from prove import GO_ON, SHAPE, UNITS, WORK, Found, main
 
 # Units of work.
-PAIR, PLACED, EXACT, POSE, AIM, LEVER, WALK = 1, 4, 24, 16, 56, 1, 8
+PAIR, PLACED, EXACT, POSE, AIM, LEVER, NEAR = 1, 4, 24, 16, 56, 1, 8
 # Pairs of leaves that a walk collects, except in the last batch.
 BATCH = 4
 # A run's first two batches, and one without work.
@@ -35,17 +32,12 @@ SIBLINGS = 2 * (ARITY - 1)
 LEAF = 7
 
 
-def check_guard_units(sources: str) -> None:
-    for file, text in (("include/flashbvh/detail/walk/work.hpp", f"kAlongPairWork = {PAIR};"),
-                       ("include/flashbvh/detail/walk/work.hpp", f"kPlacedPairWork = {PLACED};"),
-                       ("include/flashbvh/detail/walk/work.hpp", f"kExactPairWork = {EXACT};"),
-                       ("include/flashbvh/detail/walk/work.hpp", f"kNearPairWork = {WALK};"),
-                       ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
-                       ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
-                       ("src/robot/guard_measure.cpp", f"kLeverWork = {LEVER};"),
-                       ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")):
-        if text not in (Path(sources) / file).read_text():
-            raise Refused(f"no '{text}' in {file}: change guard_prove.py, formula.py and the page, too")
+GUARD_UNITS = [(WORK, f"kAlongPairWork = {PAIR};"), (WORK, f"kPlacedPairWork = {PLACED};"),
+               (WORK, f"kExactPairWork = {EXACT};"), (WORK, f"kNearPairWork = {NEAR};"),
+               ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
+               ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
+               ("src/robot/guard_measure.cpp", f"kLeverWork = {LEVER};"),
+               ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")]
 
 
 def parts(value: int, by: int) -> int:
@@ -71,7 +63,7 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
                parts(placed, PAIR + PLACED), parts(placed + within, PAIR + PLACED + EXACT),
                parts(nearer, PAIR + PLACED + EXACT + AIM),
                parts(turn["run"], POSE), parts(turn["lever"], LEVER))
-    if batch > WALK * work:
+    if batch > NEAR * work:
         raise Refused("a walk of 65,535 is not paid for")
     measured = turn["measured"] + run
     # The cost of a measurement that its own work does not cover.
@@ -91,19 +83,10 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
     yield "guard-work", work
 
 
-def main() -> None:
-    _, _, _, file, sources = sys.argv[1:6]
-    check_units(sources)
-    check_guard_units(sources)
-    program = Program(file)
-    loops = Loops(str(Path(__file__).with_name("guard_loops.txt")), sources)
-
-    def prove(measure: Instructions) -> Found:
-        costs, closed = (Costs(program, loops, special, together=True, measure=measure) for special in (False, True))
-        return costs, dict(bounds(costs, closed, loops.roots))
-
-    write(program, sys.argv[1:], prove)
+def prove(program: Program, loops: Loops, measure: Instructions) -> Found:
+    costs, closed = (Costs(program, loops, special, together=True, measure=measure) for special in (False, True))
+    return costs, dict(bounds(costs, closed, loops.roots))
 
 
 if __name__ == "__main__":
-    exit_with(main)
+    main("guard_loops.txt", UNITS + GUARD_UNITS, prove)

@@ -24,13 +24,9 @@ from machine_code.program import Program
 GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32
 
 
-def check_units(sources: str) -> None:
-    header = (Path(sources) / "include/flashbvh/detail/walk/work.hpp").read_text()
-    for name, units in (("GoOn", GO_ON), ("Shape", SHAPE), ("TrianglePair", TRIANGLE_PAIR)):
-        if f"k{name}Work = {units};" not in header:
-            raise Refused(f"k{name}Work is not {units} in work.hpp: change formula.py, turns.py "
-                          "and the pages, too")
-
+WORK = "include/flashbvh/detail/walk/work.hpp"
+UNITS = [(WORK, f"kGoOnWork = {GO_ON};"), (WORK, f"kShapeWork = {SHAPE};"),
+         (WORK, f"kTrianglePairWork = {TRIANGLE_PAIR};")]
 
 
 def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
@@ -144,27 +140,25 @@ def write(program: Program, arguments: list[str], prove: Callable[[Instructions]
     print("\n".join(lines))
 
 
-def main() -> None:
+def prove(program: Program, loops: Loops, measure: Instructions) -> Found:
+    costs, general = (Costs(program, loops, general=special, measure=measure) for special in (False, True))
+    found = dict(bounds(costs, general, loops.roots))
+    check_itself(costs, loops.roots, found)
+    return costs, found
+
+
+def main(table: str, units: list[tuple[str, str]], prove_by: Callable[[Program, Loops, Instructions], Found]) -> None:
+    """units: the files that have the units of work, and their text there."""
     _, _, _, file, sources = sys.argv[1:6]
-    check_units(sources)
-    program = Program(file)
-    loops = Loops(str(Path(__file__).with_name("loops.txt")), sources)
-
-    def prove(measure: Instructions) -> Found:
-        costs, general = (Costs(program, loops, general=special, measure=measure) for special in (False, True))
-        found = dict(bounds(costs, general, loops.roots))
-        check_itself(costs, loops.roots, found)
-        return costs, found
-
-    write(program, sys.argv[1:], prove)
-
-
-def exit_with(run: Callable[[], None]) -> None:
     try:
-        run()
+        for name, text in units:
+            if text not in (Path(sources) / name).read_text():
+                raise Refused(f"no '{text}' in {name}: change this program, formula.py, turns.py and the pages, too")
+        program, loops = Program(file), Loops(str(Path(__file__).with_name(table)), sources)
+        write(program, sys.argv[1:], lambda measure: prove_by(program, loops, measure))
     except Refused as refusal:
         sys.exit(f"{Path(sys.argv[0]).name}: {refusal}")
 
 
 if __name__ == "__main__":
-    exit_with(main)
+    main("loops.txt", UNITS, prove)
