@@ -295,6 +295,8 @@ Qed.
 
 Lemma square_bound b e : - b <= e <= b -> e * e <= b * b.
 Proof. nia. Qed.
+Lemma squares_bound b u v w : Z.abs u <= b -> Z.abs v <= b -> Z.abs w <= b -> u * u + v * v + w * w <= 3 * (b * b).
+Proof. intros U V W. apply Z.abs_le, square_bound in U, V, W. lia. Qed.
 (* The square of an entry's 14 bits, compared with that of its 22. *)
 Lemma coarse_square k : 65536 * (coarse k * coarse k) * 16384 <= 16385 * (k * k) + 16385 * 16384 * (128 * 128).
 Proof.

@@ -196,8 +196,7 @@ Proof.
   assert (forall w, in_box t w -> - 467000000 <= dot n w <= 467000000) as Far.
   { intros w W. destruct (T w W) as (X & Y & Z0). unfold kMaxCoordinate in *.
     apply (cauchy _ _ _ _ _ _ 269000000 805208067 467000000); [exact N | | easy | easy].
-    assert (forall e, Z.abs e <= 16383 -> e * e <= 16383 * 16383) as G by (intros; apply square_bound; lia).
-    pose proof (G _ X). pose proof (G _ Y). pose proof (G _ Z0). lia. }
+    now apply (squares_bound 16383). }
   exists n. unfold kMaxCoordinate, cell14, clamped in *. clear N T.
   destruct (axis_separates _ _ _ _ _ _ L U LU H) as [S | S]; [left | right]; intros w v W (u & P & ->);
     specialize (S w W); specialize (Far w W); destruct (Near u P) as [A B]; unfold cell14 in *; lia.

@@ -173,10 +173,7 @@ Proof.
   pose proof (product_bound _ _ _ _ K3 part3) as H3.
   assert (g1 * g1 + g2 * g2 + g3 * g3 = one * (d1 * d1 + d2 * d2 + d3 * d3) +
     (skew1 * d1 + skew2 * d2 + skew3 * d3)) as -> by (unfold g1, g2, g3, skew1, skew2, skew3; ring).
-  assert (d1 * d1 + d2 * d2 + d3 * d3 <= 3 * (8192 * 8192)) as S.
-  { unfold most_part in *. clear - part1 part2 part3.
-    assert (forall e, Z.abs e <= 8192 -> e * e <= 8192 * 8192) as G by (intros; apply square_bound; lia).
-    pose proof (G _ part1). pose proof (G _ part2). pose proof (G _ part3). lia. }
+  pose proof (squares_bound _ _ _ _ part1 part2 part3) as S. change most_part with 8192 in S.
   assert (one * (d1 * d1 + d2 * d2 + d3 * d3) <= one * (3 * (8192 * 8192))) as S' by (now apply Z.mul_le_mono_nonneg_l).
   revert H1 H2 H3 S'. unfold most_part. generalize (skew1 * d1) (skew2 * d2) (skew3 * d3)
     (one * (d1 * d1 + d2 * d2 + d3 * d3)). clear. clearbody d one. intros. lia.
@@ -219,9 +216,7 @@ Proof.
   pose proof (product_bound _ _ _ _ K3 S) as F3.
   assert (- (9175040 * one22 * reach) <= h1 * m1 + h2 * m2 + h3 * m3 <= 9175040 * one22 * reach) as HM.
   { apply (cauchy _ _ _ _ _ _ (3 * (5242880 * 5242880)) ((one + d) * (reach * reach))).
-    - clear - H1 H2 H3. assert (forall e, Z.abs e <= 5242880 -> e * e <= 5242880 * 5242880) as G
-        by (intros; apply square_bound; lia).
-      pose proof (G _ H1). pose proof (G _ H2). pose proof (G _ H3). lia.
+    - now apply squares_bound.
     - exact (rotated_length a1 a2 a3 b1 b2 b3 c1 c2 c3 p q s mp mq ms reach defect sizes defects aa bb cc ab ac bc).
     - assert (3 * (5242880 * 5242880) * (one + d) <= 9175040 * one22 * (9175040 * one22)) as L
         by (unfold one, one22; clear - D; clearbody d; lia).
