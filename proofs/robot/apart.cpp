@@ -229,18 +229,14 @@ bool PairSpace::are_apart(std::uint32_t a, std::uint32_t b, double need) {
     return leaves_apart(a, b, need);
   }
   const bool goes_into_a = node_b.count == 1 || (node_a.count > 1 && node_a.radius > node_b.radius);
-  std::uint32_t first = (goes_into_a ? a : b) + 1;
-  std::uint32_t second = goes_into_a ? node_a.right : node_b.right;
   const auto below = [&](std::uint32_t child) {
     return goes_into_a ? std::pair(child, b) : std::pair(a, child);
   };
-  const auto of_first = below(first);
-  const auto of_second = below(second);
-  if (gap(of_second.first, of_second.second) < gap(of_first.first, of_first.second)) {
-    std::swap(first, second);
+  auto nearer = below((goes_into_a ? a : b) + 1);
+  auto farther = below(goes_into_a ? node_a.right : node_b.right);
+  if (gap(farther.first, farther.second) < gap(nearer.first, nearer.second)) {
+    std::swap(nearer, farther);
   }
-  const auto nearer = below(first);
-  const auto farther = below(second);
   return are_apart(nearer.first, nearer.second, need) &&
          are_apart(farther.first, farther.second, need);
 }

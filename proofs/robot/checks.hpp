@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,11 @@ class Report {
 
 /// The concatenated text of numbers and words.
 template <class... Parts>
-std::string text(const Parts&... parts);
+std::string text(const Parts&... parts) {
+  std::ostringstream out;
+  (out << ... << parts);
+  return out.str();
+}
 
 /// The margin of the group's tightest row, as text. Infinite: the group has no rows.
 std::string nearest_text(double left, const char* unit);
@@ -56,12 +61,3 @@ void check_matrix(const Robot& robot, const Bodies& bodies, std::size_t most_box
 void check_zones(const Robot& robot, const Bodies& bodies, std::size_t most_boxes, Report& report);
 
 }  // namespace robot_check
-
-#include <sstream>
-
-template <class... Parts>
-std::string robot_check::text(const Parts&... parts) {
-  std::ostringstream out;
-  (out << ... << parts);
-  return out.str();
-}

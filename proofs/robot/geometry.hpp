@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace robot_check {
 
@@ -11,6 +12,9 @@ struct Vec {
   double x = 0, y = 0, z = 0;
 };
 
+inline Vec vec_of(const std::int32_t (&v)[3]) {
+  return {1.0 * v[0], 1.0 * v[1], 1.0 * v[2]};
+}
 inline Vec operator+(const Vec& a, const Vec& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

@@ -108,7 +108,7 @@ Frame frame_of(const std::int32_t (&rotation)[3][3], const std::int32_t (&transl
   y = y - dot(x, y) * x;
   y = 1 / length(y) * y;
   frame.axes[2] = cross(x, y);
-  frame.origin = 1.0 / 2048 * Vec{1.0 * translation[0], 1.0 * translation[1], 1.0 * translation[2]};
+  frame.origin = 1.0 / 2048 * vec_of(translation);
   return frame;
 }
 

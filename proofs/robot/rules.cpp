@@ -68,14 +68,14 @@ class Rules {
               "its joint is none of the robot's");
       require(link.zero == 0, "link " + link.name, "not zero where the format wants zeros");
     }
-    for (const Pair& pair : robot_.pairs) {
-      require(pair.a < pair.b && pair.b < robot_.links.size(), pair_row(pair),
-              "its links are not two, in order");
-    }
-    for (const Unguarded& pair : robot_.unguarded) {
-      require(pair.a < pair.b && pair.b < robot_.links.size(), pair_row(pair),
-              "its links are not two, in order");
-    }
+    const auto check_links = [&](const auto& pairs) {
+      for (const auto& pair : pairs) {
+        require(pair.a < pair.b && pair.b < robot_.links.size(), pair_row(pair),
+                "its links are not two, in order");
+      }
+    };
+    check_links(robot_.pairs);
+    check_links(robot_.unguarded);
     if (is_sound_) {
       check_first_reaches();
     }
@@ -122,10 +122,7 @@ class Rules {
   }
 
   void check_rotation(const Joint& joint, const std::string& row) {
-    const auto& r = joint.rotation;
-    const auto of = [&](int i) {
-      return 0x1p-30 * Vec{1.0 * r[i][0], 1.0 * r[i][1], 1.0 * r[i][2]};
-    };
+    const auto of = [&](int i) { return 0x1p-30 * vec_of(joint.rotation[i]); };
     double worst = 0;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
@@ -218,13 +215,10 @@ class Rules {
 /// The sum of translations, slides and the sphere from base to far side of a link, in cells.
 double extent_of(const Robot& robot, std::uint32_t link) {
   const Link& of = robot.links[link];
-  const auto size = [](const std::int32_t(&v)[3]) {
-    return length({1.0 * v[0], 1.0 * v[1], 1.0 * v[2]});
-  };
-  double extent = size(of.centre) + of.radius;
+  double extent = length(vec_of(of.centre)) + of.radius;
   for (const std::uint32_t number : robot.branch(link)) {
     const Joint& joint = robot.joints[number];
-    extent += size(joint.translation);
+    extent += length(vec_of(joint.translation));
     extent +=
         joint.slides() ? std::max(std::fabs(1.0 * joint.lower), std::fabs(1.0 * joint.upper)) : 0;
   }
@@ -259,8 +253,7 @@ void check_spheres(const Robot& robot, Report& report) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
     const Link& link = robot.links[i];
-    const Vec centre =
-        1.0 / 2048 * Vec{1.0 * link.centre[0], 1.0 * link.centre[1], 1.0 * link.centre[2]};
+    const Vec centre = 1.0 / 2048 * vec_of(link.centre);
     double farthest = 0;
     for (const Vec& vertex : link.mesh.vertices) {
       farthest = std::max(farthest, length(vertex - centre));

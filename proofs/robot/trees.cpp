@@ -7,7 +7,6 @@ namespace {
 /// The largest depth of a tree that the check follows.
 constexpr std::uint32_t kMostDepth = 1000;
 
-/// The check of a mesh's tree: each box contains everything below it.
 class Tree {
  public:
   explicit Tree(const Mesh& mesh) : mesh_(mesh), is_seen_(mesh.node_count) {}
