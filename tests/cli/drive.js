@@ -63,6 +63,6 @@ const drive_robot = async () => {
   claim("and says what is not looked at", live.says.textContent.includes("not looked at"));
   await wait();
   arm.library.open(Uint8Array.from(atob(JSON.parse(document.getElementById("live-data").textContent).image), c => c.charCodeAt(0)).length);
-  claims.push(`answers ${answers_of(arm.library, 10000)}`);
+  claim("all answers are the guard's", wrong_answer(arm.library) === undefined);
 };
 begin_driving(() => (live.trajectory ? drive_trajectory() : drive_robot()));

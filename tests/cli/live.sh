@@ -2,19 +2,16 @@
 # A robot's page answers like the native guard: in node, and in a browser, which also drives it. Without Clang for
 # WebAssembly or node the test is skipped; without chromium, only the browser's part is.
 . "$SOURCES/browser.sh"
-count=10000
 
 "$FLASHBVH" robot "$ARM" -o . --format image --stop 0.01 --warn 0.05 --report page.html >/dev/null
 need_answers page.html
 [ "$(wc -c <page.html)" -lt 1000000 ] || fail "the page takes 1 MB"
-wanted=$("$TOOLS/cli_live_answers" ./*.robot $count)
-case $wanted in *" 0 free"* | *" 0 warn"* | *" 0 stop"*) fail "not all verdicts occur: $wanted" ;; esac
-same_in_node page.html answers.js $count "$wanted"
+"$TOOLS/cli_live_answers" ./*.robot >known.js || fail "not all verdicts occur"
+try_in_node page.html answers.js
 
 can_browse || { echo "chromium's part is left out"; exit 0; }
 
 drive page.html 11 answers.js drive.js
-grep -qF "answers $wanted" claims || fail "the browser has other answers"
 
 # A trajectory to a collision of two links, straight from values without one.
 python3 -B - page.html >way.csv <<'PYTHON'
@@ -26,4 +23,4 @@ for i in range(101):
     print(",".join(str(i / 100 * value) for value in end))
 PYTHON
 "$FLASHBVH" guard ./*.robot way.csv --report guard.html >/dev/null 2>&1 || [ $? -eq 1 ]
-drive guard.html 6 answers.js drive.js
+drive guard.html 6 drive.js

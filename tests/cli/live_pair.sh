@@ -2,7 +2,6 @@
 # A page of two meshes answers like the firmware's queries: in node, and in a browser, which also drives it. Skips
 # as live.sh does.
 . "$SOURCES/browser.sh"
-count=10000
 
 python3 -B "$SOURCES/meshes.py" meshes
 printf 'v 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >small.obj
@@ -10,13 +9,11 @@ printf 'v 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n
 python3 -c 'for i in range(105): print(f"0.6 -0.8 0  0.8 0.6 0  0 0 1  {i % 9 * 3 - 4}.25 {i % 7 * 4} 0.{i}")' >poses
 "$FLASHBVH" report ring.fbvh small.fbvh --poses poses -o page.html
 need_answers page.html
-wanted=$("$TOOLS/cli_live_pair_answers" ring.fbvh small.fbvh $count)
-case $wanted in *" 0 intersect"* | *" 0 inside"* | *" 0 closer"* | *" 0 hit"* | *" 0 ways free"*) fail "not all answers occur: $wanted" ;; esac
-same_in_node page.html pair_answers.js $count "$wanted"
+"$TOOLS/cli_live_pair_answers" ring.fbvh small.fbvh >known.js || fail "not all answers occur"
+try_in_node page.html pair_answers.js
 
 can_browse || { echo "chromium's part is left out"; exit 0; }
 drive page.html 28 pair_answers.js drive_pair.js
-grep -qF "answers $wanted" claims || fail "the browser has other answers"
 
 # The page about deviations needs no library.
 "$FLASHBVH" bake meshes/many_sides.stl meshes/ring.stl --simplify 0.2 -o simplified --report simplified.html >/dev/null

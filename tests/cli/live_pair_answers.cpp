@@ -1,114 +1,105 @@
-// live_pair_answers A B COUNT: hashes the answers of the firmware's queries for B at random poses
-// and for rays at A into one number, and counts the kinds of answers. pair_answers.js computes the
-// answers of the library in a page.
+// live_pair_answers A B: prints poses of B and rays at A, drawn at random, and the answers of
+// the firmware's queries, as a script for pair_answers.js. Fails unless each kind of answer occurs.
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
-#include <vector>
+#include <set>
+#include <utility>
+#include <variant>
 
-#include "draws.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
-#include "flashbvh/image.hpp"
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
+#include "image/image_file.hpp"
+#include "support/rotations.hpp"
 
 using namespace flashbvh;
+using test::Random;
 
 namespace {
 
+constexpr int kQueries = 10000;
 constexpr std::int32_t kSpan = 1 << 14;  // cells, either way
 constexpr std::uint32_t kLimit = 1 << 20;
 /// Every 16th pose, the motion from the previous pose is queried, too.
 constexpr int kWays = 16;
 constexpr std::uint32_t kMostWayWork = 1000000;
 
-/// A number from 0 to `end` - 1.
-std::int64_t below(Draws& draws, std::int64_t end) {
-  return draws.next() * end >> 24;
+template <class Numbers>
+void print(const Numbers& numbers) {
+  for (const auto number : numbers) {
+    std::cout << static_cast<std::int32_t>(number) << ",";
+  }
 }
 
-/// A pose whose rotation is a quaternion of four integers.
-Pose drawn_pose(Draws& draws, const Mesh& a, const Mesh& b) {
-  std::int64_t w = below(draws, 2001) - 1000;
-  const std::int64_t x = below(draws, 2001) - 1000;
-  const std::int64_t y = below(draws, 2001) - 1000;
-  const std::int64_t z = below(draws, 2001) - 1000;
-  w += w == 0;
-  const std::int64_t square = w * w + x * x + y * y + z * z;
-  const std::int64_t over[3][3] = {
-      {w * w + x * x - y * y - z * z, 2 * (x * y - z * w), 2 * (x * z + y * w)},
-      {2 * (x * y + z * w), w * w - x * x + y * y - z * z, 2 * (y * z - x * w)},
-      {2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z}};
-  std::int32_t rotation[3][3];
+/// Prints its words, too.
+Pose drawn_pose(Random& random, const Mesh& a, const Mesh& b) {
+  const test::Rotation rotation = rotation_of(any_quaternion(random));
   std::int32_t cells[3];
   std::int16_t fraction[3];
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      rotation[i][j] = static_cast<std::int32_t>(over[i][j] * kRotationOne / square);
-    }
-    cells[i] =
-        static_cast<std::int32_t>(a.origin[i] - b.origin[i] - kSpan + below(draws, 2 * kSpan));
-    fraction[i] = static_cast<std::int16_t>(below(draws, 65536) - 32768);
+    cells[i] = a.origin[i] - b.origin[i] + random.between(-kSpan, kSpan);
+    fraction[i] = static_cast<std::int16_t>(random.between(-32768, 32767));
+    print(rotation.entry[i]);
   }
-  return Pose::rigid(rotation, cells, fraction);
+  print(cells);
+  print(fraction);
+  return Pose::rigid(rotation.entry, cells, fraction);
 }
 
-Segment drawn_segment(Draws& draws, const Mesh& mesh) {
+/// Prints its words, too.
+Segment drawn_segment(Random& random, const Mesh& mesh) {
   std::int32_t ends[6];
   for (int i = 0; i < 6; ++i) {
-    ends[i] = static_cast<std::int32_t>(mesh.origin[i % 3] - 2 * kSpan + below(draws, 4 * kSpan));
+    ends[i] = mesh.origin[i % 3] + random.between(-2 * kSpan, 2 * kSpan);
   }
+  print(ends);
   return {{ends[0], ends[1], ends[2]}, {ends[3], ends[4], ends[5]}};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
+  if (argc != 3) {
     return EXIT_FAILURE;
   }
-  const std::vector<std::uint64_t> images[] = {words_of(argv[1]), words_of(argv[2])};
-  Mesh a;
-  Mesh b;
-  if (open_image(images[0].data(), images[0].size() * 8, a) != Status::done ||
-      open_image(images[1].data(), images[1].size() * 8, b) != Status::done) {
-    return EXIT_FAILURE;
-  }
-  Draws draws;
-  Hash hash;
+  const tool::ImageFile images[] = {tool::ImageFile(argv[1]), tool::ImageFile(argv[2])};
+  const Mesh& a = std::get<MeshWithLevels>(images[0].tree());
+  const Mesh& b = std::get<MeshWithLevels>(images[1].tree());
+  Random random(test::test_seed());
   Witness<std::uint16_t> hint;
-  int counts[5] = {};
+  std::set<std::pair<int, bool>> kinds;
   Pose before = Pose::translated(0, 0, 0);
-  for (int i = 0; i < std::atoi(argv[3]); ++i) {
-    const Pose pose = drawn_pose(draws, a, b);
+  std::cout << "const LIMIT = " << kLimit << ";\nconst KNOWN = [\n";
+  for (int i = 0; i < kQueries; ++i) {
+    std::cout << "[[";
+    const Pose pose = drawn_pose(random, a, b);
+    std::cout << "],[";
+    const auto hit = nearest_hit(a, drawn_segment(random, a));
     const std::uint32_t pairs = count_pairs(a, b, pose).count;
     const bool inside = pairs == 0 && one_is_inside(a, b, pose).yes;
     const auto found = distance(a, b, pose, hint);
     hint = found.witness;
     const bool closer = closer_than(a, b, pose, kLimit).yes;
-    const auto hit = nearest_hit(a, drawn_segment(draws, a));
-    counts[0] += pairs != 0;
-    counts[1] += inside;
-    counts[2] += closer;
-    counts[3] += hit.yes;
-    for (const std::uint32_t word :
-         {pairs, std::uint32_t{inside}, found.lower, std::uint32_t{found.triangles.a},
-          std::uint32_t{found.triangles.b}, static_cast<std::uint32_t>(found.point_a.x),
-          static_cast<std::uint32_t>(found.point_b.z), std::uint32_t{closer},
-          hit.yes ? hit.hit.triangle + 1u : 0u}) {
-      hash.add(word);
-    }
+    std::cout << "],[";
+    print(std::array<std::int64_t, 10>{pairs, inside, closer, hit.yes, found.lower,
+                                       found.triangles.a, found.triangles.b, found.point_a.x,
+                                       found.point_b.z, hit.yes ? hit.hit.triangle : 0});
+    kinds.insert({0, pairs != 0});
+    kinds.insert({1, inside});
+    kinds.insert({2, closer});
+    kinds.insert({3, hit.yes});
     if (i % kWays == kWays - 1) {
       const BodyMotion motion = BodyMotion::between(before, pose);
       const FirstContactAnswer way = FirstContact(a, b, motion).run(kMostWayWork);
-      counts[4] += way.outcome == ContactOutcome::free;
-      hash.add(static_cast<std::uint32_t>(way.outcome));
-      hash.add(way.to);
+      kinds.insert({4, way.outcome == ContactOutcome::free});
+      print(std::array<std::int64_t, 2>{static_cast<int>(way.outcome), way.to});
     }
+    std::cout << "]],\n";
     before = pose;
   }
-  std::cout << hash.value() << ": " << counts[0] << " intersect, " << counts[1] << " inside, "
-            << counts[2] << " closer, " << counts[3] << " hit, " << counts[4] << " ways free\n";
-  return EXIT_SUCCESS;
+  std::cout << "];\n";
+  return kinds.size() == 10 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
