@@ -77,6 +77,17 @@ def refused(what, *arguments):
     return said
 
 
+def kept(file, link, *arguments):
+    """With `link`, another name of a file, as output, the command is refused and the file unchanged."""
+    Path(link).parent.mkdir(exist_ok=True)
+    os.link(file, link)
+    before = Path(file).read_bytes()
+    said = flashbvh(*arguments, code=2)
+    hold(re.search("would replace|is an image, which would be replaced", said.warnings), said.warnings)
+    hold(Path(file).read_bytes() == before, f"{file} is replaced: {arguments}")
+    os.remove(link)
+
+
 def compiled(*arguments, language="cxx", strict=STRICTLY, include=INCLUDE, **options):
     """The compiler's output."""
     return run(os.environ[language.upper()], *strict, f"-I{include}", *arguments, **options)

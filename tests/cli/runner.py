@@ -54,12 +54,11 @@ import commands
 import meshes
 import motions
 import pages
-import queries
 from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
-MODULES = {module.__name__: module for module in (bakes, commands, meshes, motions, pages, queries, zipfile)}
+MODULES = {module.__name__: module for module in (bakes, commands, meshes, motions, pages, zipfile)}
 TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 
