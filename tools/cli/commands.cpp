@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "flashbvh/image.hpp"
+#include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/nearest.hpp"
 
@@ -28,18 +29,6 @@ std::string unknown_command(const CLI::App& app, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end()
              ? ""
              : concat("there is no command '", name, "'", nearest_hint(name, names));
-}
-
-void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(output, error)) {
-    return;
-  }
-  for (const std::string& input : inputs) {
-    if (std::filesystem::equivalent(output, input, error)) {
-      throw UserError(output, "would replace ", input, ", which is read; write elsewhere");
-    }
-  }
 }
 
 void check_output(const std::string& output, const std::vector<std::string>& inputs) {

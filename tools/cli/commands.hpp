@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -13,11 +14,8 @@
 
 namespace flashbvh::tool {
 
-/// UserError if the file `output` is one of `inputs`, under any name.
-void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs);
-
-/// For commands that write no image: UserError as above, or if the file `output` is an image. An
-/// empty `output` means no file.
+/// For commands that write no image: UserError if the file `output` is one of `inputs`, under any
+/// name, or if it is an image. An empty `output` means no file.
 void check_output(const std::string& output, const std::vector<std::string>& inputs);
 
 struct PosedImages {
@@ -94,42 +92,40 @@ inline void add_progress(CLI::App& command, bool& to) {
 /// The program's exit code; 2 is for UserError.
 enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2, kRefusedValues = 3 };
 
-/// Running the command sets `exit_code`, which must outlive the parsing.
+/// Parsing runs the command; CLI::RuntimeError has its exit code unless that is kSuccess.
 void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
-void add_check(CLI::App& app, ExitCode& exit_code);
+void add_check(CLI::App& app);
 void add_export(CLI::App& app);
 void add_report(CLI::App& app);
 void add_collide(CLI::App& app);
 void add_clearance(CLI::App& app);
-void add_motion(CLI::App& app, ExitCode& exit_code);
+void add_motion(CLI::App& app);
 void add_inside(CLI::App& app);
 void add_ray(CLI::App& app);
-void add_bench(CLI::App& app, ExitCode& exit_code);
+void add_bench(CLI::App& app);
 void add_robot(CLI::App& app);
-void add_guard(CLI::App& app, ExitCode& exit_code);
-void add_audit(CLI::App& app, ExitCode& exit_code);
+void add_guard(CLI::App& app);
+void add_audit(CLI::App& app);
 void add_completion(CLI::App& app);
 /// Must come last: its help covers the commands added before.
 void add_help(CLI::App& app);
 
-/// Declares a command that calls run(arguments); the options fill the arguments.
+/// Declares a command that calls run(arguments), which returns an ExitCode or nothing; the options
+/// fill the arguments.
 template <class Arguments, class Run>
 std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, const char* what,
                                              const Run& run) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand(name, what);
-  command->callback([arguments, run] { run(*arguments); });
-  return {*command, *arguments};
-}
-
-/// Declares a command whose run() returns the program's exit code.
-template <class Arguments, class Run>
-std::pair<CLI::App&, Arguments&> add_command(CLI::App& app, const char* name, const char* what,
-                                             ExitCode& exit_code, const Run& run) {
-  return add_command<Arguments>(app, name, what, [&exit_code, run](const Arguments& arguments) {
-    exit_code = run(arguments);
+  command->callback([arguments, run] {
+    if constexpr (std::is_void_v<decltype(run(*arguments))>) {
+      run(*arguments);
+    } else if (const ExitCode code = run(*arguments); code != kSuccess) {
+      throw CLI::RuntimeError(code);
+    }
   });
+  return {*command, *arguments};
 }
 
 /// Declares --unit, which may be repeated and takes one word each time.

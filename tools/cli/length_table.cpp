@@ -3,10 +3,21 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <limits>
+#include <optional>
 
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
+
+std::int64_t bytes_of(const std::string& option, const std::string& text) {
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
+  const std::optional<long long> bytes = parse_integer(text);
+  if (!bytes || *bytes < 1 || *bytes > kMost) {
+    throw UserError(option + " " + text, "is no number of bytes; give one from 1 to ", kMost);
+  }
+  return *bytes;
+}
 
 void print_lengths(const std::vector<simplify::LengthRow>& rows,
                    const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit) {

@@ -19,6 +19,9 @@ inline void check_simplify_or_fit(bool simplify, bool fit) {
   }
 }
 
+/// The value of an option that limits images' sizes. UserError unless it is from 1 to 2^32 - 1.
+std::int64_t bytes_of(const std::string& option, const std::string& text);
+
 /// The leaf sizes of the table's columns. `has_leaf_size`: the user chose `leaf_size`.
 inline std::vector<std::uint32_t> shown_leaf_sizes(std::uint32_t leaf_size, bool has_leaf_size) {
   return has_leaf_size || leaf_size >= kLargeLeaf

@@ -53,24 +53,23 @@ int fail(const CLI::ParseError& error, const CLI::App& app) {
 int run(int argc, char** argv) {
   CLI::App app("Bounding volume trees for microcontrollers: bakes meshes, looks at what it baked.",
                "flashbvh");
-  ExitCode exit_code = kSuccess;
   app.require_subcommand(0, 1);            // after a command, the name of another is an argument
   app.allow_windows_style_options(false);  // "/part.stl" is a file on every system
   app.set_version_flag("--version", kVersion);
   add_bake(app);
   add_info(app);
-  add_check(app, exit_code);
+  add_check(app);
   add_export(app);
   add_report(app);
   add_collide(app);
   add_clearance(app);
-  add_motion(app, exit_code);
+  add_motion(app);
   add_inside(app);
   add_ray(app);
-  add_bench(app, exit_code);
+  add_bench(app);
   add_robot(app);
-  add_guard(app, exit_code);
-  add_audit(app, exit_code);
+  add_guard(app);
+  add_audit(app);
   add_completion(app);
   add_help(app);
   add_example(app, "help bake", "prints the options of bake, and an example");
@@ -85,6 +84,9 @@ int run(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& error) {
+    flush_output();
+    return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
       return fail(error, app);
@@ -97,7 +99,7 @@ int run(int argc, char** argv) {
     return fail("a command is missing; see flashbvh --help");
   }
   flush_output();
-  return exit_code;
+  return kSuccess;
 }
 
 }  // namespace

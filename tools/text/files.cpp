@@ -171,7 +171,20 @@ std::string read_file(const std::string& path) {
   return bytes;
 }
 
+void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs) {
+  std::error_code error;
+  if (!fs::is_regular_file(output, error)) {
+    return;
+  }
+  for (const std::string& input : inputs) {
+    if (fs::equivalent(output, input, error)) {
+      throw UserError(output, "would replace ", input, ", which is read; write elsewhere");
+    }
+  }
+}
+
 void FileSet::add(fs::path path, std::string bytes) {
+  refuse_to_replace_inputs(path.string(), inputs_);
   if (!is_special(path) && !places_.insert(fs::absolute(path).lexically_normal()).second) {
     throw UserError(path.string(), "would be written twice; give each output a name of its own");
   }
@@ -214,10 +227,10 @@ void FileSet::write_special() const {
   }
 }
 
-void write_file(const std::string& path, std::string bytes, const std::function<void()>& report) {
+void write_file(const std::string& path, std::string bytes) {
   FileSet files;
   files.add(path, std::move(bytes));
-  files.write(report);
+  files.write();
 }
 
 std::string lower_case(std::string_view text) {

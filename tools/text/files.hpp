@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "text/messages.hpp"
@@ -17,10 +18,17 @@ namespace flashbvh::tool {
 /// is a device, which may have no end.
 std::string read_file(const std::string& path);
 
+/// UserError if the file `output` is one of `inputs`, under any name.
+void refuse_to_replace_inputs(const std::string& output, const std::vector<std::string>& inputs);
+
 /// Files that belong together: either all of them are written or none.
 class FileSet {
  public:
-  /// Adds a file; writes nothing yet. UserError if the path was added before.
+  /// `inputs`: files that were read.
+  explicit FileSet(std::vector<std::string> inputs = {}) : inputs_(std::move(inputs)) {}
+
+  /// Adds a file; writes nothing yet. UserError if it would replace an input, or the path was added
+  /// before.
   void add(std::filesystem::path path, std::string bytes);
 
   /// Writes every file under a temporary name next to its own, calls `report`, then renames all.
@@ -36,13 +44,13 @@ class FileSet {
   };
   void write_special() const;
 
+  std::vector<std::string> inputs_;
   std::vector<File> files_;
   std::set<std::filesystem::path> places_;  ///< normalized paths of files_, to find duplicates
 };
 
 /// Writes a single file.
-void write_file(
-    const std::string& path, std::string bytes, const std::function<void()>& report = [] {});
+void write_file(const std::string& path, std::string bytes);
 
 /// Converts ASCII letters only, in any locale.
 std::string lower_case(std::string_view text);

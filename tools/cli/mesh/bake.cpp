@@ -40,18 +40,15 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
 template <class Baked>
 void add_files(const Baked& baked, const BakeOrder& order, const OutputName& name, FileSet& files) {
   const std::string stem = (std::filesystem::path(order.folder) / name.stem).string();
-  const auto add = [&](const char* extension, std::string bytes) {
-    refuse_to_replace_inputs(stem + extension, order.meshes);
-    files.add(stem + extension, std::move(bytes));
-  };
   const std::vector<std::uint32_t> words = image_of(baked, order.levels);
   if (order.writes_images) {
-    add(".fbvh", {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]});
+    files.add(stem + ".fbvh",
+              {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]});
   }
   if (order.writes_c) {
     SourceFiles c = mesh_in_c(words, name, order.units.common());
-    add(".fbvh.h", std::move(c.header));
-    add(".fbvh.c", std::move(c.source));
+    files.add(stem + ".fbvh.h", std::move(c.header));
+    files.add(stem + ".fbvh.c", std::move(c.source));
   }
 }
 
@@ -166,11 +163,6 @@ CoarseMesh coarse_mesh(const std::string& name, const InputMesh& mesh, const Bak
       baked.tree);
 }
 
-void add_page(const BakeOrder& order, const CoarseMeshes& coarse, FileSet& files) {
-  refuse_to_replace_inputs(order.page, order.meshes);
-  files.add(order.page, simplified_page(coarse));
-}
-
 /// Does all the work except writing. `options`: the order's, completed with the cell that all
 /// meshes share and the leaf size that fits.
 Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
@@ -216,7 +208,7 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   }
   if (!order.page.empty()) {
     coarse.lengths = outcome.lengths;
-    add_page(order, coarse, files);
+    files.add(order.page, simplified_page(coarse));
   }
   return outcome;
 }
@@ -245,7 +237,7 @@ void print_outcome(const BakeOrder& order, const BakeOptions& options, const Out
 void bake_all(const BakeOrder& order) {
   Warnings warnings;
   BakeOptions options = order.options;
-  FileSet files;
+  FileSet files(order.meshes);
   const Outcome outcome = bake_meshes(order, options, files, warnings);
   // Prints before renaming: if output fails, no file is left behind.
   files.write([&] {

@@ -68,17 +68,6 @@ double length_of(const std::string& option, const std::string& text, double leas
   return *length;
 }
 
-/// The largest size of an image.
-constexpr long long kMostBytes = std::numeric_limits<std::uint32_t>::max();
-
-std::int64_t bytes_of(const std::string& option, const std::string& text) {
-  const std::optional<long long> bytes = parse_integer(text);
-  if (!bytes || *bytes < 1 || *bytes > kMostBytes) {
-    throw UserError(option + " " + text, "is no number of bytes; give one from 1 to ", kMostBytes);
-  }
-  return *bytes;
-}
-
 BakeOptions options_of(const Arguments& arguments) {
   BakeOptions options = arguments.order.options;
   const bool median = arguments.builder == "median";

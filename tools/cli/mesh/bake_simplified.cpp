@@ -15,8 +15,7 @@ namespace {
 double side_of_largest(const std::vector<InputMesh>& meshes) {
   double longest = 0;
   for (const InputMesh& mesh : meshes) {
-    const Size size = size_of(mesh.mesh);
-    longest = std::max(longest, *std::max_element(size.begin(), size.end()));
+    longest = std::max(longest, longest_side(size_of(mesh.mesh)));
   }
   return longest;
 }

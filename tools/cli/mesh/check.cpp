@@ -160,23 +160,18 @@ struct CheckResult {
 /// Reads the mesh as `bake` does.
 InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings) {
   const Units units(arguments.units, {arguments.mesh});
-  InputMesh input;
   if (arguments.body.empty()) {
-    input = read_mesh(arguments.mesh, units, warnings);
-  } else {
-    std::vector<InputMesh> bodies = read_bodies(arguments.mesh, units, warnings);
-    const std::vector<OutputName> names = body_names(arguments.mesh, bodies);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (names[i].stem == arguments.body) {
-        input = std::move(bodies[i]);
-      }
-    }
-    if (input.mesh.triangles.empty()) {
-      throw UserError("--body " + arguments.body, "is none of ", arguments.mesh, "; it has ",
-                      joined(names, [](const OutputName& name) { return name.stem; }));
+    return read_mesh(arguments.mesh, units, warnings);
+  }
+  const std::vector<InputMesh> bodies = read_bodies(arguments.mesh, units, warnings);
+  const std::vector<OutputName> names = body_names(arguments.mesh, bodies);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (names[i].stem == arguments.body) {
+      return bodies[i];
     }
   }
-  return input;
+  throw UserError("--body " + arguments.body, "is none of ", arguments.mesh, "; it has ",
+                  joined(names, [](const OutputName& name) { return name.stem; }));
 }
 
 /// Adds the result of comparing the mesh with the image.
@@ -303,12 +298,12 @@ ExitCode check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& app, ExitCode& exit_code) {
+void add_check(CLI::App& app) {
   auto [command, a] = add_command<CheckArguments>(
       app, "check",
       "Prove that an image of a mesh or a robot is well-formed and, with --mesh, that it is this "
       "mesh.\nPrints what it holds; exits with 1 if it is another mesh.",
-      exit_code, check);
+      check);
   add_image(command, a.image, "FILE", "Image (.fbvh, .robot)");
   add_option(command, "--mesh", a.mesh, "FILE", "The mesh file that it was baked from");
   command.add_option("--body", a.body, "The body of that file alone, as `bake --split` names it");

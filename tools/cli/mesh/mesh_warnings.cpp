@@ -27,10 +27,6 @@ std::string edge_text(const EdgeDefects& edges) {
   return text;
 }
 
-double longest_side(const Size& size) {
-  return *std::max_element(size.begin(), size.end());
-}
-
 /// Three digits; large numbers are printed without an exponent.
 std::string side_text(double side) {
   return side >= 100 && side < 1e9 ? fixed(side, 0) : significant(side, 3);
@@ -119,6 +115,10 @@ Size size_of(const bake::SourceMesh& mesh) {
     size[axis] = (*most)[axis] - (*least)[axis];
   }
   return size;
+}
+
+double longest_side(const Size& size) {
+  return *std::max_element(size.begin(), size.end());
 }
 
 std::string size_text(const Size& size, const std::string& unit) {

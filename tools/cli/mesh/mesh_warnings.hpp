@@ -30,6 +30,8 @@ void warn_of_place(const std::array<std::int32_t, 3>& origin, const std::string&
 /// The size of a mesh's bounding box along x, y and z.
 using Size = std::array<double, 3>;
 
+double longest_side(const Size& size);
+
 /// The size in the mesh's unit; zeros if the mesh has no vertex.
 Size size_of(const bake::SourceMesh& mesh);
 

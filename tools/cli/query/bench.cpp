@@ -1,8 +1,6 @@
 // flashbvh bench: runs the paper's evaluation, section 9, on this machine.
 #include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <memory>
 
 #include "cli/commands.hpp"
 #include "evaluate/firmware_writer.hpp"
@@ -22,18 +20,11 @@ struct BenchArguments {
   }
 };
 
-void check(const Effort& effort) {
-  if (!std::isfinite(effort.repetitions_scale) || !(effort.repetitions_scale > 0) ||
-      effort.repetitions_scale > 1000) {
-    throw UserError("--repetitions-scale", "must lie above 0 and at most at 1000; see --help");
-  }
-}
-
-/// Returns false if rows of a setup found different overlaps.
-bool run_all(const BenchArguments& arguments) {
+/// kCheckFailed if rows of a setup found different overlaps.
+ExitCode run_all(const BenchArguments& arguments) {
   Objects objects;
   std::vector<SetupResult> results;
-  bool agree = true;
+  ExitCode exit_code = kSuccess;
   for (const scene::Setup& setup : scene::kSetups) {
     if (!arguments.wants(setup.table)) {
       continue;
@@ -46,11 +37,23 @@ bool run_all(const BenchArguments& arguments) {
     std::cout << setup_table(results.back()) << "\n" << std::flush;
     if (!results.back().rows_agree()) {
       std::cerr << "flashbvh: " << setup.name << ": the algorithms found different overlaps\n";
-      agree = false;
+      exit_code = kCheckFailed;
     }
   }
   std::cout << summary_tables(results);
-  return agree;
+  return exit_code;
+}
+
+ExitCode run_bench(const BenchArguments& arguments) {
+  const double scale = arguments.effort.repetitions_scale;
+  if (!(scale > 0 && scale <= 1000)) {
+    throw UserError("--repetitions-scale", "must lie above 0 and at most at 1000; see --help");
+  }
+  if (arguments.firmware.folder.empty()) {
+    return run_all(arguments);
+  }
+  write_firmware(arguments.firmware);
+  return kSuccess;
 }
 
 void add_firmware(CLI::App& command, FirmwareOptions& firmware) {
@@ -67,28 +70,19 @@ void add_firmware(CLI::App& command, FirmwareOptions& firmware) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<BenchArguments>();
-  BenchArguments& a = *arguments;
-  CLI::App* const command = app.add_subcommand(
-      "bench", "Repeat the paper's evaluation, section 9, tables 2 to 8, on this machine.");
-  add_option(*command, "--table", a.tables, "N", "Only this table; may be given more than once")
+void add_bench(CLI::App& app) {
+  auto [command, a] = add_command<BenchArguments>(
+      app, "bench", "Repeat the paper's evaluation, section 9, tables 2 to 8, on this machine.",
+      run_bench);
+  add_option(command, "--table", a.tables, "N", "Only this table; may be given more than once")
       ->check(CLI::Range(scene::kFirstTable, scene::kLastTable));
-  add_option(*command, "--repetitions-scale", a.effort.repetitions_scale, "F",
+  add_option(command, "--repetitions-scale", a.effort.repetitions_scale, "F",
              "Part of the paper's repetitions to make for each sample; default 0.01");
-  add_option(*command, "--rounds", a.effort.rounds, "N", "Samples; default 10, the paper: 100")
+  add_option(command, "--rounds", a.effort.rounds, "N", "Samples; default 10, the paper: 100")
       ->check(CLI::Range(1u, 1000000u));
-  add_firmware(*command, a.firmware);
-  add_example(*command, "bench --table 2 --rounds 1",
+  add_firmware(command, a.firmware);
+  add_example(command, "bench --table 2 --rounds 1",
               "prints the times of table 2, each taken once");
-  command->callback([arguments, &exit_code] {
-    check(arguments->effort);
-    if (!arguments->firmware.folder.empty()) {
-      write_firmware(arguments->firmware);
-      return;
-    }
-    exit_code = run_all(*arguments) ? kSuccess : kCheckFailed;
-  });
 }
 
 }  // namespace flashbvh::tool

@@ -150,28 +150,6 @@ void print_table_row(std::size_t pose, const Answer& answer) {
             << std::setw(14) << counts.leaf_pairs << std::setw(16) << counts.triangle_pairs << "\n";
 }
 
-/// Appends the pairs of a pose in the given order.
-void append_pairs(std::string& text, std::size_t pose, const Answer& answer,
-                  const std::vector<std::size_t>& order) {
-  for (const std::size_t i : order) {
-    text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b, "\n");
-  }
-}
-
-/// Appends the pairs, each with both ends of the common segment, in the images' unit.
-void append_contacts(std::string& text, std::size_t pose, const Answer& answer,
-                     const std::vector<std::size_t>& order, double cell) {
-  for (const std::size_t i : order) {
-    text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b);
-    for (const FinePoint& end : answer.contacts[i].ends) {
-      for (const std::int64_t coordinate : {end.x, end.y, end.z}) {
-        text += " " + shortest(static_cast<double>(coordinate) * cell / kFineOne);
-      }
-    }
-    text += "\n";
-  }
-}
-
 /// The order of the answer's pairs by triangle numbers.
 std::vector<std::size_t> order_of(const Answer& answer) {
   std::vector<std::size_t> order(answer.pairs.size());
@@ -182,6 +160,30 @@ std::vector<std::size_t> order_of(const Answer& answer) {
     return std::tie(p.a, p.b) < std::tie(q.a, q.b);
   });
   return order;
+}
+
+/// Both ends of the common segment, in the images' unit.
+std::string ends_text(const Contact& contact, double cell) {
+  std::string text;
+  for (const FinePoint& end : contact.ends) {
+    for (const std::int64_t coordinate : {end.x, end.y, end.z}) {
+      text += " " + shortest(unit_length(coordinate, cell));
+    }
+  }
+  return text;
+}
+
+/// A line per pair, by poses and triangle numbers; with its contact if there is a `cell`.
+std::string pair_lines(const std::vector<Answer>& found, std::optional<double> cell) {
+  std::string text;
+  for (std::size_t pose = 0; pose < found.size(); ++pose) {
+    const Answer& answer = found[pose];
+    for (const std::size_t i : order_of(answer)) {
+      text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b,
+                     cell ? ends_text(answer.contacts[i], *cell) : "", "\n");
+    }
+  }
+  return text;
 }
 
 /// Prints the maximum of all poses, the terms of a run's time bound (lib/docs/bounded_time.md), and
@@ -292,20 +294,11 @@ void collide_all(const CollideArguments& arguments) {
     return;
   }
   FileSet files;
-  std::string pairs;
-  std::string contacts;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::vector<std::size_t> order = order_of(found[i]);
-    append_pairs(pairs, i, found[i], order);
-    if (!arguments.contacts.empty()) {
-      append_contacts(contacts, i, found[i], order, a.cell());
-    }
+  if (!arguments.pairs.empty()) {
+    files.add(arguments.pairs, pair_lines(found, std::nullopt));
   }
-  for (const auto& [path, text] :
-       {std::pair(arguments.pairs, pairs), {arguments.contacts, contacts}}) {
-    if (!path.empty()) {
-      files.add(path, text);
-    }
+  if (!arguments.contacts.empty()) {
+    files.add(arguments.contacts, pair_lines(found, a.cell()));
   }
   files.write([&] {
     print_answers(arguments, a.name() + " and " + b.name(), algorithm, found);

@@ -41,19 +41,15 @@ void query_points(const InsideArguments& arguments) {
   if (!arguments.json) {
     std::cout << image.name() << "\n point  where         visits\n";
   }
-  std::size_t number = 0;
-  for (const PointAnswer& answer : answers) {
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const char* const side = side_name(answers[i].side);
     if (arguments.json) {
-      const Json line = {{"point", number},
-                         {"where", side_name(answer.side)},
-                         {"visits", answer.visits},
-                         {"status", "ok"}};
-      print_object(line);
+      print_object(
+          {{"point", i}, {"where", side}, {"visits", answers[i].visits}, {"status", "ok"}});
     } else {
-      std::cout << std::setw(6) << number << "  " << std::left << std::setw(9)
-                << side_name(answer.side) << std::right << std::setw(11) << answer.visits << "\n";
+      std::cout << std::setw(6) << i << "  " << std::left << std::setw(9) << side << std::right
+                << std::setw(11) << answers[i].visits << "\n";
     }
-    ++number;
   }
   flush_output();
 }

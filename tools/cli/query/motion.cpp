@@ -120,13 +120,13 @@ ExitCode certify_motion(const MotionArguments& arguments) {
 
 }  // namespace
 
-void add_motion(CLI::App& app, ExitCode& exit_code) {
+void add_motion(CLI::App& app) {
   auto [command, a] = add_command<MotionArguments>(
       app, "motion",
       "Certify that B is apart from A at every moment on its way from one pose to another, by the "
       "firmware's own\ncode. Prints free; contact, from where to where they first touch; or close, "
       "where they come within a cell\nand may touch.\nExit code 0: free; 1: contact or close.",
-      exit_code, certify_motion);
+      certify_motion);
   add_option(command, "A", a.a, "FILE.fbvh", "Image (.fbvh) that stays in place")->required();
   add_option(command, "B", a.b, "FILE.fbvh", "Image (.fbvh) that moves")->required();
   add_option(

@@ -115,17 +115,12 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   const BakedRobot robot = decided_robot(std::move(model), arguments, warnings);
   const Audit audit = audit_of(
       {robot.model, views_of(robot.wholes), robot.cell, robot.pairs, robot.late_joints}, disabled);
-  const std::set<std::string> read = files_read(arguments, robot.model);
-  FileSet files;
-  const auto add = [&](const std::string& path, std::string text) {
-    refuse_to_replace_inputs(path, {read.begin(), read.end()});
-    files.add(path, std::move(text));
-  };
+  FileSet files(files_read(arguments, robot.model));
   if (!arguments.fixed.empty()) {
-    add(arguments.fixed, changed_srdf(arguments.srdf, robot.model, audit.changes()));
+    files.add(arguments.fixed, changed_srdf(arguments.srdf, robot.model, audit.changes()));
   }
   if (!arguments.page.empty()) {
-    add(arguments.page, audit_page(robot.model, arguments.srdf, audit));
+    files.add(arguments.page, audit_page(robot.model, arguments.srdf, audit));
   }
   files.write([&] {
     warnings.print();
@@ -141,12 +136,12 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
 
 }  // namespace
 
-void add_audit(CLI::App& app, ExitCode& exit_code) {
+void add_audit(CLI::App& app) {
   auto [command, a] = add_command<AuditArguments>(
       app, "audit",
       "Decide each pair of links that an SRDF disables, and list the pairs that it could disable.\n"
       "Exit code 0: no line is refuted; 1: in some two links can collide.",
-      exit_code, audit_srdf);
+      audit_srdf);
   add_described_options(command, "ROBOT", a);
   add_option(command, "SRDF", a.srdf, "FILE.srdf", "The SRDF of the robot")->required();
   add_time(command, a, "What is not decided by then is undecided");

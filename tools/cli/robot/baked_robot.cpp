@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "cli/length_table.hpp"
 #include "cli/progress.hpp"
@@ -314,7 +315,7 @@ std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& 
   return robot_image(robot.model, robot.robot(), robot.unguarded, meshes, name);
 }
 
-std::set<std::string> files_read(const RobotArguments& arguments, const Model& model) {
+std::vector<std::string> files_read(const RobotArguments& arguments, const Model& model) {
   std::set<std::string> read = {arguments.urdf};
   for (const std::string& file : {arguments.srdf, arguments.joint_limits}) {
     if (!file.empty()) {
@@ -325,7 +326,7 @@ std::set<std::string> files_read(const RobotArguments& arguments, const Model& m
   for (const ModelLink& link : model.links) {
     read.insert(link.files.begin(), link.files.end());
   }
-  return read;
+  return {read.begin(), read.end()};
 }
 
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
@@ -17,6 +16,26 @@ namespace {
 
 /// The largest number of lines in tables and on standard error.
 constexpr std::size_t kShownLines = 10;
+
+/// In cells: rounding to the lattice moves points less than this; simplified links deviate more.
+constexpr double kRounded = 2;
+
+/// Prints which pairs are guarded, and the deviation of simplified links.
+void print_head(const GuardedTrajectory& guarded) {
+  for (const UnguardedPair& pair : guarded.unguarded) {
+    std::cout << "not guarded: " << names_of(guarded.model, {pair}) << "\n";
+  }
+  std::cout << guarded.answers.size() << (guarded.answers.size() == 1 ? " period, " : " periods, ")
+            << guarded.robot.pair_count << (guarded.robot.pair_count == 1 ? " pair" : " pairs")
+            << " of links guarded\n";
+  const double deviation = links_deviation(guarded.robot);
+  if (deviation > kRounded * cell_of(guarded.robot)) {
+    std::cout << "simplified: firmware's links and the URDF's lie within "
+              << significant(deviation, 3) << " m of each other, so the guard stops up to "
+              << significant(kEarlyByDeviation * deviation, 3) << " m earlier\n";
+  }
+  std::cout << "\n";
+}
 
 std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
   const RobotPair& links = guarded.robot.pairs[pair];
@@ -264,11 +283,10 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
   const GuardedTrajectory guarded = {
       robot.model,    robot.robot(),    image,   arguments.trajectory, trajectory, answers,
       arguments.work, arguments.motion, motions, robot.unguarded,      timing};
-  FileSet files;
+  std::vector<std::string> read = files_read(arguments, robot.model);
+  read.push_back(arguments.trajectory);
+  FileSet files(std::move(read));
   if (!arguments.page.empty()) {
-    std::set<std::string> read = files_read(arguments, robot.model);
-    read.insert(arguments.trajectory);
-    refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
     files.add(arguments.page, guard_page(guarded));
   }
   files.write([&] {
@@ -304,33 +322,33 @@ void add_timing_options(CLI::App& command, GuardArguments& a) {
 
 }  // namespace
 
-void add_guard(CLI::App& app, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<GuardArguments>();
-  GuardArguments& a = *arguments;
-  CLI::App* const command = app.add_subcommand(
-      "guard",
+void add_guard(CLI::App& app) {
+  auto [command, a] = add_command<GuardArguments>(
+      app, "guard",
       "Print what a robot's guard answers along a trajectory, by the firmware's own code.\n"
       "Exit code 0: all periods are free or warned of; 1: in some the guard says stop, or the "
       "work\n"
-      "budget was too small, or a motion is not free; 3: firmware refuses some values.");
-  add_robot_options(*command, "ROBOT", a);
-  command->get_option("ROBOT")->description("The robot (URDF, MJCF or SDF), or its image (.robot)");
-  add_option(*command, "TRAJECTORY", a.trajectory, "FILE.csv",
+      "budget was too small, or a motion is not free; 3: firmware refuses some values.",
+      [&app](const GuardArguments& given) {
+        return guard_trajectory(given, *app.get_subcommand("guard"));
+      });
+  add_robot_options(command, "ROBOT", a);
+  command.get_option("ROBOT")->description("The robot (URDF, MJCF or SDF), or its image (.robot)");
+  add_option(command, "TRAJECTORY", a.trajectory, "FILE.csv",
              "A CSV: a line with the joints' names, then one a period with their values, in "
              "radians\nand metres")
       ->required();
-  add_option(*command, "--work", a.work, "N",
+  add_option(command, "--work", a.work, "N",
              "What the guard may spend in a period; default: what it takes")
       ->check(CLI::Range(1u, kAllWork));
-  add_timing_options(*command, a);
-  command->add_flag("--motion", a.motion,
-                    "Certify the straight motion of all joints from each line to the next, too");
-  add_option(*command, "--report", a.page, "PAGE.html",
+  add_timing_options(command, a);
+  command.add_flag("--motion", a.motion,
+                   "Certify the straight motion of all joints from each line to the next, too");
+  add_option(command, "--report", a.page, "PAGE.html",
              "Write a page: the robot on its way, distances and work over time, motions");
-  add_json(*command, a.json, "One JSON object a line");
-  add_example(*command, "guard arm.urdf motion.csv --stop 0.005 --warn 0.03",
+  add_json(command, a.json, "One JSON object a line");
+  add_example(command, "guard arm.urdf motion.csv --stop 0.005 --warn 0.03",
               "prints how many periods are free, warned, stopped");
-  command->callback([=, &exit_code] { exit_code = guard_trajectory(*arguments, *command); });
 }
 
 }  // namespace flashbvh::tool

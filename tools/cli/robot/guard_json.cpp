@@ -151,6 +151,14 @@ const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t v
   return guarded.model.joints[guarded.model.variables[variable]].name;
 }
 
+double links_deviation(const Robot& robot) {
+  std::uint32_t most = 0;
+  for (std::size_t i = 0; i < robot.link_count; ++i) {
+    most = std::max<std::uint32_t>(most, robot.links[i].deviation);
+  }
+  return unit_length(most, cell_of(robot));
+}
+
 void print_guarded_json(const GuardedTrajectory& guarded) {
   for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
     Json json = period_json(guarded, i);

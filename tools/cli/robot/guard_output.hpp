@@ -19,9 +19,6 @@ double links_deviation(const Robot& robot);
 /// The error in the values of a period, and how to fix it.
 std::string why_refused(const GuardedTrajectory& guarded, std::size_t period);
 
-/// Prints which pairs are guarded, and the deviation of simplified links.
-void print_head(const GuardedTrajectory& guarded);
-
 /// Prints an object per line of the trajectory; the first also contains facts about the whole.
 void print_guarded_json(const GuardedTrajectory& guarded);
 

@@ -1,6 +1,5 @@
 // flashbvh robot: bakes a URDF to an image for firmware, and reports the pairs that can collide.
 #include <filesystem>
-#include <set>
 
 #include "cli/commands.hpp"
 #include "cli/length_table.hpp"
@@ -29,27 +28,17 @@ struct OutputArguments : RobotArguments {
 
 using ImageWords = std::vector<std::uint32_t>;
 
-/// Adds an output file. UserError if it would replace an input file.
-void add_output(const OutputArguments& arguments, const Model& model, const std::string& path,
-                std::string text, FileSet& files) {
-  const std::set<std::string> read = files_read(arguments, model);
-  refuse_to_replace_inputs(path, {read.begin(), read.end()});
-  files.add(path, std::move(text));
-}
-
 void add_files(const OutputArguments& arguments, const OutputName& name, const BakedRobot& baked,
                const ImageWords& image, FileSet& files) {
   const std::string stem = (std::filesystem::path(arguments.folder) / name.stem).string();
-  const auto add = [&](const char* extension, std::string text) {
-    add_output(arguments, baked.model, stem + extension, std::move(text), files);
-  };
   if (arguments.format != "c") {
-    add(".robot", {reinterpret_cast<const char*>(image.data()), image.size() * sizeof image[0]});
+    files.add(stem + ".robot",
+              {reinterpret_cast<const char*>(image.data()), image.size() * sizeof image[0]});
   }
   if (arguments.format != "image") {
     SourceFiles sources = robot_in_c(image, baked.model, *baked.fixed, baked.unguarded, name);
-    add(".robot.h", std::move(sources.header));
-    add(".robot.c", std::move(sources.source));
+    files.add(stem + ".robot.h", std::move(sources.header));
+    files.add(stem + ".robot.c", std::move(sources.source));
   }
 }
 
@@ -92,8 +81,6 @@ CoarseMeshes coarse_links(const BakedRobot& robot, const RobotLengths& lengths) 
 
 void add_page(const OutputArguments& arguments, const BakedRobot& robot, const ImageWords& image,
               const CoarseMeshes& simplified, FileSet& files) {
-  const std::set<std::string> read = files_read(arguments, robot.model);
-  refuse_to_replace_inputs(arguments.page, {read.begin(), read.end()});
   Progress progress(2, arguments.progress);
   files.add(
       arguments.page,
@@ -128,18 +115,17 @@ void make_robot(const OutputArguments& arguments) {
   const std::size_t bytes = image.size() * sizeof image[0];
   const RobotLengths lengths = {lengths_of(arguments, baked),
                                 shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size)};
-  FileSet files;
+  FileSet files(files_read(arguments, baked.model));
   if (!arguments.dry_run) {
     add_files(arguments, name, baked, image, files);
   }
   if (!arguments.depfile.empty()) {
-    add_output(arguments, baked.model, arguments.depfile,
-               dependencies(arguments, name, baked.model), files);
+    files.add(arguments.depfile, dependencies(arguments, name, baked.model));
   }
   if (!arguments.written_srdf.empty()) {
     const std::vector<SrdfLine> lines =
         srdf_lines({baked.model, views_of(baked.wholes), baked.cell, baked.pairs});
-    add_output(arguments, baked.model, arguments.written_srdf, srdf_of(baked.model, lines), files);
+    files.add(arguments.written_srdf, srdf_of(baked.model, lines));
   }
   if (!arguments.page.empty()) {
     add_page(arguments, baked, image, coarse_links(baked, lengths), files);

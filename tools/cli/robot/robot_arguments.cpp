@@ -87,15 +87,6 @@ double simplify_length(const RobotArguments& arguments) {
   return length;
 }
 
-std::size_t fit_bytes(const RobotArguments& arguments) {
-  const std::optional<long long> bytes = parse_integer(*arguments.fit);
-  if (!bytes || *bytes < 1 || *bytes > std::numeric_limits<std::uint32_t>::max()) {
-    throw UserError("--fit " + *arguments.fit, "is no number of bytes; give one from 1 to ",
-                    std::numeric_limits<std::uint32_t>::max());
-  }
-  return static_cast<std::size_t>(*bytes);
-}
-
 Packages packages_of(const std::vector<std::string>& given) {
   Packages packages;
   for (const std::string& option : given) {

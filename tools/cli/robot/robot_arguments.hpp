@@ -36,7 +36,6 @@ double seconds(const std::string& text);
 std::optional<double> given_cell(const RobotArguments& arguments);
 /// Above 0, in metres. Precondition: the option was given.
 double simplify_length(const RobotArguments& arguments);
-std::size_t fit_bytes(const RobotArguments& arguments);
 Packages packages_of(const std::vector<std::string>& given);
 /// LINK,LINK. `place`: the option that names them.
 std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::string& place,

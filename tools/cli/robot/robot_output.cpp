@@ -126,10 +126,14 @@ std::string simplified_text(const BakedRobot& robot) {
                 " m earlier; pairs are decided with all triangles\n");
 }
 
+Json joint_name_json(const Model& model, std::size_t joint) {
+  return joint == kNoJoint ? Json() : Json(model.joints[joint].name);
+}
+
 Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked,
                const Size& size) {
   return {{"name", link.name},
-          {"joint", link.joint == kNoJoint ? Json() : Json(model.joints[link.joint].name)},
+          {"joint", joint_name_json(model, link.joint)},
           {"triangles", baked.tree.triangles.size()},
           {"flash_bytes", baked.image_bytes()},
           {"size", size},
@@ -140,13 +144,12 @@ Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked
 
 Json joint_json(const Model& model, std::size_t number) {
   const ModelJoint& joint = model.joints[number];
-  Json json = {
-      {"name", joint.name},
-      {"type", type_name(joint.type)},
-      {"parent", joint.parent == kNoJoint ? Json() : Json(model.joints[joint.parent].name)},
-      {"lower", joint.lower},
-      {"upper", joint.upper},
-      {"variable", joint.variable}};
+  Json json = {{"name", joint.name},
+               {"type", type_name(joint.type)},
+               {"parent", joint_name_json(model, joint.parent)},
+               {"lower", joint.lower},
+               {"upper", joint.upper},
+               {"variable", joint.variable}};
   if (is_mimic(model, number)) {
     json["multiplier"] = joint.multiplier;
     json["offset"] = joint.offset;
@@ -258,9 +261,8 @@ void print_robot_file_json(const RobotFile& file) {
                {"pairs", Json::array()}};
   const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const std::size_t joint = model.links[i].joint;
     json["links"].push_back({{"name", model.links[i].name},
-                             {"joint", joint == kNoJoint ? Json() : Json(model.joints[joint].name)},
+                             {"joint", joint_name_json(model, model.links[i].joint)},
                              {"triangles", robot.meshes[i].triangle_count},
                              {"size", sizes[i]}});
   }

@@ -28,10 +28,6 @@ Size size_in_link(const Model& model, const ModelLink& link, bake::SourceMesh me
   return size_of(mesh);
 }
 
-double longest(const Size& size) {
-  return *std::max_element(size.begin(), size.end());
-}
-
 /// The largest distance of a joint from its parent, or range of a prismatic joint, in metres.
 double longest_joint(const Model& model) {
   double most = 0;
@@ -45,12 +41,12 @@ double longest_joint(const Model& model) {
 
 /// The cause of a large cell: the largest link, or the joints' distances and ranges.
 std::string cause_of(const Model& model, const std::vector<Size>& sizes) {
-  const auto largest =
-      std::max_element(sizes.begin(), sizes.end(),
-                       [](const Size& u, const Size& v) { return longest(u) < longest(v); });
+  const auto largest = std::max_element(
+      sizes.begin(), sizes.end(),
+      [](const Size& u, const Size& v) { return longest_side(u) < longest_side(v); });
   const std::size_t link = static_cast<std::size_t>(largest - sizes.begin());
   const double joint = longest_joint(model);
-  return joint > longest(*largest)
+  return joint > longest_side(*largest)
              ? concat("a joint lies or slides ", significant(joint, 3), " m far")
              : concat("link '", model.links[link].name, "' is ", size_text(*largest, "m"));
 }
@@ -91,7 +87,7 @@ void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std
                             : "; if its mesh is in metres, leave out the scale of its <mesh>"));
   }
   std::vector<double> sides;
-  std::transform(sizes.begin(), sizes.end(), std::back_inserter(sides), longest);
+  std::transform(sizes.begin(), sizes.end(), std::back_inserter(sides), longest_side);
   const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
   std::nth_element(sides.begin(), middle, sides.end());
   const double joint = longest_joint(model);
@@ -112,7 +108,7 @@ void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cel
                                "; narrow that, or a guard stops up to some cells too early"));
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (longest(sizes[i]) < kFewCellsOfLink * cell) {
+    if (longest_side(sizes[i]) < kFewCellsOfLink * cell) {
       warnings.add(place, concat("makes a cell of ", significant(cell, 3), " m for link '",
                                  model.links[i].name, "' of ", size_text(sizes[i], "m"), ", since ",
                                  cause_of(model, sizes), "; narrow that"));

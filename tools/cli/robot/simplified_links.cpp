@@ -19,8 +19,7 @@ constexpr double kRoomForParts = 1.5;
 double longest_of(const Model& model) {
   double longest = 0;
   for (const ModelLink& link : model.links) {
-    const Size size = size_of(link.mesh);
-    longest = std::max(longest, *std::max_element(size.begin(), size.end()));
+    longest = std::max(longest, longest_side(size_of(link.mesh)));
   }
   return simplify::kLongestPart * longest;
 }
@@ -80,9 +79,9 @@ SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArg
     expected_ = length_;
   } else {
     add(model);
-    expected_ =
-        kRoomForParts * simplify::likely_length(meshes_, static_cast<double>(fit_bytes(arguments)),
-                                                longest_of(model));
+    expected_ = kRoomForParts * simplify::likely_length(
+                                    meshes_, static_cast<double>(bytes_of("--fit", *arguments.fit)),
+                                    longest_of(model));
   }
 }
 
@@ -127,7 +126,7 @@ std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t ow
     add(model);
   }
   if (arguments_.fit) {
-    const auto most = static_cast<double>(fit_bytes(arguments_));
+    const auto most = static_cast<double>(bytes_of("--fit", *arguments_.fit));
     const auto own = static_cast<double>(own_bytes);
     if (own >= most) {
       throw UserError("--fit " + *arguments_.fit, "is less than the robot takes without any mesh, ",
