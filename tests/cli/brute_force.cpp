@@ -1,56 +1,29 @@
-// brute_force POSE A.obj B.obj: tests every triangle of A against every one of B, both as exported
-// (B transformed), and prints the pairs as `flashbvh collide --pairs` does.
-#include <array>
-#include <cstdio>
+// brute_force POSE A_COUNT: reads triangles as nine integers each, first those of A, then those of
+// B. Tests every triangle of A against every one of B, and prints the pairs as `flashbvh collide
+// --pairs` does.
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <string>
+#include <iostream>
 #include <vector>
 
 #include "flashbvh/detail/predicates/triangle.hpp"
 
-namespace {
-
-std::vector<flashbvh::Triangle> read(const char* path) {
-  std::ifstream file(path);
-  std::vector<flashbvh::Point> vertices;
-  std::vector<flashbvh::Triangle> triangles;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string keyword;
-    words >> keyword;
-    if (keyword == "v") {
-      flashbvh::Point p{};
-      words >> p.x >> p.y >> p.z;
-      vertices.push_back(p);
-    } else if (keyword == "f") {
-      flashbvh::Triangle triangle{};
-      for (flashbvh::Point& corner : triangle.corner) {
-        std::size_t number = 0;
-        words >> number;
-        corner = vertices.at(number - 1);
-      }
-      triangles.push_back(triangle);
-    }
-  }
-  return triangles;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
-  if (argc != 4) {
+  if (argc != 3) {
     return EXIT_FAILURE;
   }
-  const auto a = read(argv[2]);
-  const auto b = read(argv[3]);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      if (flashbvh::detail::triangles_intersect(a[i], b[j])) {
-        std::printf("%s %zu %zu\n", argv[1], i, j);
+  std::vector<flashbvh::Triangle> triangles;
+  flashbvh::Triangle triangle{};
+  const auto read = [](flashbvh::Point& p) -> bool { return !!(std::cin >> p.x >> p.y >> p.z); };
+  while (read(triangle.corner[0]) && read(triangle.corner[1]) && read(triangle.corner[2])) {
+    triangles.push_back(triangle);
+  }
+  const auto count = static_cast<std::size_t>(std::atoll(argv[2]));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = count; j < triangles.size(); ++j) {
+      if (flashbvh::detail::triangles_intersect(triangles.at(i), triangles[j])) {
+        std::cout << argv[1] << " " << i << " " << j - count << "\n";
       }
     }
   }
-  return a.empty() || b.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
+  return count == 0 || count >= triangles.size() ? EXIT_FAILURE : EXIT_SUCCESS;
 }
