@@ -6,30 +6,24 @@ programs; WORK; INCLUDE; CC, CXX and NM. FLASHBVH_THOROUGH runs all tests, at an
 lines:
 
     == TITLE                    begins a case; (long): runs with --long; (thorough): with FLASHBVH_THOROUGH
-        fixture NAME                begins a case that runs once; its folder is copied into each case with `use NAME`;
-    before
-                                    a table's first case, `use NAME` applies to all of its cases
-        each NAME | NAME            runs the case for each of the rows below, which give the names' values; a row that
-                                    begins with `thorough: ` needs FLASHBVH_THOROUGH
-        for NAME | NAME ... end     runs the lines up to `end` for each of the rows below; - is an empty cell. For one
-    name
-                                    also `for NAME: CELL | CELL`, `each NAME: CELL | CELL`
-        file NAME: TEXT             writes a file, with \\n and other escapes; without a text, the indented lines below
-        run ARGUMENTS => EXIT       runs flashbvh, which must exit with 0 or with EXIT
-        refuse ARGUMENTS => TEXT    it must exit with 2, print only one line, which contains TEXT, and write no out*;
-    with
-                                    ... among the arguments, for each of the lines below: MORE ARGUMENTS => TEXT
-        save FILE                   saves the command's output
-        out: TEXT                   the output contains TEXT; `out~ ` matches a regular expression, `out= ` compares all
-    of
-                                    it; `no ` before it negates it; `err` is standard error, any other word is a file;
-                                    without a text, tests each of the indented lines below
-        json PATH = VALUE           one value of the printed JSON; `lines PATH = VALUE`: JSON per line; * means all
-        same FILE FILE              two files or folders with equal bytes
-    holds FOLDER = NAME NAME    the names in a folder
-        let NAME = EXPRESSION       evaluates Python with all names of checks.py, and out, err, json, lines
+    fixture NAME                begins a case that runs once; its folder is copied into each case with `use NAME`; before
+                                a table's first case, `use NAME` applies to all of its cases
+    each NAME | NAME            runs the case for each of the rows below, which give the names' values; a row that
+                                begins with `thorough: ` needs FLASHBVH_THOROUGH
+    for NAME | NAME ... end     runs the lines up to `end` for each of the rows below; - is an empty cell. For one name
+                                also `for NAME: CELL | CELL`, `each NAME: CELL | CELL`
+    file NAME: TEXT             writes a file, with \\n and other escapes; without a text, the indented lines below
+    run ARGUMENTS => EXIT       runs flashbvh, which must exit with 0 or with EXIT
+    refuse ARGUMENTS => TEXT    it must exit with 2, print only one line, which contains TEXT, and write no out*; with
+                                ... among the arguments, for each of the lines below: MORE ARGUMENTS => TEXT
+    out: TEXT                   the output contains TEXT; `out~ ` matches a regular expression, `out= ` compares all of
+                                it; `no ` before it negates it; `err` is standard error, any other word is a file;
+                                without a text, tests each of the indented lines below
+    json PATH = VALUE           one value of the printed JSON; * means all
+    same FILE FILE              two files or folders with equal bytes
+    let NAME = EXPRESSION       evaluates Python with all names of checks.py, and out, err, json, lines (JSON per line)
     check EXPRESSION            must be true
-    do EXPRESSION
+    do EXPRESSION               evaluates it; output of a program becomes `out` and `err`
 
 In all but expressions, {NAME} stands for the value of a name of `each`, `for` or `let`.
 """
@@ -41,6 +35,7 @@ import json
 import multiprocessing
 import os
 import re
+import resource
 import shlex
 import shutil
 import sys
@@ -48,7 +43,7 @@ import traceback
 import zipfile
 from pathlib import Path
 
-import bakes
+import c_names
 import checks
 import commands
 import meshes
@@ -58,7 +53,7 @@ from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
-MODULES = {module.__name__: module for module in (bakes, commands, meshes, motions, pages, zipfile)}
+MODULES = {module.__name__: module for module in (c_names, commands, meshes, motions, pages, resource, zipfile)}
 TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 
@@ -206,18 +201,9 @@ class Run:
         arguments, _, text = self.filled(rest).partition(" => ")
         self.heard(checks.refused(text, *shlex.split(arguments)))
 
-    def do_save(self, name):
-        Path(self.filled(name)).write_text(self.names["out"])
-
     def do_json(self, rest):
-        self.find([json.loads(self.names["out"])], "0." + rest)
-
-    def do_lines(self, rest):
-        self.find(self.said.json(), rest)
-
-    def find(self, value, rest):
         path, _, wanted = self.filled(rest).partition(" = ")
-        found = checks.at(value, path)
+        found = checks.at(json.loads(self.names["out"]), path)
         hold(found == json.loads(wanted), f"it is {json.dumps(found)}")
 
     def do_same(self, rest):
@@ -227,10 +213,6 @@ class Run:
             hold(not any(filecmp.cmpfiles(a, b, os.listdir(a), shallow=False)[1:]), "other bytes")
         else:
             checks.same(a, b)
-
-    def do_holds(self, rest):
-        folder, _, names = self.filled(rest).partition(" = ")
-        hold(sorted(os.listdir(folder)) == sorted(shlex.split(names)), f"it holds {sorted(os.listdir(folder))}")
 
     def do_let(self, rest):
         name, _, expression = rest.partition(" = ")
