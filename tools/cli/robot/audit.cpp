@@ -18,8 +18,12 @@ struct AuditArguments : RobotArguments {
   bool json = false;
 };
 
-/// Prints text in columns as wide as their widest cell; the last column is not padded.
+/// Prints a table in columns as wide as their widest cell, and an empty line; nothing if there are
+/// no rows below the heading. The last column is not padded.
 void print_columns(const std::vector<std::vector<std::string>>& rows) {
+  if (rows.size() == 1) {
+    return;
+  }
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& row : rows) {
     for (std::size_t i = 0; i + 1 < row.size(); ++i) {
@@ -32,6 +36,7 @@ void print_columns(const std::vector<std::vector<std::string>>& rows) {
     }
     std::cout << "\n";
   }
+  std::cout << "\n";
 }
 
 std::string pair_text(const Model& model, std::size_t a, std::size_t b) {
@@ -39,25 +44,18 @@ std::string pair_text(const Model& model, std::size_t a, std::size_t b) {
 }
 
 void print_audit(const Model& model, const std::string& srdf, const Audit& audit) {
-  if (!audit.lines.empty()) {
-    std::vector<std::vector<std::string>> rows = {{"pair", "line", "SRDF", "verdict", "reason"}};
-    for (const AuditedLine& line : audit.lines) {
-      rows.push_back({pair_text(model, line.pair.a, line.pair.b), concat(line.line.line),
-                      line.line.reason.empty() ? "-" : line.line.reason, name_of(line.verdict),
-                      line.why});
-    }
-    print_columns(rows);
-    std::cout << "\n";
+  std::vector<std::vector<std::string>> lines = {{"pair", "line", "SRDF", "verdict", "reason"}};
+  for (const AuditedLine& line : audit.lines) {
+    lines.push_back({pair_text(model, line.pair.a, line.pair.b), concat(line.line.line),
+                     line.line.reason.empty() ? "-" : line.line.reason, name_of(line.verdict),
+                     line.why});
   }
-  if (!audit.missing.empty()) {
-    std::vector<std::vector<std::string>> rows = {{"missing", "SRDF", "reason"}};
-    for (const MissingLine& missing : audit.missing) {
-      rows.push_back(
-          {pair_text(model, missing.line.a, missing.line.b), missing.line.reason, missing.why});
-    }
-    print_columns(rows);
-    std::cout << "\n";
+  print_columns(lines);
+  std::vector<std::vector<std::string>> missing = {{"missing", "SRDF", "reason"}};
+  for (const MissingLine& line : audit.missing) {
+    missing.push_back({pair_text(model, line.line.a, line.line.b), line.line.reason, line.why});
   }
+  print_columns(missing);
   std::cout << srdf << ": " << summary_of(audit) << "\n";
 }
 

@@ -64,8 +64,7 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
 std::vector<simplify::LengthRow> lengths_of(const OutputArguments& arguments,
                                             const BakedRobot& robot) {
   const bool is_said = arguments.dry_run || (!arguments.page.empty() && robot.simplified > 0);
-  return is_said ? link_lengths(robot, arguments, robot.own_bytes)
-                 : std::vector<simplify::LengthRow>();
+  return is_said ? link_lengths(robot, arguments) : std::vector<simplify::LengthRow>();
 }
 
 /// Simplified links with their source meshes, without parts; empty if links are not simplified.

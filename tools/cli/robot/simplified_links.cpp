@@ -143,8 +143,7 @@ std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t ow
 }
 
 std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
-                                              const RobotArguments& arguments,
-                                              std::size_t own_bytes) {
+                                              const RobotArguments& arguments) {
   std::vector<simplify::Coarsening> meshes;
   for (const ModelLink& link : robot.model.links) {
     meshes.emplace_back(link.mesh, robot.cell);
@@ -155,7 +154,7 @@ std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
                              bytes_of_links(robot.model, robot.cell, arguments.urdf));
   for (simplify::LengthRow& row : rows) {
     for (double& bytes : row.bytes) {
-      bytes += static_cast<double>(own_bytes);
+      bytes += static_cast<double>(robot.own_bytes);
     }
   }
   return rows;

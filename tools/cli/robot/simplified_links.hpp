@@ -40,9 +40,8 @@ class SimplifiedLinks {
   std::vector<simplify::Coarsening> meshes_;  ///< empty: no link is simplified
 };
 
-/// Deviations and their sizes, for all links and parts together. `own_bytes`: as above.
+/// Deviations and the sizes of the image, for all links and parts together.
 std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
-                                              const RobotArguments& arguments,
-                                              std::size_t own_bytes);
+                                              const RobotArguments& arguments);
 
 }  // namespace flashbvh::tool
