@@ -6,8 +6,8 @@ programs; WORK; INCLUDE; CC, CXX and NM. FLASHBVH_THOROUGH runs all tests, at an
 lines:
 
     == TITLE                    begins a case; (long): runs with --long; (thorough): with FLASHBVH_THOROUGH
-    fixture NAME                begins a case that runs once; its folder is copied into each case with `use NAME`; before
-                                a table's first case, `use NAME` applies to all of its cases
+    fixture NAME                begins a case that runs once; its folder is copied into each case with `use NAME`, or
+                                into all cases of a table that begins with `use NAME`
     each NAME | NAME            runs the case for each of the rows below, which give the names' values; a row that
                                 begins with `thorough: ` needs FLASHBVH_THOROUGH
     for NAME | NAME ... end     runs the lines up to `end` for each of the rows below; - is an empty cell. For one name
