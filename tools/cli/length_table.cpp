@@ -19,15 +19,14 @@ std::int64_t bytes_of(const std::string& option, const std::string& text) {
   return *bytes;
 }
 
-void print_lengths(const std::vector<simplify::LengthRow>& rows,
-                   const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit) {
+void print_lengths(const LengthTable& table, const std::string& unit) {
   std::cout << std::left << std::setw(18) << "--simplify" << std::right << std::setw(10)
             << "triangles";
-  for (const std::uint32_t leaf_size : leaf_sizes) {
+  for (const std::uint32_t leaf_size : table.leaf_sizes) {
     std::cout << std::setw(25) << concat("flash, --leaf-size ", leaf_size);
   }
   std::cout << "\n";
-  for (const simplify::LengthRow& row : rows) {
+  for (const simplify::LengthRow& row : table.rows) {
     const std::string length =
         row.length == 0 ? "as it is" : shortest(row.length) + (unit.empty() ? "" : " " + unit);
     std::cout << std::left << std::setw(18) << length << std::right << std::setw(10)
@@ -39,13 +38,13 @@ void print_lengths(const std::vector<simplify::LengthRow>& rows,
   }
 }
 
-Json json_of(const std::vector<simplify::LengthRow>& rows,
-             const std::vector<std::uint32_t>& leaf_sizes) {
+Json json_of(const LengthTable& table) {
   Json all = Json::array();
-  for (const simplify::LengthRow& row : rows) {
+  for (const simplify::LengthRow& row : table.rows) {
     Json flash = Json::object();
-    for (std::size_t i = 0; i < leaf_sizes.size(); ++i) {
-      flash[concat(leaf_sizes[i])] = std::isfinite(row.bytes[i]) ? Json(row.bytes[i]) : Json();
+    for (std::size_t i = 0; i < table.leaf_sizes.size(); ++i) {
+      flash[concat(table.leaf_sizes[i])] =
+          std::isfinite(row.bytes[i]) ? Json(row.bytes[i]) : Json();
     }
     all.push_back({{"simplify", row.length}, {"triangles", row.triangles}, {"flash_bytes", flash}});
   }

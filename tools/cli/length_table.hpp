@@ -29,10 +29,13 @@ inline std::vector<std::uint32_t> shown_leaf_sizes(std::uint32_t leaf_size, bool
              : std::vector<std::uint32_t>{leaf_size, kLargeLeaf};
 }
 
-/// Prints to standard output. `leaf_sizes`: one per column.
-void print_lengths(const std::vector<simplify::LengthRow>& rows,
-                   const std::vector<std::uint32_t>& leaf_sizes, const std::string& unit);
-Json json_of(const std::vector<simplify::LengthRow>& rows,
-             const std::vector<std::uint32_t>& leaf_sizes);
+struct LengthTable {
+  std::vector<simplify::LengthRow> rows;
+  std::vector<std::uint32_t> leaf_sizes;  ///< of the columns
+};
+
+/// Prints to standard output.
+void print_lengths(const LengthTable& table, const std::string& unit);
+Json json_of(const LengthTable& table);
 
 }  // namespace flashbvh::tool

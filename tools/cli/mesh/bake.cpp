@@ -217,7 +217,7 @@ void print_outcome(const BakeOrder& order, const BakeOptions& options, const Out
                    const Warnings& warnings) {
   if (order.json) {
     print_bake_json(outcome.rows, *options.cell, order.units, warnings,
-                    order.dry_run ? json_of(outcome.lengths, order.leaf_sizes) : Json());
+                    order.dry_run ? json_of({outcome.lengths, order.leaf_sizes}) : Json());
     return;
   }
   print_bake_table(outcome.rows, order.units);
@@ -227,7 +227,7 @@ void print_outcome(const BakeOrder& order, const BakeOptions& options, const Out
   }
   if (order.dry_run && !outcome.lengths.empty()) {
     std::cout << "\n";
-    print_lengths(outcome.lengths, order.leaf_sizes, order.units.common());
+    print_lengths({outcome.lengths, order.leaf_sizes}, order.units.common());
   }
   if (order.deformable) {
     print_bending(outcome.rows);

@@ -2,7 +2,6 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "cli/length_table.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_output.hpp"
@@ -68,7 +67,7 @@ std::vector<simplify::LengthRow> lengths_of(const OutputArguments& arguments,
 }
 
 /// Simplified links with their source meshes, without parts; empty if links are not simplified.
-CoarseMeshes coarse_links(const BakedRobot& robot, const RobotLengths& lengths) {
+CoarseMeshes coarse_links(const BakedRobot& robot, const LengthTable& lengths) {
   CoarseMeshes all = {{}, lengths.rows, lengths.leaf_sizes, {robot.cell, " m"}};
   for (std::size_t i = 0; robot.simplified > 0 && i < robot.model.link_count(); ++i) {
     const ModelLink& link = robot.model.links[i];
@@ -112,8 +111,8 @@ void make_robot(const OutputArguments& arguments) {
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name.stem);
   const std::size_t bytes = image.size() * sizeof image[0];
-  const RobotLengths lengths = {lengths_of(arguments, baked),
-                                shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size)};
+  const LengthTable lengths = {lengths_of(arguments, baked),
+                               shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size)};
   FileSet files(files_read(arguments, baked.model));
   if (!arguments.dry_run) {
     add_files(arguments, name, baked, image, files);

@@ -29,14 +29,13 @@ Distances distances_of(const std::string& stop_place, const std::string& stop,
 }
 
 std::size_t link_of(const Model& model, const std::string& place, const std::string& name) {
-  const auto link = std::find_if(model.links.begin(), model.links.end(),
-                                 [&](const ModelLink& of) { return of.name == name; });
-  if (link == model.links.end()) {
+  const std::size_t link = find_link(model, name);
+  if (link == kNoLink) {
     throw UserError(place, "names '", name, "', which is no link that collides; these are ",
                     joined(
                         model.links, [](const ModelLink& of) { return of.name; }, ","));
   }
-  return static_cast<std::size_t>(link - model.links.begin());
+  return link;
 }
 
 /// LINK,LINK=STOP[,WARN]

@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "cli/json.hpp"
-#include "cli/length_table.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "image/c_writer.hpp"
 #include "robot/baked/bake_links.hpp"
@@ -159,7 +158,7 @@ Json joint_json(const Model& model, std::size_t number) {
 
 }  // namespace
 
-void print_robot(const BakedRobot& robot, const RobotFlash& flash, const RobotLengths* lengths) {
+void print_robot(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths) {
   print_unguarded(robot.model, robot.unguarded);
   print_links(robot);
   print_joints(robot.model);
@@ -177,12 +176,12 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash, const RobotLe
   }
   if (lengths != nullptr) {
     std::cout << "\n";
-    print_lengths(lengths->rows, lengths->leaf_sizes, "m");
+    print_lengths(*lengths, "m");
   }
 }
 
 void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
-                      const RobotLengths* lengths) {
+                      const LengthTable* lengths) {
   const Model& model = robot.model;
   Json json = {{"name", model.name},
                {"not_guarded", unguarded_json(model, robot.unguarded)},
@@ -208,7 +207,7 @@ void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
   }
   json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
   if (lengths != nullptr) {
-    json["lengths"] = json_of(lengths->rows, lengths->leaf_sizes);
+    json["lengths"] = json_of(*lengths);
   }
   print_object(json);
 }

@@ -2,8 +2,8 @@
 // in the order of the firmware's arrays.
 #pragma once
 
+#include "cli/length_table.hpp"
 #include "cli/robot/baked_robot.hpp"
-#include "simplify/fit.hpp"
 
 namespace flashbvh::tool {
 
@@ -15,17 +15,10 @@ struct RobotFlash {
   std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if to be printed
 };
 
-/// The sizes for deviations of --simplify.
-struct RobotLengths {
-  std::vector<simplify::LengthRow> rows;
-  std::vector<std::uint32_t> leaf_sizes;
-};
-
 /// Prints tables to standard output. `lengths`: may be null.
-void print_robot(const BakedRobot& robot, const RobotFlash& flash, const RobotLengths* lengths);
+void print_robot(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths);
 /// Prints one object on one line.
-void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
-                      const RobotLengths* lengths);
+void print_robot_json(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths);
 
 /// Prints a robot's image in the same formats.
 void print_robot_file(const RobotFile& file);
