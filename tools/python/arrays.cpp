@@ -53,9 +53,9 @@ py::array array_of(const py::object& given, const Argument& argument, bool takes
   return array;
 }
 
-Doubles doubles_of(const py::object& given, const Argument& argument, bool takes_one) {
-  const auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(
-      array_of(given, argument, takes_one, "fiu", "numbers (float64)"));
+Numbers numbers_of(const py::object& given, const Argument& argument, bool takes_one) {
+  const Doubles doubles =
+      Doubles::ensure(array_of(given, argument, takes_one, "fiu", "numbers (float64)"));
   if (!doubles) {
     refuse(argument, "is no array of float64");
   }
@@ -67,42 +67,27 @@ Doubles doubles_of(const py::object& given, const Argument& argument, bool takes
              i / row, "; give finite numbers");
     }
   }
-  return py::reinterpret_borrow<Doubles>(doubles);
+  const auto inner = static_cast<py::ssize_t>(argument.ends_in.size());
+  const Shape shape(doubles.shape(), doubles.shape() + doubles.ndim() - inner);
+  return {doubles, shape, static_cast<std::size_t>(shape.empty() ? 1 : shape[0]), values};
 }
 
 }  // namespace
 
-Doubles numbers(const py::object& given, const Argument& argument) {
-  return doubles_of(given, argument, true);
+Numbers numbers(const py::object& given, const Argument& argument) {
+  return numbers_of(given, argument, true);
 }
 
-Doubles rows(const py::object& given, const Argument& argument) {
-  return doubles_of(given, argument, false);
+Numbers rows(const py::object& given, const Argument& argument) {
+  return numbers_of(given, argument, false);
 }
 
 Integers integer_rows(const py::object& given, const Argument& argument) {
-  const auto integers =
-      py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(
-          array_of(given, argument, false, "iu", "integers"));
+  const Integers integers = Integers::ensure(array_of(given, argument, false, "iu", "integers"));
   if (!integers) {
     refuse(argument, "is no array of integers");
   }
-  return py::reinterpret_borrow<Integers>(integers);
-}
-
-std::size_t count_of(const Doubles& array, const Argument& argument) {
-  return static_cast<std::size_t>(
-      array.ndim() == static_cast<py::ssize_t>(argument.ends_in.size()) ? 1 : array.shape(0));
-}
-
-Shape outer_shape(const Doubles& array, const Argument& argument) {
-  return {array.shape(),
-          array.shape() + array.ndim() - static_cast<py::ssize_t>(argument.ends_in.size())};
-}
-
-Shape with(Shape outer, py::ssize_t inner) {
-  outer.push_back(inner);
-  return outer;
+  return integers;
 }
 
 double positive(double value, const char* name) {

@@ -13,8 +13,8 @@ namespace flashbvh::python {
 
 namespace py = pybind11;
 
-using Doubles = py::array_t<double, py::array::c_style>;
-using Integers = py::array_t<std::int64_t, py::array::c_style>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 using Shape = std::vector<py::ssize_t>;
 
 /// An argument: its name, and the end of its shape. An empty end means a single number.
@@ -23,17 +23,40 @@ struct Argument {
   Shape ends_in;
 };
 
-/// Finite numbers: one element of the argument's shape, or N of them.
-Doubles numbers(const py::object& given, const Argument& argument);
-/// Finite numbers: N elements; refuses a single element.
-Doubles rows(const py::object& given, const Argument& argument);
+/// Finite numbers of an argument.
+struct Numbers {
+  Doubles array;
+  Shape shape;        ///< outer shape: () for one element, or (N,)
+  std::size_t count;  ///< number of elements
+  const double* data;
+};
+
+/// One element of the argument's shape, or N of them.
+Numbers numbers(const py::object& given, const Argument& argument);
+/// N elements; refuses a single element.
+Numbers rows(const py::object& given, const Argument& argument);
 Integers integer_rows(const py::object& given, const Argument& argument);
 
-/// The number of elements in the array, and their outer shape: () or (N,).
-std::size_t count_of(const Doubles& array, const Argument& argument);
-Shape outer_shape(const Doubles& array, const Argument& argument);
-/// An outer shape followed by `inner`.
-Shape with(Shape outer, py::ssize_t inner);
+/// An array of results, and its memory, which is written without Python's lock.
+template <class Number>
+struct Results {
+  /// The shape is an outer one, followed by `inner`.
+  explicit Results(Shape outer, const Shape& inner = {}) {
+    outer.insert(outer.end(), inner.begin(), inner.end());
+    array = py::array_t<Number>(outer);
+    data = array.mutable_data();
+  }
+
+  py::array_t<Number> array;
+  Number* data;
+};
+
+/// Writes the ids of a pair of triangles; -1 if there is none.
+template <class Pair>
+void put_pair(std::int64_t* to, bool is_found, const Pair& pair) {
+  to[0] = is_found ? std::int64_t{pair.a} : -1;
+  to[1] = is_found ? std::int64_t{pair.b} : -1;
+}
 
 /// A finite number above 0.
 double positive(double value, const char* name);

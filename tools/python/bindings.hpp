@@ -6,9 +6,7 @@
 
 namespace flashbvh::python {
 
-/// The class of warnings, flashbvh.BakeWarning.
-py::object& warning_class();
-/// Issues Python warnings. Throws if the user turned them into errors.
+/// Issues Python warnings, BakeWarning. Throws if the user turned them into errors.
 void warn(const tool::Warnings& warnings);
 
 void add_meshes(py::module_& module);

@@ -1,5 +1,4 @@
-#include "python/mesh.hpp"
-
+// Meshes of the Python package, before and after baking.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -10,16 +9,20 @@
 #include "cli/mesh/mesh_warnings.hpp"
 #include "evaluate/queries.hpp"
 #include "image/baking.hpp"
+#include "mesh/import.hpp"
 #include "python/bindings.hpp"
-#include "text/files.hpp"
+#include "python/images.hpp"
 
 namespace flashbvh::python {
 namespace {
 
 using tool::concat;
 
-const Argument kVertices = {"vertices", {3}};
-const Argument kTriangles = {"triangles", {3}};
+/// A mesh before baking.
+struct Mesh {
+  tool::InputMesh input;
+  std::optional<double> cell;  ///< for baking
+};
 
 std::optional<double> length_or_none(std::optional<double> length, const char* name) {
   return length ? positive(*length, name) : length;
@@ -48,23 +51,24 @@ Mesh mesh_of_file(const py::object& path, double scale, std::optional<double> ce
   return mesh;
 }
 
-void add_corners(const Doubles& vertices, const Integers& triangles, tool::MeshBuilder& builder) {
-  const double* const from = vertices.data();
-  for (py::ssize_t i = 0; i < vertices.shape(0); ++i) {
-    for (py::ssize_t axis = 0; axis < 3; ++axis) {
-      if (!tool::is_coordinate(from[3 * i + axis])) {
+void add_corners(const Numbers& vertices, const Integers& triangles, tool::MeshBuilder& builder) {
+  for (std::size_t i = 0; i < vertices.count; ++i) {
+    const double* const from = vertices.data + 3 * i;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!tool::is_coordinate(from[axis])) {
         throw py::value_error(concat("vertices: row ", i, " is too large for 32-bit floats"));
       }
     }
-    builder.add_point({from[3 * i], from[3 * i + 1], from[3 * i + 2]});
+    builder.add_point({from[0], from[1], from[2]});
   }
   const std::int64_t* const corners = triangles.data();
+  const auto count = static_cast<std::int64_t>(vertices.count);
   for (py::ssize_t i = 0; i < triangles.shape(0); ++i) {
     std::vector<std::uint32_t> polygon;
     for (py::ssize_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
-      if (corners[corner] < 0 || corners[corner] >= vertices.shape(0)) {
+      if (corners[corner] < 0 || corners[corner] >= count) {
         throw py::value_error(concat("triangles: row ", i, " names the vertex ", corners[corner],
-                                     "; give 0 to ", vertices.shape(0) - 1));
+                                     "; give 0 to ", count - 1));
       }
       polygon.push_back(static_cast<std::uint32_t>(corners[corner]));
     }
@@ -74,10 +78,10 @@ void add_corners(const Doubles& vertices, const Integers& triangles, tool::MeshB
 
 Mesh mesh_of_arrays(const py::object& vertices, const py::object& triangles,
                     const std::string& name, std::optional<double> cell) {
-  const Doubles points = rows(vertices, kVertices);
-  const Integers corners = integer_rows(triangles, kTriangles);
+  const Numbers points = rows(vertices, {"vertices", {3}});
+  const Integers corners = integer_rows(triangles, {"triangles", {3}});
   (void)length_or_none(cell, "cell");
-  if (points.shape(0) > 0xFFFFFFFE || corners.shape(0) > 0xFFFFFFFE) {
+  if (points.count > 0xFFFFFFFE || corners.shape(0) > 0xFFFFFFFE) {
     throw py::value_error("triangles: more than 2^32 - 2 are too many");
   }
   tool::MeshBuilder builder(name);
@@ -92,80 +96,24 @@ Mesh mesh_of_arrays(const py::object& vertices, const py::object& triangles,
   return mesh;
 }
 
-/// An array (n, 3) from elements of three numbers.
-template <class Number, class Rows>
-py::array_t<Number> array_of_rows(const Rows& rows) {
-  py::array_t<Number> made({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
-  Number* to = made.mutable_data();
-  for (const auto& row : rows) {
-    for (const auto number : row) {
-      *to++ = static_cast<Number>(number);
-    }
-  }
-  return made;
+/// A copy, (n, 3).
+template <class Number>
+py::array_t<Number> array_of_rows(const std::vector<std::array<Number, 3>>& rows) {
+  return py::array_t<Number>({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}},
+                             rows.data()->data());
 }
 
-/// (2, 3): the smallest and the largest coordinates.
-py::array_t<double> bounds_of(const py::array_t<double>& points) {
-  py::array_t<double> bounds({2, 3});
-  double* const to = bounds.mutable_data();
-  const double* const from = points.data();
-  for (int axis = 0; axis < 3; ++axis) {
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
-    for (py::ssize_t i = 0; i < points.shape(0); ++i) {
-      least = std::min(least, from[3 * i + axis]);
-      most = std::max(most, from[3 * i + axis]);
-    }
-    to[axis] = least;
-    to[3 + axis] = most;
-  }
-  return bounds;
-}
-
-py::array_t<double> vertices_of(const Baked& baked) {
-  py::array_t<double> points = array_of_rows<double>(tool::vertices_of(baked.tree()));
-  double* const numbers = points.mutable_data();
-  std::transform(numbers, numbers + points.size(), numbers,
-                 [&](double cells) { return cells * baked.cell(); });
-  return points;
-}
-
-py::array_t<std::int64_t> triangles_of(const Baked& baked) {
-  std::vector<std::array<std::uint32_t, 3>> corners;
-  for (const tool::SourceTriangle& triangle : tool::source_triangles(baked)) {
-    corners.push_back(triangle.vertices);
-  }
-  return array_of_rows<std::int64_t>(corners);
-}
-
-py::array_t<std::int64_t> triangle_ids_of(const Baked& baked) {
+/// A structured array: each triangle's number and vertices.
+py::array_t<tool::SourceTriangle> source_triangles_of(const Baked& baked) {
   const std::vector<tool::SourceTriangle> triangles = tool::source_triangles(baked);
-  py::array_t<std::int64_t> ids(static_cast<py::ssize_t>(triangles.size()));
-  std::transform(triangles.begin(), triangles.end(), ids.mutable_data(),
-                 [](const tool::SourceTriangle& triangle) { return triangle.number; });
-  return ids;
+  return py::array_t<tool::SourceTriangle>(static_cast<py::ssize_t>(triangles.size()),
+                                           triangles.data());
 }
 
 /// UserError if the module's queries do not accept the image's layout.
 std::unique_ptr<Baked> checked(std::unique_ptr<Baked> baked) {
   (void)tool::query_post_mesh<bool>(*baked, [](const auto&) { return true; });
   return baked;
-}
-
-std::unique_ptr<Baked> load(const py::object& source) {
-  if (py::isinstance<py::bytes>(source)) {
-    return checked(std::make_unique<Baked>("image", std::string(py::bytes(source))));
-  }
-  return checked(std::make_unique<Baked>(path_of(source)));
-}
-
-py::bytes image_of(const Baked& baked) {
-  return {baked.bytes(), baked.header().byte_count};
-}
-
-void save(const Baked& baked, const py::object& path) {
-  tool::write_file(path_of(path), {baked.bytes(), baked.header().byte_count});
 }
 
 /// The options of `flashbvh bake`.
@@ -227,18 +175,16 @@ double shared_cell(const std::vector<const Mesh*>& meshes, std::optional<double>
 
 std::unique_ptr<Baked> image_of_tree(tool::AnyBakedTree& any, const Order& order,
                                      const std::string& path) {
-  const std::vector<std::uint32_t> words = std::visit(
+  return std::visit(
       [&](auto& tree) {
         tree.unit = order.unit;
         tree.name = std::filesystem::path(path).stem().string().substr(0, bake::kMaxNameSize);
         if (bake::image_size(tree) > 0xFFFFFFFFu) {
           throw tool::UserError(path, "the image would be over 4 GiB; simplify it: --simplify");
         }
-        return bake::image_of(tree);
+        return opened<Baked>(path, bake::image_of(tree));
       },
       any);
-  return std::make_unique<Baked>(path, std::string(reinterpret_cast<const char*>(words.data()),
-                                                   words.size() * sizeof words[0]));
 }
 
 tool::BakedMesh tree_of(const tool::InputMesh& input, const Order& order) {
@@ -271,27 +217,20 @@ std::vector<std::unique_ptr<Baked>> bake_all(const std::vector<const Mesh*>& mes
 }
 
 void add_baked(py::module_& module) {
-  py::class_<Baked>(module, "Baked")
-      .def_static("load", load)
-      .def("save", save)
-      .def_property_readonly("image", image_of)
+  PYBIND11_NUMPY_DTYPE(tool::SourceTriangle, number, vertices);
+  add_image<Baked>(module, "Baked")
+      .def_static("load", [](const py::object& source) { return checked(opened<Baked>(source)); })
       .def_property_readonly("name", [](const Baked& baked) { return text(baked.source()); })
       .def_property_readonly("unit",
                              [](const Baked& baked) { return tool::unit_name(baked.unit()); })
-      .def_property_readonly("cell", &Baked::cell)
       .def_property_readonly("deviation", &Baked::deviation)
-      .def_property_readonly(
-          "is_closed",
-          [](const Baked& baked) { return (baked.header().flags & kImageIsClosed) != 0; })
+      .def_property_readonly("is_closed", is_closed)
       .def_property_readonly("triangle_count",
                              [](const Baked& baked) { return baked.header().triangle_count; })
-      .def_property_readonly("bounds",
-                             [](const Baked& baked) { return bounds_of(vertices_of(baked)); })
-      .def_property_readonly("vertices", vertices_of)
-      .def_property_readonly("triangles", triangles_of)
-      .def_property_readonly("triangle_ids", triangle_ids_of)
-      .def(py::pickle([](const Baked& baked) { return py::make_tuple(image_of(baked)); },
-                      [](const py::tuple& state) { return load(state[0]); }));
+      .def_property_readonly(
+          "cells",
+          [](const Baked& baked) { return array_of_rows(tool::vertices_of(baked.tree())); })
+      .def_property_readonly("source_triangles", source_triangles_of);
 }
 
 }  // namespace
@@ -300,17 +239,11 @@ void add_meshes(py::module_& module) {
   py::class_<Mesh>(module, "Mesh")
       .def_property_readonly("name", [](const Mesh& mesh) { return text(mesh.input.path); })
       .def_property_readonly(
-          "vertices",
-          [](const Mesh& mesh) { return array_of_rows<double>(mesh.input.mesh.vertices); })
+          "vertices", [](const Mesh& mesh) { return array_of_rows(mesh.input.mesh.vertices); })
       .def_property_readonly(
-          "triangles",
-          [](const Mesh& mesh) { return array_of_rows<std::int64_t>(mesh.input.mesh.triangles); })
+          "triangles", [](const Mesh& mesh) { return array_of_rows(mesh.input.mesh.triangles); })
       .def_property_readonly("triangle_count",
                              [](const Mesh& mesh) { return mesh.input.mesh.triangles.size(); })
-      .def_property_readonly("bounds",
-                             [](const Mesh& mesh) {
-                               return bounds_of(array_of_rows<double>(mesh.input.mesh.vertices));
-                             })
       .def_readonly("cell", &Mesh::cell)
       .def_property_readonly("finest_cell",
                              [](const Mesh& mesh) { return tool::finest_cell(mesh.input); });

@@ -2,25 +2,29 @@
 // without Python's lock.
 #include <cmath>
 
+#include "cli/json.hpp"
 #include "evaluate/queries.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/solid.hpp"
 #include "python/bindings.hpp"
-#include "python/mesh.hpp"
+#include "python/images.hpp"
 #include "python/poses.hpp"
 
 namespace flashbvh::python {
 namespace {
 
-const Argument kOrigins = {"origins", {3}};
-const Argument kDirections = {"directions", {3}};
-const Argument kLength = {"length", {}};
-const Argument kPoints = {"points", {3}};
-
 void check_done(Status status, const char* argument, std::size_t number) {
   if (status != Status::done) {
     throw tool::UserError(place_of(argument, number), "can't be answered: ", status_name(status));
+  }
+}
+
+void check_closed(const Baked& baked) {
+  if (!is_closed(baked)) {
+    throw tool::UserError(baked.path(),
+                          "is no closed surface and has no inside; `flashbvh check` says where it "
+                          "is open");
   }
 }
 
@@ -46,15 +50,14 @@ template <class Query>
 py::array_t<bool> answers(const Baked& a, const Baked& b, const py::object& given,
                           const Query& query) {
   const Poses poses(given);
-  py::array_t<bool> found(poses.shape());
-  bool* const to = found.mutable_data();
+  const Results<bool> found(poses.shape());
   for_each_pose(a, b, poses,
                 [&](const auto& mesh_a, const auto& mesh_b, const Pose& pose, std::size_t i) {
                   const flashbvh::Answer answer = query(mesh_a, mesh_b, pose);
                   check_done(answer.status, "poses", i);
-                  to[i] = answer.yes;
+                  found.data[i] = answer.yes;
                 });
-  return found;
+  return found.array;
 }
 
 py::array_t<bool> intersects_all(const Baked& a, const Baked& b, const py::object& poses) {
@@ -64,13 +67,8 @@ py::array_t<bool> intersects_all(const Baked& a, const Baked& b, const py::objec
 }
 
 py::array_t<bool> solids_intersect_all(const Baked& a, const Baked& b, const py::object& poses) {
-  for (const Baked* const baked : {&a, &b}) {
-    if ((baked->header().flags & kImageIsClosed) == 0) {
-      throw tool::UserError(baked->path(),
-                            "is no closed surface and has no inside; `flashbvh check` "
-                            "says where it is open");
-    }
-  }
+  check_closed(a);
+  check_closed(b);
   return answers(a, b, poses, [](const auto& mesh_a, const auto& mesh_b, const Pose& pose) {
     return flashbvh::solids_intersect(mesh_a, mesh_b, pose);
   });
@@ -88,58 +86,36 @@ py::array_t<bool> closer_than_all(const Baked& a, const Baked& b, const py::obje
   });
 }
 
-double length_of(std::int64_t fine, double cell) {
-  return static_cast<double>(fine) / kFineOne * cell;
-}
-
 void put_point(double* to, const FinePoint& point, double cell) {
-  to[0] = length_of(point.x, cell);
-  to[1] = length_of(point.y, cell);
-  to[2] = length_of(point.z, cell);
+  to[0] = tool::unit_length(point.x, cell);
+  to[1] = tool::unit_length(point.y, cell);
+  to[2] = tool::unit_length(point.z, cell);
 }
 
-/// Result arrays with one row per pose.
+/// Results with one row per pose.
 struct Distances {
   explicit Distances(const Shape& shape)
       : lower(shape),
         upper(shape),
-        point_a(with(shape, 3)),
-        point_b(with(shape, 3)),
-        triangles(with(shape, 2)) {}
-
-  py::array_t<double> lower;
-  py::array_t<double> upper;
-  py::array_t<double> point_a;
-  py::array_t<double> point_b;
-  py::array_t<std::int64_t> triangles;
-};
-
-/// The memory of Distances, written without Python's lock.
-struct DistanceRows {
-  explicit DistanceRows(Distances& distances)
-      : lower(distances.lower.mutable_data()),
-        upper(distances.upper.mutable_data()),
-        point_a(distances.point_a.mutable_data()),
-        point_b(distances.point_b.mutable_data()),
-        triangles(distances.triangles.mutable_data()) {}
+        point_a(shape, {3}),
+        point_b(shape, {3}),
+        triangles(shape, {2}) {}
 
   template <class Index>
-  void put(std::size_t i, const Clearance<Index>& found, double cell) const {
-    const double nan = std::nan("");
-    lower[i] = length_of(found.lower, cell);
-    upper[i] = found.upper == UINT32_MAX ? HUGE_VAL : length_of(found.upper, cell);
-    const bool known = found.in_range;
-    put_point(point_a + 3 * i, found.point_a, known ? cell : nan);
-    put_point(point_b + 3 * i, found.point_b, known ? cell : nan);
-    triangles[2 * i] = known ? std::int64_t{found.triangles.a} : -1;
-    triangles[2 * i + 1] = known ? std::int64_t{found.triangles.b} : -1;
+  void put(std::size_t i, const Clearance<Index>& found, double cell) {
+    lower.data[i] = tool::unit_length(found.lower, cell);
+    upper.data[i] = found.upper == UINT32_MAX ? HUGE_VAL : tool::unit_length(found.upper, cell);
+    const double cell_or_nan = found.in_range ? cell : std::nan("");
+    put_point(point_a.data + 3 * i, found.point_a, cell_or_nan);
+    put_point(point_b.data + 3 * i, found.point_b, cell_or_nan);
+    put_pair(triangles.data + 2 * i, found.in_range, found.triangles);
   }
 
-  double* lower;
-  double* upper;
-  double* point_a;
-  double* point_b;
-  std::int64_t* triangles;
+  Results<double> lower;
+  Results<double> upper;
+  Results<double> point_a;
+  Results<double> point_b;
+  Results<std::int64_t> triangles;
 };
 
 /// `is_motion`: each pose starts with the last nearest pair as a hint, which saves visits if poses
@@ -147,7 +123,6 @@ struct DistanceRows {
 py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given, bool is_motion) {
   const Poses poses(given);
   Distances distances(poses.shape());
-  const DistanceRows to(distances);
   const double cell = a.cell();
   Witness<std::uint32_t> hint;
   for_each_pose(
@@ -159,10 +134,10 @@ py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given, 
         if (is_motion && found.in_range) {
           hint = {found.witness.a, found.witness.b};
         }
-        to.put(i, found, cell);
+        distances.put(i, found, cell);
       });
-  return py::make_tuple(distances.lower, distances.upper, distances.point_a, distances.point_b,
-                        distances.triangles);
+  return py::make_tuple(distances.lower.array, distances.upper.array, distances.point_a.array,
+                        distances.point_b.array, distances.triangles.array);
 }
 
 py::array_t<std::int64_t> pairs_at(const Baked& a, const Baked& b, const py::object& pose) {
@@ -188,42 +163,46 @@ py::array_t<std::int64_t> pairs_at(const Baked& a, const Baked& b, const py::obj
 
 py::array_t<std::int64_t> first_pair_all(const Baked& a, const Baked& b, const py::object& given) {
   const Poses poses(given);
-  py::array_t<std::int64_t> pairs(with(poses.shape(), 2));
-  std::int64_t* const to = pairs.mutable_data();
+  const Results<std::int64_t> pairs(poses.shape(), {2});
   for_each_pose(a, b, poses,
                 [&](const auto& mesh_a, const auto& mesh_b, const Pose& pose, std::size_t i) {
                   using Index = typename std::decay_t<decltype(mesh_a)>::Index;
                   TrianglePair<Index> pair{};
                   const flashbvh::Answer answer = flashbvh::first_pair(mesh_a, mesh_b, pose, pair);
                   check_done(answer.status, "poses", i);
-                  to[2 * i] = answer.yes ? std::int64_t{pair.a} : -1;
-                  to[2 * i + 1] = answer.yes ? std::int64_t{pair.b} : -1;
+                  put_pair(pairs.data + 2 * i, answer.yes, pair);
                 });
-  return pairs;
-}
-
-void get_floats(const double* from, float (&to)[3]) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    to[i] = static_cast<float>(from[i]);
-  }
+  return pairs.array;
 }
 
 /// Rays as firmware gets them, as floats.
 struct Rays {
-  Doubles origins;
-  Doubles directions;
-  Doubles length;
+  Numbers origins;
+  Numbers directions;
+  Numbers length;
 
   Rays(const py::object& from, const py::object& along, const py::object& reach)
-      : origins(numbers(from, kOrigins)),
-        directions(numbers(along, kDirections)),
-        length(numbers(reach, kLength)) {
-    if (outer_shape(origins, kOrigins) != outer_shape(directions, kDirections)) {
+      : origins(numbers(from, {"origins", {3}})),
+        directions(numbers(along, {"directions", {3}})),
+        length(numbers(reach, {"length", {}})) {
+    if (origins.shape != directions.shape) {
       throw py::value_error("directions: has another shape than origins; give one of each a ray");
     }
-    if (length.ndim() != 0 && outer_shape(length, kLength) != outer_shape(origins, kOrigins)) {
+    if (!length.shape.empty() && length.shape != origins.shape) {
       throw py::value_error("length: has another shape than origins; give a number, or one a ray");
     }
+  }
+
+  /// Ray number `i` on the lattice of a mesh.
+  MadeSegment at(std::size_t i, float cells) const {
+    float origin[3];
+    float direction[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      origin[axis] = static_cast<float>(origins.data[3 * i + axis]);
+      direction[axis] = static_cast<float>(directions.data[3 * i + axis]);
+    }
+    const double reach = length.data[length.shape.empty() ? 0 : i];
+    return segment_of(origin, direction, static_cast<float>(reach), cells);
   }
 };
 
@@ -231,33 +210,24 @@ struct Rays {
 py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& along,
                   const py::object& reach) {
   const Rays rays(from, along, reach);
-  const Shape shape = outer_shape(rays.origins, kOrigins);
-  const std::size_t size = count_of(rays.origins, kOrigins);
-  py::array_t<bool> hit(shape);
-  py::array_t<double> distance(shape);
-  py::array_t<std::int64_t> triangle(shape);
-  const auto cast = [&, origins = rays.origins.data(), directions = rays.directions.data(),
-                     lengths = rays.length.data(), one_length = rays.length.ndim() == 0,
-                     hits = hit.mutable_data(), distances = distance.mutable_data(),
-                     triangles = triangle.mutable_data(), cell = baked.cell()](const auto& mesh) {
-    for (std::size_t i = 0; i < size; ++i) {
-      float origin[3];
-      float direction[3];
-      get_floats(origins + 3 * i, origin);
-      get_floats(directions + 3 * i, direction);
-      const MadeSegment made =
-          segment_of(origin, direction, static_cast<float>(lengths[one_length ? 0 : i]),
-                     cells_per_unit(mesh.cell_bits));
+  const Results<bool> hit(rays.origins.shape);
+  const Results<double> distance(rays.origins.shape);
+  const Results<std::int64_t> triangle(rays.origins.shape);
+  const auto cast = [&](const auto& mesh) {
+    for (std::size_t i = 0; i < rays.origins.count; ++i) {
+      const MadeSegment made = rays.at(i, cells_per_unit(mesh.cell_bits));
       const auto answer = nearest_hit(mesh, made.segment);
       if (made.status != Status::done || answer.status != Status::done) {
         throw tool::UserError(place_of("rays", i),
                               "is no ray: the direction is 0, the length negative, or its end too "
                               "far off");
       }
-      hits[i] = answer.yes;
-      distances[i] =
-          answer.yes ? length_of(distance_along(made.segment, answer.hit.along), cell) : HUGE_VAL;
-      triangles[i] = answer.yes ? std::int64_t{answer.hit.triangle} : -1;
+      hit.data[i] = answer.yes;
+      distance.data[i] =
+          answer.yes
+              ? tool::unit_length(distance_along(made.segment, answer.hit.along), baked.cell())
+              : HUGE_VAL;
+      triangle.data[i] = answer.yes ? std::int64_t{answer.hit.triangle} : -1;
     }
     return true;
   };
@@ -265,7 +235,7 @@ py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& 
     const py::gil_scoped_release release;
     (void)tool::query_post_mesh<bool>(baked, cast);
   }
-  return py::make_tuple(hit, distance, triangle);
+  return py::make_tuple(hit.array, distance.array, triangle.array);
 }
 
 /// A point in cells, rounded as in `flashbvh inside`.
@@ -285,26 +255,22 @@ Point point_of(const double* from, double cell, std::size_t number) {
 }
 
 py::array_t<bool> inside_all(const Baked& baked, const py::object& given) {
-  const Doubles points = numbers(given, kPoints);
-  const std::size_t size = count_of(points, kPoints);
-  py::array_t<bool> found(outer_shape(points, kPoints));
-  const auto look = [&, from = points.data(), to = found.mutable_data(),
-                     cell = baked.cell()](const auto& mesh) {
-    if (!mesh.is_closed) {
-      throw tool::UserError(baked.path(),
-                            "is no closed surface and has no inside; `flashbvh check` says where "
-                            "it is open");
-    }
-    for (std::size_t i = 0; i < size; ++i) {
-      const PointAnswer answer = inside(mesh, point_of(from + 3 * i, cell, i));
+  const Numbers points = numbers(given, {"points", {3}});
+  const Results<bool> found(points.shape);
+  check_closed(baked);
+  const auto look = [&](const auto& mesh) {
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const PointAnswer answer = inside(mesh, point_of(points.data + 3 * i, baked.cell(), i));
       check_done(answer.status, "points", i);
-      to[i] = answer.side != PointSide::outside;
+      found.data[i] = answer.side != PointSide::outside;
     }
     return true;
   };
-  const py::gil_scoped_release release;
-  (void)tool::query_post_mesh<bool>(baked, look);
-  return found;
+  {
+    const py::gil_scoped_release release;
+    (void)tool::query_post_mesh<bool>(baked, look);
+  }
+  return found.array;
 }
 
 }  // namespace

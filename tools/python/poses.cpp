@@ -31,14 +31,10 @@ std::string place_of(const char* argument, std::size_t number) {
 }
 
 Poses::Poses(const py::object& given, const char* name)
-    : name_(name),
-      array_(numbers(given, {name, {4, 4}})),
-      shape_(outer_shape(array_, {name, {4, 4}})),
-      size_(count_of(array_, {name, {4, 4}})),
-      matrices_(array_.data()) {
+    : name_(name), matrices_(numbers(given, {name, {4, 4}})) {
   constexpr double kRounding = 1e-9;
-  for (std::size_t i = 0; i < size_; ++i) {
-    const double* const row = matrices_ + kEntries * i + 12;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double* const row = matrices_.data + kEntries * i + 12;
     if (std::fabs(row[0]) > kRounding || std::fabs(row[1]) > kRounding ||
         std::fabs(row[2]) > kRounding || std::fabs(row[3] - 1) > kRounding) {
       throw py::value_error(tool::concat(name, ": the last row of matrix ", i,
@@ -48,7 +44,7 @@ Poses::Poses(const py::object& given, const char* name)
 }
 
 Pose Poses::at(std::size_t number, double cell, float cells) const {
-  const double* const from = matrices_ + kEntries * number;
+  const double* const from = matrices_.data + kEntries * number;
   float matrix[3][4];
   for (std::size_t entry = 0; entry < 12; ++entry) {
     matrix[entry / 4][entry % 4] = static_cast<float>(from[entry]);

@@ -17,18 +17,15 @@ class Poses {
  public:
   explicit Poses(const py::object& given, const char* name = "poses");
 
-  std::size_t size() const { return size_; }
-  const Shape& shape() const { return shape_; }
+  std::size_t size() const { return matrices_.count; }
+  const Shape& shape() const { return matrices_.shape; }
   /// The pose for images of this cell; `cells`: cells_per_unit(). Runs without Python's lock.
   /// UserError if the library refuses it.
   Pose at(std::size_t number, double cell, float cells) const;
 
  private:
   const char* name_;
-  Doubles array_;
-  Shape shape_;
-  std::size_t size_;
-  const double* matrices_;
+  Numbers matrices_;
 };
 
 }  // namespace flashbvh::python

@@ -10,55 +10,21 @@
 #include "cli/robot/baked_robot.hpp"
 #include "image/output_name.hpp"
 #include "python/bindings.hpp"
-#include "text/files.hpp"
 
 namespace flashbvh::python {
 namespace {
 
-py::ssize_t signed_size(std::size_t size) {
-  return static_cast<py::ssize_t>(size);
-}
-
-Robot robot_of(std::unique_ptr<tool::RobotFile> file) {
-  Robot robot;
-  robot.model = file->model();
-  robot.file = std::move(file);
-  return robot;
-}
-
-Robot load_robot(const py::object& source) {
-  if (py::isinstance<py::bytes>(source)) {
-    return robot_of(std::make_unique<tool::RobotFile>("image", std::string(py::bytes(source))));
-  }
-  return robot_of(std::make_unique<tool::RobotFile>(path_of(source)));
-}
-
-/// The image, as `flashbvh robot --format image` writes it.
-std::string robot_image_of(const tool::BakedRobot& baked) {
-  const std::string name = tool::distinct_names({baked.model.name}).front().stem;
-  const std::vector<std::uint32_t> words = tool::image_of(baked, name);
-  return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
-}
-
-std::vector<MatrixRow> matrix_of(const tool::BakedRobot& baked) {
-  std::vector<MatrixRow> rows;
-  for (const tool::PairVerdict& pair : baked.pairs) {
-    rows.push_back({baked.model.links[pair.a].name, baked.model.links[pair.b].name,
-                    tool::name_of(pair.verdict), pair.reason, pair.is_guarded, pair.witness});
-  }
-  return rows;
-}
-
-Robot bake_robot(const tool::RobotArguments& arguments) {
+std::unique_ptr<Robot> bake_robot(const tool::RobotArguments& arguments) {
   tool::Warnings warnings;
-  Robot robot;
+  std::unique_ptr<Robot> robot;
   {
     const py::gil_scoped_release release;
     const tool::BakedRobot baked =
         tool::baked_robot(tool::described_robot(arguments, warnings), arguments, warnings);
-    robot = robot_of(std::make_unique<tool::RobotFile>(arguments.urdf, robot_image_of(baked)));
-    robot.matrix = matrix_of(baked);
-    robot.has_matrix = true;
+    // The image's name, as `flashbvh robot --format image` writes it.
+    const std::string name = tool::distinct_names({baked.model.name}).front().stem;
+    robot = opened<Robot>(arguments.urdf, tool::image_of(baked, name));
+    robot->matrix = baked.pairs;
   }
   warn(warnings);
   return robot;
@@ -68,11 +34,13 @@ Robot bake_robot(const tool::RobotArguments& arguments) {
 using Texts = std::vector<std::string>;
 using Text = std::optional<std::string>;
 
-Robot robot_of_urdf(const py::object& urdf, const std::string& stop, const Text& warn_length,
-                    const py::object& srdf, const Texts& believed, const Texts& packages,
-                    const py::object& joint_limits, bool visual_too, const Text& cell,
-                    std::optional<std::uint32_t> leaf_size, const Text& simplify, const Text& fit,
-                    const Texts& pairs, const Texts& zones, const Text& time) {
+std::unique_ptr<Robot> robot_of_urdf(const py::object& urdf, const std::string& stop,
+                                     const Text& warn_length, const py::object& srdf,
+                                     const Texts& believed, const Texts& packages,
+                                     const py::object& joint_limits, bool visual_too,
+                                     const Text& cell, std::optional<std::uint32_t> leaf_size,
+                                     const Text& simplify, const Text& fit, const Texts& pairs,
+                                     const Texts& zones, const Text& time) {
   tool::RobotArguments arguments;
   arguments.urdf = path_of(urdf);
   arguments.stop = stop;
@@ -83,12 +51,10 @@ Robot robot_of_urdf(const py::object& urdf, const std::string& stop, const Text&
   arguments.joint_limits = joint_limits.is_none() ? "" : path_of(joint_limits);
   arguments.visual_too = visual_too;
   arguments.cell = cell;
-  if (leaf_size) {
-    if (*leaf_size < 1 || *leaf_size > 16) {
-      throw py::value_error("leaf_size: is out of range; give 1 to 16");
-    }
-    arguments.leaf_size = *leaf_size;
-    arguments.has_leaf_size = true;
+  arguments.has_leaf_size = leaf_size.has_value();
+  arguments.leaf_size = leaf_size.value_or(arguments.leaf_size);
+  if (arguments.leaf_size < 1 || arguments.leaf_size > 16) {
+    throw py::value_error("leaf_size: is out of range; give 1 to 16");
   }
   arguments.simplify = simplify;
   arguments.fit = fit;
@@ -98,25 +64,21 @@ Robot robot_of_urdf(const py::object& urdf, const std::string& stop, const Text&
   return bake_robot(arguments);
 }
 
-py::bytes image_bytes(const Robot& robot) {
-  return {robot.file->bytes(), robot.file->header().byte_count};
-}
-
 /// Names of the joints that the caller's values move, in the values' order.
 py::list joint_names(const Robot& robot) {
   py::list names;
-  for (const std::size_t joint : robot.model.variables) {
-    names.append(text(robot.model.joints[joint].name));
+  for (const std::size_t joint : robot.names.variables) {
+    names.append(text(robot.names.joints[joint].name));
   }
   return names;
 }
 
 py::array_t<double> limits_of(const Robot& robot) {
-  const std::vector<std::size_t>& variables = robot.model.variables;
-  py::array_t<double> limits({signed_size(variables.size()), py::ssize_t{2}});
+  const std::vector<std::size_t>& variables = robot.names.variables;
+  py::array_t<double> limits({static_cast<py::ssize_t>(variables.size()), py::ssize_t{2}});
   double* to = limits.mutable_data();
   for (const std::size_t number : variables) {
-    const tool::ModelJoint& joint = robot.model.joints[number];
+    const tool::ModelJoint& joint = robot.names.joints[number];
     const bool is_endless = joint.type == JointType::continuous;
     *to++ = is_endless ? -HUGE_VAL : joint.lower;
     *to++ = is_endless ? HUGE_VAL : joint.upper;
@@ -126,25 +88,26 @@ py::array_t<double> limits_of(const Robot& robot) {
 
 py::list link_names(const Robot& robot) {
   py::list names;
-  for (std::size_t i = 0; i < robot.model.link_count(); ++i) {
-    names.append(text(robot.model.links[i].name));
+  for (std::size_t i = 0; i < robot.names.link_count(); ++i) {
+    names.append(text(robot.names.links[i].name));
   }
   return names;
 }
 
 /// Rows (a, b, verdict, reason, whether it is guarded, witness or none), or none.
 py::object matrix_rows(const Robot& robot) {
-  if (!robot.has_matrix) {
+  if (!robot.matrix) {
     return py::none();
   }
   py::list rows;
-  for (const MatrixRow& row : robot.matrix) {
+  for (const tool::PairVerdict& pair : *robot.matrix) {
     py::object witness = py::none();
-    if (!row.witness.empty()) {
-      witness = py::array_t<double>(signed_size(row.witness.size()), row.witness.data());
+    if (!pair.witness.empty()) {
+      witness = py::array_t<double>(py::cast(pair.witness));
     }
-    rows.append(py::make_tuple(text(row.a), text(row.b), row.verdict, text(row.reason),
-                               row.is_guarded, witness));
+    rows.append(names_of(robot, pair.a, pair.b) + py::make_tuple(tool::name_of(pair.verdict),
+                                                                 text(pair.reason), pair.is_guarded,
+                                                                 witness));
   }
   return rows;
 }
@@ -152,12 +115,11 @@ py::object matrix_rows(const Robot& robot) {
 /// Rows (a, b, stop, warn) of the guarded pairs, lengths in metres.
 py::list guarded_pairs(const Robot& robot) {
   py::list pairs;
-  const flashbvh::Robot& fixed = robot.file->robot();
-  const double cell = robot.file->cell();
+  const flashbvh::Robot& fixed = robot.robot();
   for (std::uint16_t i = 0; i < fixed.pair_count; ++i) {
-    const py::tuple links = links_of_pair(robot, i);
-    pairs.append(py::make_tuple(links[0], links[1], tool::unit_length(fixed.pairs[i].stop, cell),
-                                tool::unit_length(fixed.pairs[i].warn, cell)));
+    pairs.append(links_of_pair(robot, i) +
+                 py::make_tuple(tool::unit_length(fixed.pairs[i].stop, robot.cell()),
+                                tool::unit_length(fixed.pairs[i].warn, robot.cell())));
   }
   return pairs;
 }
@@ -165,32 +127,28 @@ py::list guarded_pairs(const Robot& robot) {
 /// Rows (a, b, reason).
 py::list unguarded_pairs(const Robot& robot) {
   py::list pairs;
-  for (const tool::UnguardedPair& pair : robot.file->unguarded()) {
-    pairs.append(py::make_tuple(text(robot.model.links[pair.a].name),
-                                text(robot.model.links[pair.b].name),
-                                text(tool::reason_of(robot.model, pair))));
+  for (const tool::UnguardedPair& pair : robot.unguarded()) {
+    pairs.append(names_of(robot, pair.a, pair.b) +
+                 py::make_tuple(text(tool::reason_of(robot.names, pair))));
   }
   return pairs;
 }
 
 }  // namespace
 
+py::tuple names_of(const Robot& robot, std::size_t a, std::size_t b) {
+  return py::make_tuple(text(robot.names.links[a].name), text(robot.names.links[b].name));
+}
+
 py::tuple links_of_pair(const Robot& robot, std::uint16_t number) {
-  const RobotPair& pair = robot.file->robot().pairs[number];
-  return py::make_tuple(text(robot.model.links[pair.a].name), text(robot.model.links[pair.b].name));
+  const RobotPair& pair = robot.robot().pairs[number];
+  return names_of(robot, pair.a, pair.b);
 }
 
 void add_robots(py::module_& module) {
-  py::class_<Robot>(module, "Robot")
-      .def_static("load", load_robot)
-      .def(
-          "save",
-          [](const Robot& robot, const py::object& path) {
-            tool::write_file(path_of(path), {robot.file->bytes(), robot.file->header().byte_count});
-          })
-      .def_property_readonly("image", image_bytes)
-      .def_property_readonly("name", [](const Robot& robot) { return text(robot.file->name()); })
-      .def_property_readonly("cell", [](const Robot& robot) { return robot.file->cell(); })
+  add_image<Robot>(module, "Robot")
+      .def_static("load", py::overload_cast<const py::object&>(opened<Robot>))
+      .def_property_readonly("name", [](const Robot& robot) { return text(robot.name()); })
       .def_property_readonly("joint_names", joint_names)
       .def_property_readonly("limits", limits_of)
       .def_property_readonly("link_names", link_names)

@@ -1,36 +1,26 @@
 // A robot of the Python package.
 #pragma once
 
-#include <pybind11/pybind11.h>
-
-#include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "python/images.hpp"
 #include "robot/baked/robot_file.hpp"
+#include "robot/matrix/matrix.hpp"
 
 namespace flashbvh::python {
 
-namespace py = pybind11;
+struct Robot : tool::RobotFile {
+  using RobotFile::RobotFile;
 
-/// A pair of links and whether it can collide, as `flashbvh robot` decided.
-struct MatrixRow {
-  std::string a;
-  std::string b;
-  std::string verdict;
-  std::string reason;
-  bool is_guarded;
-  std::vector<double> witness;
+  tool::Model names = model();  ///< names and joints, without meshes
+  /// All pairs of links, as `flashbvh robot` decided; none if the robot was loaded.
+  std::optional<std::vector<tool::PairVerdict>> matrix;
 };
 
-struct Robot {
-  std::shared_ptr<const tool::RobotFile> file;
-  tool::Model model;  ///< names and joints, without meshes
-  std::vector<MatrixRow> matrix;
-  bool has_matrix = false;  ///< true if baked, false if loaded
-};
-
-/// The link names of pair `number` of the robot.
+/// The names of two links.
+py::tuple names_of(const Robot& robot, std::size_t a, std::size_t b);
+/// The link names of guarded pair `number`.
 py::tuple links_of_pair(const Robot& robot, std::uint16_t number);
 
 }  // namespace flashbvh::python

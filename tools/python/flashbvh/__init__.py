@@ -7,9 +7,9 @@ leading shape: () for one pose, (N,) for a batch. Batches run without Python's l
 `Error`, a ValueError, has the message of the program `flashbvh` for inputs that it refuses. Arguments of another
 shape or dtype, or with a number that is not finite, raise a ValueError that names the argument.
 """
+from ._errors import BakeWarning, Error
 from ._meshes import Baked, Mesh, bake
 from ._motions import BodyMotion, ContactOutcome, FirstContacts, first_contact
-from ._native import BakeWarning, Error
 from ._queries import (Distances, Hits, closer_than, distance, first_pair, inside, intersects, nearest_hit, pairs,
                        solids_intersect)
 from ._robot import (ALL_WORK, Checked, Guard, GuardAnswer, GuardedPair, MatrixRow, Motion, MotionAnswer, Robot,

@@ -53,7 +53,7 @@ class Mesh:
     @property
     def triangles(self) -> npt.NDArray[np.int64]:
         """(m, 3): indices of rows of `vertices`."""
-        return self._native.triangles
+        return self._native.triangles.astype(np.int64)
 
     @property
     def triangle_count(self) -> int:
@@ -63,7 +63,7 @@ class Mesh:
     @property
     def bounds(self) -> npt.NDArray[np.float64]:
         """(2, 3): the smallest and the largest coordinates."""
-        return self._native.bounds
+        return _bounds(self.vertices)
 
     @property
     def cell(self) -> Optional[float]:
@@ -79,14 +79,13 @@ class Mesh:
         return f"<flashbvh.Mesh {self.name!r}, {self.triangle_count} triangles>"
 
 
-class Baked(Image):
+class Baked(Image[_native.Baked]):
     """A baked mesh: an image, which firmware uses in place. Made by `bake` or `load`. Can be pickled."""
 
     def __init__(self, native: _native.Baked) -> None:
         if not isinstance(native, _native.Baked):
             raise TypeError("a Baked is made by flashbvh.bake() or Baked.load()")
         super().__init__(native)
-        self._native = native
 
     @classmethod
     def load(cls, source: Path) -> Baked:
@@ -119,22 +118,22 @@ class Baked(Image):
     @property
     def bounds(self) -> npt.NDArray[np.float64]:
         """(2, 3): the smallest and the largest coordinates of the rounded mesh, in the unit."""
-        return self._native.bounds
+        return _bounds(self.vertices)
 
     @property
     def vertices(self) -> npt.NDArray[np.float64]:
         """(n, 3): the rounded vertices, in the unit and the mesh's frame."""
-        return self._native.vertices
+        return self._native.cells * self.cell
 
     @property
     def triangles(self) -> npt.NDArray[np.int64]:
         """(m, 3): indices of rows of `vertices`, in the order of `triangle_ids`."""
-        return self._native.triangles
+        return self._native.source_triangles["vertices"].astype(np.int64)
 
     @property
     def triangle_ids(self) -> npt.NDArray[np.int64]:
         """(m,): the triangles' numbers in the source, ascending; queries report these numbers."""
-        return self._native.triangle_ids
+        return self._native.source_triangles["number"].astype(np.int64)
 
     def __reduce__(self) -> tuple[object, tuple[bytes]]:
         return (Baked.load, (self.image,))
@@ -142,6 +141,10 @@ class Baked(Image):
     def __repr__(self) -> str:
         return (f"<flashbvh.Baked {self.name!r}, {self.triangle_count} triangles, "
                 f"cell {self.cell:.6g} {self.unit}>").replace(" >", ">")
+
+
+def _bounds(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    return np.stack([points.min(axis=0), points.max(axis=0)])
 
 
 @overload

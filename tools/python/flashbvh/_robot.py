@@ -54,14 +54,13 @@ class UnguardedPair(NamedTuple):
     reason: str
 
 
-class Robot(Image):
+class Robot(Image[_native.Robot]):
     """A baked robot: an image, which firmware uses in place. Made by `from_urdf` or `load`."""
 
     def __init__(self, native: _native.Robot) -> None:
         if not isinstance(native, _native.Robot):
             raise TypeError("a Robot is made by Robot.from_urdf() or Robot.load()")
         super().__init__(native)
-        self._native = native
 
     @classmethod
     def from_urdf(cls, path: Path, *, stop: float = 0.0, warn: Optional[float] = None,

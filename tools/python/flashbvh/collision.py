@@ -1,7 +1,8 @@
 """Queries of many objects at once, with the method names of trimesh.collision.CollisionManager."""
 from __future__ import annotations
 
-from typing import Iterator, Literal, NamedTuple, Optional, Protocol, Union, overload
+from itertools import combinations, product
+from typing import Iterable, Iterator, Literal, NamedTuple, Optional, Protocol, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -80,7 +81,7 @@ class CollisionManager:
     def in_collision_single(self, mesh: AnyMesh, transform: Optional[npt.ArrayLike] = None,
                             return_names: bool = False) -> Union[bool, tuple[bool, set[str]]]:
         """Whether a mesh intersects any object; with return_names, also which objects."""
-        pairs = _collisions(self._with("", mesh, transform), not return_names)
+        pairs = _collisions(self._pairs_with(mesh, transform), not return_names)
         return (bool(pairs), {b for _, b in pairs}) if return_names else bool(pairs)
 
     @overload
@@ -116,7 +117,7 @@ class CollisionManager:
     def min_distance_single(self, mesh: AnyMesh, transform: Optional[npt.ArrayLike] = None,
                             return_name: bool = False) -> Union[float, tuple[float, str]]:
         """The distance of a mesh to the nearest object; with return_name, also the object's name."""
-        found = _nearest(self._with("", mesh, transform))
+        found = _nearest(self._pairs_with(mesh, transform))
         return (found.distance, found.b) if return_name else found.distance
 
     @overload
@@ -152,23 +153,14 @@ class CollisionManager:
         return max((one.mesh.finest_cell for one in (*self._objects.values(), *others)), default=1.0)
 
     def _inner_pairs(self) -> Iterator[_Pair]:
-        cell = self._cell()
-        objects = list(self._objects.items())
-        for i, (a, first) in enumerate(objects):
-            for b, second in objects[i + 1:]:
-                yield _Pair(a, b, first, second, cell)
+        return _pairs(combinations(self._objects.items(), 2), self._cell())
 
     def _outer_pairs(self, other: CollisionManager) -> Iterator[_Pair]:
-        cell = max(self._cell(), other._cell())
-        for a, first in self._objects.items():
-            for b, second in other._objects.items():
-                yield _Pair(a, b, first, second, cell)
+        return _pairs(product(self._objects.items(), other._objects.items()), max(self._cell(), other._cell()))
 
-    def _with(self, name: str, mesh: AnyMesh, transform: Optional[npt.ArrayLike]) -> Iterator[_Pair]:
+    def _pairs_with(self, mesh: AnyMesh, transform: Optional[npt.ArrayLike]) -> Iterator[_Pair]:
         single = _Object(_mesh_of(mesh, "mesh"), transform)
-        cell = self._cell(single)
-        for b, second in self._objects.items():
-            yield _Pair(name, b, single, second, cell)
+        return _pairs(product([("", single)], self._objects.items()), self._cell(single))
 
 
 class _Pair(NamedTuple):
@@ -182,6 +174,11 @@ class _Pair(NamedTuple):
         """Both meshes, and the second one's pose in the first one's frame."""
         return (self.first.with_cell(self.cell), self.second.with_cell(self.cell),
                 self.first.inverse @ self.second.transform)
+
+
+def _pairs(named: Iterable[tuple[tuple[str, _Object], tuple[str, _Object]]], cell: float) -> Iterator[_Pair]:
+    for (a, first), (b, second) in named:
+        yield _Pair(a, b, first, second, cell)
 
 
 def _collisions(pairs: Iterator[_Pair], first_only: bool) -> Names:
