@@ -1,4 +1,4 @@
-// The hash of sequence.cpp, computed by the npm package: in node and, by one_hash.py, in a browser.
+// The hash of sequence.cpp, computed by the npm package: in node and, by everywhere.py, in a browser.
 // `library`: the package; read(name): the bytes of a file that one_hash writes.
 const BLOCK = 1000, ALL_WORK = 0xfffffffe, WORK = 150;
 const KINDS = [

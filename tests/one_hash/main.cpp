@@ -6,9 +6,11 @@
 #include "support/print.hpp"
 
 #if !defined(FLASHBVH_ON_BOARD)
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <vector>
 #endif
 
 using namespace one_hash;
@@ -22,40 +24,25 @@ constexpr uint32_t kPeriods = 10000;
 constexpr uint32_t kExpected = 0x817875E7;
 
 #if !defined(FLASHBVH_ON_BOARD)
-class Output {
- public:
-  explicit Output(const std::string& path) : file_(path, std::ios::binary) {}
-  template <class Data>
-  void write(const Data* data, std::size_t bytes) {
-    file_.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(bytes));
-  }
-  bool is_good() {
-    file_.flush();
-    return file_.good();
-  }
-
- private:
-  std::ofstream file_;
-};
+bool write(const std::string& path, const void* data, std::size_t bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
+  return file.flush().good();
+}
 
 template <class Inputs>
 bool write_inputs(const std::string& path, std::uint32_t count) {
-  Output output(path);
   Inputs inputs;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const auto floats = inputs.next();
-    output.write(&floats, sizeof floats);
-  }
-  return output.is_good();
+  std::vector<decltype(inputs.next())> all(count);
+  std::generate(all.begin(), all.end(), [&] { return inputs.next(); });
+  return write(path, all.data(), count * sizeof all[0]);
 }
 
 int write_and_print(std::uint32_t queries, std::uint32_t periods, const std::string& folder) {
   bool is_good = write_inputs<Poses>(folder + "/poses", queries) &&
                  write_inputs<Trajectory>(folder + "/values", periods);
   for (const Image& image : kImage) {
-    Output output(folder + "/" + image.name);
-    output.write(image.words, image.bytes);
-    is_good = is_good && output.is_good();
+    is_good = is_good && write(folder + "/" + image.name, image.words, image.bytes);
   }
   print(Hexadecimal(hash_of(queries, periods)).text, "\n");
   return is_good ? 0 : 2;

@@ -44,8 +44,7 @@ class MeshErrors(unittest.TestCase):
         self.refused("^cell: is nan", cell=float("nan"))
 
     def test_files_as_the_program(self):
-        holder, folder = program.folder()
-        self.addCleanup(holder.cleanup)
+        folder = program.folder(self.addCleanup)
         (folder / "cut.stl").write_bytes(b"\0" * 90)
         (folder / "text.obj").write_text("v 1 2 three\n")
         for name in ("missing.stl", "cut.stl", "text.obj", "name.txt", "two\nlines.stl"):

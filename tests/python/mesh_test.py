@@ -16,7 +16,7 @@ class Scene(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.holder, cls.folder = program.folder()
+        cls.folder = program.folder(cls.addClassCleanup)
         cls.torus, cls.box = shapes.torus(24, 12, 30, 10), shapes.box(5, 6, 7)
         program.write_obj(cls.folder / "torus.obj", *cls.torus)
         program.write_obj(cls.folder / "box.obj", *cls.box)
@@ -25,10 +25,6 @@ class Scene(unittest.TestCase):
         cls.a, cls.b = flashbvh.bake([flashbvh.Mesh.from_file(cls.folder / name) for name in ("torus.obj", "box.obj")])
         cls.poses = shapes.poses(200, 45)
         program.write_poses(cls.folder / "poses.txt", cls.poses)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.holder.cleanup()
 
     def posed(self, command, *arguments):
         return program.lines(command, self.folder / "torus.fbvh", self.folder / "box.fbvh", "--poses",

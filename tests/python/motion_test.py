@@ -14,17 +14,13 @@ class MotionTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.holder, cls.folder = program.folder()
+        cls.folder = program.folder(cls.addClassCleanup)
         cls.a, cls.b = flashbvh.bake([flashbvh.Mesh.from_arrays(*shapes.torus(24, 12, 30, 10), name="torus"),
                                       flashbvh.Mesh.from_arrays(*shapes.box(5, 6, 7), name="box")], cell=0.01)
         cls.images = [cls.folder / "a.fbvh", cls.folder / "b.fbvh"]
         cls.a.save(cls.images[0])
         cls.b.save(cls.images[1])
         cls.start, cls.end = shapes.poses(60, 60, seed=4), shapes.poses(60, 60, seed=5)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.holder.cleanup()
 
     def compare(self, found, i, *arguments):
         line, = program.lines("motion", *self.images, *arguments, exits=(0, 1))

@@ -13,8 +13,7 @@ PAGE = (Path(os.environ["SOURCES"]) / "lib/docs/python.md").read_text()
 
 class PageTest(unittest.TestCase):
     def test_its_programs(self):
-        holder, folder = program.folder()
-        self.addCleanup(holder.cleanup)
+        folder = program.folder(self.addCleanup)
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(folder)
         os.environ["MPLBACKEND"] = "svg"

@@ -8,12 +8,16 @@ from pathlib import Path
 FLASHBVH = os.environ["FLASHBVH"]
 
 
-def run(*arguments, exits=(0,)):
-    """Returns its output; the exit code must be one of `exits`."""
+def completed(arguments, exits):
     done = subprocess.run([FLASHBVH, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode not in exits:
         raise AssertionError(f"flashbvh {' '.join(map(str, arguments))}: {done.returncode}: {done.stderr}")
-    return done.stdout
+    return done
+
+
+def run(*arguments, exits=(0,)):
+    """Returns its output; the exit code must be one of `exits`."""
+    return completed(arguments, exits).stdout
 
 
 def lines(*arguments, exits=(0,)):
@@ -23,16 +27,14 @@ def lines(*arguments, exits=(0,)):
 
 def message(*arguments):
     """Returns its error message; the program must refuse."""
-    done = subprocess.run([FLASHBVH, *map(str, arguments)], capture_output=True, text=True)
-    if done.returncode != 2:
-        raise AssertionError(f"exit code {done.returncode}")
-    return done.stderr.strip().removeprefix("flashbvh: ")
+    return completed(arguments, (2,)).stderr.strip().removeprefix("flashbvh: ")
 
 
-def folder():
-    """A folder that is removed at the end."""
+def folder(add_cleanup):
+    """A folder that is removed at the end. `add_cleanup`: of a test or of its class."""
     made = tempfile.TemporaryDirectory(prefix="flashbvh_python_")
-    return made, Path(made.name)
+    add_cleanup(made.cleanup)
+    return Path(made.name)
 
 
 def write_obj(path, vertices, triangles):

@@ -29,14 +29,10 @@ def trajectory(count, seed=1):
 class Scene(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.holder, cls.folder = program.folder()
+        cls.folder = program.folder(cls.addClassCleanup)
         cls.urdf = cls.folder / "arm.urdf"
         cls.urdf.write_text(arm.URDF)
         cls.robot = flashbvh.Robot.from_urdf(cls.urdf, stop=0.01, warn=0.05)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.holder.cleanup()
 
     def replayed(self, rows, *options):
         (self.folder / "rows.csv").write_text("turn,fold,grip\n" + "".join(

@@ -17,8 +17,7 @@ HAS_MYPY = subprocess.run([sys.executable, "-c", "import mypy"], capture_output=
 @unittest.skipUnless(HAS_MYPY, "no mypy: apt-get install mypy")
 class TypesTest(unittest.TestCase):
     def setUp(self):
-        self.holder, self.folder = program.folder()
-        self.addCleanup(self.holder.cleanup)
+        self.folder = program.folder(self.addCleanup)
 
     def mypy(self, *paths):
         return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", self.folder / "cache", *paths],
