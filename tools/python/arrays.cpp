@@ -39,8 +39,8 @@ void check_shape(const py::array& array, const Argument& argument, bool takes_on
 }
 
 /// An array with one of these kinds of numbers, by numpy's letters for kinds.
-py::array array_of(const py::object& given, const Argument& argument, bool takes_one,
-                   const std::string& kinds, const char* kind_name) {
+py::array number_array(const py::object& given, const Argument& argument, bool takes_one,
+                       const std::string& kinds, const char* kind_name) {
   py::array array = py::array::ensure(given);
   if (!array) {
     refuse(argument, "is no array; give ", kind_name, " of the shape ",
@@ -55,7 +55,7 @@ py::array array_of(const py::object& given, const Argument& argument, bool takes
 
 Numbers numbers_of(const py::object& given, const Argument& argument, bool takes_one) {
   const Doubles doubles =
-      Doubles::ensure(array_of(given, argument, takes_one, "fiu", "numbers (float64)"));
+      Doubles::ensure(number_array(given, argument, takes_one, "fiu", "numbers (float64)"));
   if (!doubles) {
     refuse(argument, "is no array of float64");
   }
@@ -83,7 +83,8 @@ Numbers rows(const py::object& given, const Argument& argument) {
 }
 
 Integers integer_rows(const py::object& given, const Argument& argument) {
-  const Integers integers = Integers::ensure(array_of(given, argument, false, "iu", "integers"));
+  const Integers integers =
+      Integers::ensure(number_array(given, argument, false, "iu", "integers"));
   if (!integers) {
     refuse(argument, "is no array of integers");
   }

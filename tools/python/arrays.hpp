@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -37,25 +38,27 @@ Numbers numbers(const py::object& given, const Argument& argument);
 Numbers rows(const py::object& given, const Argument& argument);
 Integers integer_rows(const py::object& given, const Argument& argument);
 
-/// An array of results, and its memory, which is written without Python's lock.
-template <class Number>
+/// An array of results, and its memory, which is written without Python's lock. `Row`: as
+/// for array_of().
+template <class Row>
 struct Results {
-  /// The shape is an outer one, followed by `inner`.
-  explicit Results(Shape outer, const Shape& inner = {}) {
-    outer.insert(outer.end(), inner.begin(), inner.end());
-    array = py::array_t<Number>(outer);
-    data = array.mutable_data();
-  }
+  explicit Results(const Shape& shape)
+      : array(py::dtype::of<Row>(), shape), data(static_cast<Row*>(array.mutable_data())) {}
 
-  py::array_t<Number> array;
-  Number* data;
+  py::array array;
+  Row* data;
 };
 
-/// Writes the ids of a pair of triangles; -1 if there is none.
+/// A copy. Rows of numbers make a second dimension; structs with a numpy dtype, a structured array.
+template <class Row>
+py::array array_of(const std::vector<Row>& rows) {
+  return py::array(py::dtype::of<Row>(), static_cast<py::ssize_t>(rows.size()), rows.data());
+}
+
+/// The ids of a pair of triangles; -1 if there is none.
 template <class Pair>
-void put_pair(std::int64_t* to, bool is_found, const Pair& pair) {
-  to[0] = is_found ? std::int64_t{pair.a} : -1;
-  to[1] = is_found ? std::int64_t{pair.b} : -1;
+std::array<std::int64_t, 2> ids_of(const Pair& pair, bool is_found) {
+  return {is_found ? std::int64_t{pair.a} : -1, is_found ? std::int64_t{pair.b} : -1};
 }
 
 /// A finite number above 0.

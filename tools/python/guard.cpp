@@ -1,6 +1,4 @@
 // Guards and motions of a robot.
-#include <pybind11/stl.h>
-
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -126,20 +124,23 @@ py::tuple update(GuardOf& guard, const py::object& given, std::int64_t work) {
   return tuple_of(guard, guard.update(values.data, work_of(work)));
 }
 
-/// Returns verdicts, pairs (-1: none), distances and work of all periods.
-py::tuple check(GuardOf& guard, const py::object& given, std::int64_t work) {
+/// A guard's answer for a period of a trajectory.
+struct PeriodRow {
+  std::uint8_t verdict;
+  std::int32_t pair;  ///< -1: none
+  double distance;
+  std::uint32_t work;
+};
+
+py::array check(GuardOf& guard, const py::object& given, std::int64_t work) {
   const Numbers values = rows(given, row_of(guard.robot(), "trajectory"));
-  const Results<std::uint8_t> verdicts(values.shape);
-  const Results<std::int32_t> pairs(values.shape);
-  const Results<double> distances(values.shape);
-  const Results<std::uint32_t> works(values.shape);
+  const Results<PeriodRow> periods(values.shape);
   guard.check(values, work_of(work), [&](std::size_t i, const GuardAnswer& answer) {
-    verdicts.data[i] = static_cast<std::uint8_t>(answer.verdict);
-    pairs.data[i] = answer.pair == kNoPair ? -1 : std::int32_t{answer.pair};
-    distances.data[i] = tool::unit_length(answer.distance, guard.robot().cell());
-    works.data[i] = answer.work;
+    periods.data[i] = {static_cast<std::uint8_t>(answer.verdict),
+                       answer.pair == kNoPair ? -1 : std::int32_t{answer.pair},
+                       tool::unit_length(answer.distance, guard.robot().cell()), answer.work};
   });
-  return py::make_tuple(verdicts.array, pairs.array, distances.array, works.array);
+  return periods.array;
 }
 
 std::vector<float> floats_of(const Robot& robot, const py::object& given, const char* name) {
@@ -171,14 +172,14 @@ py::tuple certify(const Robot& robot, const py::object& from, const py::object& 
   if (answer.outcome == MotionOutcome::hit) {
     triangles = py::make_tuple(answer.triangles.a, answer.triangles.b);
   }
-  return py::make_tuple(tool::outcome_name(answer.outcome), motion.part,
-                        py::array_t<double>(py::cast(motion.values)), answer.pair,
-                        links_of_pair(robot, answer.pair), triangles, "ok");
+  return py::make_tuple(tool::outcome_name(answer.outcome), motion.part, array_of(motion.values),
+                        answer.pair, links_of_pair(robot, answer.pair), triangles, "ok");
 }
 
 }  // namespace
 
 void add_guards(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(PeriodRow, verdict, pair, distance, work);
   py::class_<GuardOf>(module, "Guard")
       .def(py::init<const Robot&>(), py::keep_alive<1, 2>())
       .def("forget", &GuardOf::forget)

@@ -96,20 +96,6 @@ Mesh mesh_of_arrays(const py::object& vertices, const py::object& triangles,
   return mesh;
 }
 
-/// A copy, (n, 3).
-template <class Number>
-py::array_t<Number> array_of_rows(const std::vector<std::array<Number, 3>>& rows) {
-  return py::array_t<Number>({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}},
-                             rows.data()->data());
-}
-
-/// A structured array: each triangle's number and vertices.
-py::array_t<tool::SourceTriangle> source_triangles_of(const Baked& baked) {
-  const std::vector<tool::SourceTriangle> triangles = tool::source_triangles(baked);
-  return py::array_t<tool::SourceTriangle>(static_cast<py::ssize_t>(triangles.size()),
-                                           triangles.data());
-}
-
 /// UserError if the module's queries do not accept the image's layout.
 std::unique_ptr<Baked> checked(std::unique_ptr<Baked> baked) {
   (void)tool::query_post_mesh<bool>(*baked, [](const auto&) { return true; });
@@ -228,9 +214,10 @@ void add_baked(py::module_& module) {
       .def_property_readonly("triangle_count",
                              [](const Baked& baked) { return baked.header().triangle_count; })
       .def_property_readonly(
-          "cells",
-          [](const Baked& baked) { return array_of_rows(tool::vertices_of(baked.tree())); })
-      .def_property_readonly("source_triangles", source_triangles_of);
+          "cells", [](const Baked& baked) { return array_of(tool::vertices_of(baked.tree())); })
+      .def_property_readonly("source_triangles", [](const Baked& baked) {
+        return array_of(tool::source_triangles(baked));
+      });
 }
 
 }  // namespace
@@ -238,10 +225,10 @@ void add_baked(py::module_& module) {
 void add_meshes(py::module_& module) {
   py::class_<Mesh>(module, "Mesh")
       .def_property_readonly("name", [](const Mesh& mesh) { return text(mesh.input.path); })
-      .def_property_readonly(
-          "vertices", [](const Mesh& mesh) { return array_of_rows(mesh.input.mesh.vertices); })
-      .def_property_readonly(
-          "triangles", [](const Mesh& mesh) { return array_of_rows(mesh.input.mesh.triangles); })
+      .def_property_readonly("vertices",
+                             [](const Mesh& mesh) { return array_of(mesh.input.mesh.vertices); })
+      .def_property_readonly("triangles",
+                             [](const Mesh& mesh) { return array_of(mesh.input.mesh.triangles); })
       .def_property_readonly("triangle_count",
                              [](const Mesh& mesh) { return mesh.input.mesh.triangles.size(); })
       .def_readonly("cell", &Mesh::cell)

@@ -47,8 +47,7 @@ void for_each_pose(const Baked& a, const Baked& b, const Poses& poses, const Que
 
 /// Calls query(mesh_a, mesh_b, pose), which returns an Answer, for each pose.
 template <class Query>
-py::array_t<bool> answers(const Baked& a, const Baked& b, const py::object& given,
-                          const Query& query) {
+py::array answers(const Baked& a, const Baked& b, const py::object& given, const Query& query) {
   const Poses poses(given);
   const Results<bool> found(poses.shape());
   for_each_pose(a, b, poses,
@@ -60,13 +59,13 @@ py::array_t<bool> answers(const Baked& a, const Baked& b, const py::object& give
   return found.array;
 }
 
-py::array_t<bool> intersects_all(const Baked& a, const Baked& b, const py::object& poses) {
+py::array intersects_all(const Baked& a, const Baked& b, const py::object& poses) {
   return answers(a, b, poses, [](const auto& mesh_a, const auto& mesh_b, const Pose& pose) {
     return flashbvh::intersects(mesh_a, mesh_b, pose);
   });
 }
 
-py::array_t<bool> solids_intersect_all(const Baked& a, const Baked& b, const py::object& poses) {
+py::array solids_intersect_all(const Baked& a, const Baked& b, const py::object& poses) {
   check_closed(a);
   check_closed(b);
   return answers(a, b, poses, [](const auto& mesh_a, const auto& mesh_b, const Pose& pose) {
@@ -74,8 +73,7 @@ py::array_t<bool> solids_intersect_all(const Baked& a, const Baked& b, const py:
   });
 }
 
-py::array_t<bool> closer_than_all(const Baked& a, const Baked& b, const py::object& poses,
-                                  double length) {
+py::array closer_than_all(const Baked& a, const Baked& b, const py::object& poses, double length) {
   if (!(length >= 0)) {
     throw py::value_error("length: is no length; give a number from 0");
   }
@@ -86,43 +84,34 @@ py::array_t<bool> closer_than_all(const Baked& a, const Baked& b, const py::obje
   });
 }
 
-void put_point(double* to, const FinePoint& point, double cell) {
-  to[0] = tool::unit_length(point.x, cell);
-  to[1] = tool::unit_length(point.y, cell);
-  to[2] = tool::unit_length(point.z, cell);
+std::array<double, 3> point_of(const FinePoint& point, double cell) {
+  return {tool::unit_length(point.x, cell), tool::unit_length(point.y, cell),
+          tool::unit_length(point.z, cell)};
 }
 
-/// Results with one row per pose.
-struct Distances {
-  explicit Distances(const Shape& shape)
-      : lower(shape),
-        upper(shape),
-        point_a(shape, {3}),
-        point_b(shape, {3}),
-        triangles(shape, {2}) {}
-
-  template <class Index>
-  void put(std::size_t i, const Clearance<Index>& found, double cell) {
-    lower.data[i] = tool::unit_length(found.lower, cell);
-    upper.data[i] = found.upper == UINT32_MAX ? HUGE_VAL : tool::unit_length(found.upper, cell);
-    const double cell_or_nan = found.in_range ? cell : std::nan("");
-    put_point(point_a.data + 3 * i, found.point_a, cell_or_nan);
-    put_point(point_b.data + 3 * i, found.point_b, cell_or_nan);
-    put_pair(triangles.data + 2 * i, found.in_range, found.triangles);
-  }
-
-  Results<double> lower;
-  Results<double> upper;
-  Results<double> point_a;
-  Results<double> point_b;
-  Results<std::int64_t> triangles;
+/// The distance at a pose.
+struct DistanceRow {
+  double lower;
+  double upper;
+  std::array<double, 3> point_a;
+  std::array<double, 3> point_b;
+  std::array<std::int64_t, 2> triangles;
 };
+
+template <class Index>
+DistanceRow row_of(const Clearance<Index>& found, double cell) {
+  const double cell_or_nan = found.in_range ? cell : std::nan("");
+  return {tool::unit_length(found.lower, cell),
+          found.upper == UINT32_MAX ? HUGE_VAL : tool::unit_length(found.upper, cell),
+          point_of(found.point_a, cell_or_nan), point_of(found.point_b, cell_or_nan),
+          ids_of(found.triangles, found.in_range)};
+}
 
 /// `is_motion`: each pose starts with the last nearest pair as a hint, which saves visits if poses
 /// are close together and costs some if not.
-py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given, bool is_motion) {
+py::array distance_all(const Baked& a, const Baked& b, const py::object& given, bool is_motion) {
   const Poses poses(given);
-  Distances distances(poses.shape());
+  const Results<DistanceRow> distances(poses.shape());
   const double cell = a.cell();
   Witness<std::uint32_t> hint;
   for_each_pose(
@@ -134,43 +123,39 @@ py::tuple distance_all(const Baked& a, const Baked& b, const py::object& given, 
         if (is_motion && found.in_range) {
           hint = {found.witness.a, found.witness.b};
         }
-        distances.put(i, found, cell);
+        distances.data[i] = row_of(found, cell);
       });
-  return py::make_tuple(distances.lower.array, distances.upper.array, distances.point_a.array,
-                        distances.point_b.array, distances.triangles.array);
+  return distances.array;
 }
 
-py::array_t<std::int64_t> pairs_at(const Baked& a, const Baked& b, const py::object& pose) {
+py::array pairs_at(const Baked& a, const Baked& b, const py::object& pose) {
   const Poses poses(pose);
   if (!poses.shape().empty()) {
     throw py::value_error("pose: is a batch; give one matrix, (4, 4)");
   }
-  std::vector<std::int64_t> found;
+  std::vector<std::array<std::int64_t, 2>> found;
   for_each_pose(a, b, poses,
                 [&](const auto& mesh_a, const auto& mesh_b, const Pose& at, std::size_t i) {
                   check_done(flashbvh::for_each_pair(mesh_a, mesh_b, at,
                                                      [&](const auto& pair) {
-                                                       found.push_back(pair.a);
-                                                       found.push_back(pair.b);
+                                                       found.push_back(ids_of(pair, true));
                                                        return true;
                                                      }),
                              "poses", i);
                 });
-  py::array_t<std::int64_t> pairs({static_cast<py::ssize_t>(found.size() / 2), py::ssize_t{2}});
-  std::copy(found.begin(), found.end(), pairs.mutable_data());
-  return pairs;
+  return array_of(found);
 }
 
-py::array_t<std::int64_t> first_pair_all(const Baked& a, const Baked& b, const py::object& given) {
+py::array first_pair_all(const Baked& a, const Baked& b, const py::object& given) {
   const Poses poses(given);
-  const Results<std::int64_t> pairs(poses.shape(), {2});
+  const Results<std::array<std::int64_t, 2>> pairs(poses.shape());
   for_each_pose(a, b, poses,
                 [&](const auto& mesh_a, const auto& mesh_b, const Pose& pose, std::size_t i) {
                   using Index = typename std::decay_t<decltype(mesh_a)>::Index;
                   TrianglePair<Index> pair{};
                   const flashbvh::Answer answer = flashbvh::first_pair(mesh_a, mesh_b, pose, pair);
                   check_done(answer.status, "poses", i);
-                  put_pair(pairs.data + 2 * i, answer.yes, pair);
+                  pairs.data[i] = ids_of(pair, answer.yes);
                 });
   return pairs.array;
 }
@@ -206,13 +191,17 @@ struct Rays {
   }
 };
 
-/// Returns arrays: hit or not, distance, triangle.
-py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& along,
+/// The first hit of a ray.
+struct HitRow {
+  bool hit;
+  double distance;
+  std::int64_t triangle;
+};
+
+py::array hits_of(const Baked& baked, const py::object& from, const py::object& along,
                   const py::object& reach) {
   const Rays rays(from, along, reach);
-  const Results<bool> hit(rays.origins.shape);
-  const Results<double> distance(rays.origins.shape);
-  const Results<std::int64_t> triangle(rays.origins.shape);
+  const Results<HitRow> hits(rays.origins.shape);
   const auto cast = [&](const auto& mesh) {
     for (std::size_t i = 0; i < rays.origins.count; ++i) {
       const MadeSegment made = rays.at(i, cells_per_unit(mesh.cell_bits));
@@ -222,12 +211,11 @@ py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& 
                               "is no ray: the direction is 0, the length negative, or its end too "
                               "far off");
       }
-      hit.data[i] = answer.yes;
-      distance.data[i] =
-          answer.yes
-              ? tool::unit_length(distance_along(made.segment, answer.hit.along), baked.cell())
-              : HUGE_VAL;
-      triangle.data[i] = answer.yes ? std::int64_t{answer.hit.triangle} : -1;
+      hits.data[i] = {false, HUGE_VAL, -1};
+      if (answer.yes) {
+        const std::uint32_t along = distance_along(made.segment, answer.hit.along);
+        hits.data[i] = {true, tool::unit_length(along, baked.cell()), answer.hit.triangle};
+      }
     }
     return true;
   };
@@ -235,7 +223,7 @@ py::tuple hits_of(const Baked& baked, const py::object& from, const py::object& 
     const py::gil_scoped_release release;
     (void)tool::query_post_mesh<bool>(baked, cast);
   }
-  return py::make_tuple(hit.array, distance.array, triangle.array);
+  return hits.array;
 }
 
 /// A point in cells, rounded as in `flashbvh inside`.
@@ -254,7 +242,7 @@ Point point_of(const double* from, double cell, std::size_t number) {
   return {cells[0], cells[1], cells[2]};
 }
 
-py::array_t<bool> inside_all(const Baked& baked, const py::object& given) {
+py::array inside_all(const Baked& baked, const py::object& given) {
   const Numbers points = numbers(given, {"points", {3}});
   const Results<bool> found(points.shape);
   check_closed(baked);
@@ -276,6 +264,8 @@ py::array_t<bool> inside_all(const Baked& baked, const py::object& given) {
 }  // namespace
 
 void add_mesh_queries(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(DistanceRow, lower, upper, point_a, point_b, triangles);
+  PYBIND11_NUMPY_DTYPE(HitRow, hit, distance, triangle);
   module.def("intersects", intersects_all);
   module.def("solids_intersect", solids_intersect_all);
   module.def("closer_than", closer_than_all);

@@ -2,8 +2,6 @@
 // without Python's lock.
 #include "evaluate/motions.hpp"
 
-#include <algorithm>
-
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
 #include "python/bindings.hpp"
@@ -31,39 +29,22 @@ std::vector<Move> moves_of(const py::object& given, double cell) {
   return moves;
 }
 
-/// Results with one row per motion.
-struct Contacts {
-  explicit Contacts(const Shape& shape)
-      : outcome(shape), start(shape), end(shape), triangles(shape, {2}), poses(shape, {4, 4}) {}
-
-  void put(std::size_t i, const tool::FoundContact& found, const Pose& pose, double cell) {
-    outcome.data[i] = static_cast<std::uint8_t>(found.outcome);
-    start.data[i] = tool::share_of(found.from);
-    end.data[i] = tool::share_of(found.to);
-    put_pair(triangles.data + 2 * i, found.outcome != ContactOutcome::free, found.triangles);
-    const auto numbers = tool::pose_numbers(pose, cell);
-    double* const matrix = poses.data + 16 * i;
-    for (std::size_t row = 0; row < 3; ++row) {
-      std::copy_n(numbers.data() + 3 * row, 3, matrix + 4 * row);
-      matrix[4 * row + 3] = numbers[9 + row];
-    }
-    std::fill_n(matrix + 12, 3, 0);
-    matrix[15] = 1;
-  }
-
-  py::tuple tuple() const {
-    return py::make_tuple(outcome.array, start.array, end.array, triangles.array, poses.array);
-  }
-
-  Results<std::uint8_t> outcome;
-  Results<double> start;
-  Results<double> end;
-  Results<std::int64_t> triangles;
-  Results<double> poses;
+/// The first contact of a motion.
+struct ContactRow {
+  std::uint8_t outcome;
+  double start;
+  double end;
+  std::array<std::int64_t, 2> triangles;
+  std::array<std::array<double, 4>, 4> pose;
 };
 
+std::array<std::array<double, 4>, 4> matrix_of(const Pose& pose, double cell) {
+  const auto [a, b, c, d, e, f, g, h, i, x, y, z] = tool::pose_numbers(pose, cell);
+  return {{{a, b, c, x}, {d, e, f, y}, {g, h, i, z}, {0, 0, 0, 1}}};
+}
+
 /// Motions by moves, or to the poses `to` if `moves` is None.
-py::tuple first_contact_all(const tool::ImageFile& a, const tool::ImageFile& b,
+py::array first_contact_all(const tool::ImageFile& a, const tool::ImageFile& b,
                             const py::object& from, const py::object& to, const py::object& moves,
                             double within) {
   tool::check_partners(a, b);
@@ -78,7 +59,7 @@ py::tuple first_contact_all(const tool::ImageFile& a, const tool::ImageFile& b,
     throw py::value_error("end: has another shape than start; give one of each a motion");
   }
   const std::vector<Move> made = is_between ? std::vector<Move>() : moves_of(moves, cell);
-  Contacts contacts(starts.shape());
+  const Results<ContactRow> contacts(starts.shape());
   {
     const py::gil_scoped_release release;
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -88,15 +69,19 @@ py::tuple first_contact_all(const tool::ImageFile& a, const tool::ImageFile& b,
                      : BodyMotion(start, made.data(), static_cast<std::uint32_t>(made.size()));
       const tool::FoundContact found =
           tool::first_contacts(a, b, motion, distance, false, place_of("motion", i)).front();
-      contacts.put(i, found, motion.pose_at(found.to), cell);
+      contacts.data[i] = {static_cast<std::uint8_t>(found.outcome), tool::share_of(found.from),
+                          tool::share_of(found.to),
+                          ids_of(found.triangles, found.outcome != ContactOutcome::free),
+                          matrix_of(motion.pose_at(found.to), cell)};
     }
   }
-  return contacts.tuple();
+  return contacts.array;
 }
 
 }  // namespace
 
 void add_motions(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(ContactRow, outcome, start, end, triangles, pose);
   module.def("first_contact", first_contact_all);
 }
 

@@ -103,7 +103,7 @@ py::object matrix_rows(const Robot& robot) {
   for (const tool::PairVerdict& pair : *robot.matrix) {
     py::object witness = py::none();
     if (!pair.witness.empty()) {
-      witness = py::array_t<double>(py::cast(pair.witness));
+      witness = array_of(pair.witness);
     }
     rows.append(names_of(robot, pair.a, pair.b) + py::make_tuple(tool::name_of(pair.verdict),
                                                                  text(pair.reason), pair.is_guarded,

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._columns import columns
 from ._meshes import Baked
 
 
@@ -73,4 +74,5 @@ def first_contact(a: Baked, b: Baked, motion: BodyMotion, within: float = 0.0) -
     Raises Error if the meshes have different cells, a matrix is not a rotation with a translation, or B may get 2^19
     cells or farther from A's origin.
     """
-    return FirstContacts(*_native.first_contact(a._native, b._native, motion.start, motion.end, motion.moves, within))
+    return FirstContacts(*columns(_native.first_contact(
+        a._native, b._native, motion.start, motion.end, motion.moves, within)))

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._columns import columns
 from ._meshes import Baked
 
 
@@ -69,7 +70,7 @@ def distance(a: Baked, b: Baked, poses: npt.ArrayLike, *, is_motion: bool = Fals
     faster if poses are close together, and slower if not. Distances do not change; of several nearest pairs, another
     may be reported.
     """
-    return Distances(*_native.distance(a._native, b._native, poses, is_motion))
+    return Distances(*columns(_native.distance(a._native, b._native, poses, is_motion)))
 
 
 def first_pair(a: Baked, b: Baked, poses: npt.ArrayLike) -> npt.NDArray[np.int64]:
@@ -96,7 +97,7 @@ def nearest_hit(mesh: Baked, origins: npt.ArrayLike, directions: npt.ArrayLike,
     the rays, in the mesh's unit, a number or (N,).
     Raises Error if a direction is 0 or a ray ends 524,287 cells or more from the mesh.
     """
-    return Hits(*_native.nearest_hit(mesh._native, origins, directions, length))
+    return Hits(*columns(_native.nearest_hit(mesh._native, origins, directions, length)))
 
 
 def inside(mesh: Baked, points: npt.ArrayLike) -> npt.NDArray[np.bool_]:

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._columns import columns
 from ._image import Image, Path
 
 ALL_WORK: int = _native.ALL_WORK
@@ -191,7 +192,7 @@ class Guard:
 
         work: the budget of each period except the first, which has no limit. Afterwards the guard is at the end.
         """
-        return Checked(*self._native.check(trajectory, work))
+        return Checked(*columns(self._native.check(trajectory, work)))
 
 
 class MotionAnswer(NamedTuple):
