@@ -16,9 +16,9 @@ CONDITION = re.compile(r"\s*#\s*(if|endif)")
 
 
 class Amalgamation:
-    def __init__(self, include: Path, files: list[Path], known: Amalgamation | None = None) -> None:
+    def __init__(self, include: Path, files: list[Path], *known: Amalgamation) -> None:
         self.include = include
-        self.whole = set(known.whole) if known else set()  # files included outside of conditions
+        self.whole = set().union(*(one.whole for one in known))  # files included outside of conditions
         self.lines: list[str] = []
         for file in files:
             self.add(file, True)
@@ -59,9 +59,8 @@ def write_amalgamation(lib: Path, target: Path, sources: list[str], robot_source
     c = Amalgamation(include, [h for h in headers if h.suffix == ".h"])
     cxx = Amalgamation(include, [h for h in headers if h.suffix == ".hpp" and h not in robot])
     guards = Amalgamation(include, robot, cxx)
-    code = Amalgamation(include, [(lib / name).resolve() for name in sources], merged(c, cxx))
-    guards_code = Amalgamation(include, [(lib / name).resolve() for name in robot_sources],
-                               merged(c, guards))
+    code = Amalgamation(include, [(lib / name).resolve() for name in sources], c, cxx)
+    guards_code = Amalgamation(include, [(lib / name).resolve() for name in robot_sources], c, guards)
 
     c.write(target / "flashbvh.h", "flashbvh, from C", [])
     cxx.write(target / "flashbvh.hpp", "flashbvh", [])
@@ -75,9 +74,3 @@ def write_amalgamation(lib: Path, target: Path, sources: list[str], robot_source
                  "flashbvh.hpp" if header in cxx.whole else "flashbvh_robot.hpp")
         (target / name).parent.mkdir(parents=True, exist_ok=True)
         (target / name).write_text(f'#include "{"../" * (len(name.parts) - 1)}{whole}"\n')
-
-
-def merged(one: Amalgamation, other: Amalgamation) -> Amalgamation:
-    both = Amalgamation(one.include, [])
-    both.whole = one.whole | other.whole
-    return both

@@ -24,14 +24,7 @@ from amalgamation import write_amalgamation
 
 ROOT = Path(__file__).resolve().parents[2]
 TEMPLATES = ROOT / "tools" / "release"
-# Folders of the headers and of the sources.
-LAYOUTS = {
-    "arduino": ("src", "src"),
-    "platformio": ("include", "src"),
-    "zephyr": ("include", "src"),
-    "esp-idf": ("include", "src"),
-    "cmsis": ("include", "src"),
-}
+LIBRARIES = ["arduino", "platformio", "zephyr", "esp-idf", "cmsis"]
 
 
 def read_sources() -> tuple[list[str], list[str]]:
@@ -90,9 +83,8 @@ def fill_templates(package: str, target: Path, facts: dict[str, str],
 
 def write_package(package: str, target: Path, facts: dict[str, str],
                   lists: dict[str, list[str]]) -> None:
-    headers, sources = LAYOUTS[package]
-    shutil.copytree(ROOT / "lib/include", target / headers)
-    shutil.copytree(ROOT / "lib/src", target / sources, dirs_exist_ok=True)
+    shutil.copytree(ROOT / "lib/include", target / ("src" if package == "arduino" else "include"))
+    shutil.copytree(ROOT / "lib/src", target / "src", dirs_exist_ok=True)
     write_documents(target)
     fill_templates(package, target, facts, lists)
 
@@ -209,7 +201,7 @@ def write(package: str, target: Path, flashbvh: str) -> None:
 
 
 def main(target: Path, flashbvh: str, packages: list[str]) -> None:
-    for package in packages or [*LAYOUTS, "amalgamation", "debian", "python"]:
+    for package in packages or [*LIBRARIES, "amalgamation", "debian", "python"]:
         shutil.rmtree(target / package, ignore_errors=True)
         (target / package).mkdir(parents=True)
         write(package, target / package, flashbvh)
