@@ -49,8 +49,13 @@ Frame frame_of(uint32_t link) {
   return frame_of_joint(robot.links[link].joint);
 }
 
+/// The first joint that a value moves directly.
+const RobotJoint& joint_of(uint32_t variable) {
+  return robot.joints[wasm::joint_of(robot, variable)];
+}
+
 bool slides(uint32_t variable) {
-  return robot.joints[wasm::joint_of(robot, variable)].type == JointType::prismatic;
+  return joint_of(variable).type == JointType::prismatic;
 }
 
 /// The unit of a coordinate, in radians or metres.
@@ -93,18 +98,18 @@ EXPORT uint32_t open(uint32_t bytes) {
   }
   pairs = take<RobotPair>(robot.pair_count);
   hints = take<Witness<uint16_t>>(robot.pair_count);
-  uint32_t between = 0;
   for (uint32_t i = 0; i < robot.pair_count; ++i) {
     pairs[i] = robot.pairs[i];
     hints[i] = {};
-    between += pairs[i].joints_a + pairs[i].joints_b;
   }
   baked = robot.pairs;
   robot.pairs = pairs;
   values = take<JointCoordinate>(robot.variable_count);
   coordinates = take<JointCoordinate>(robot.joint_count);
   frames = take<Frame>(robot.joint_count);
-  state_size = FLASHBVH_GUARD_STATE_SIZE(robot.joint_count, robot.pair_count, between);
+  const auto* const header = static_cast<const RobotImageHeader*>(room_taken);
+  state_size =
+      FLASHBVH_GUARD_STATE_SIZE(robot.joint_count, robot.pair_count, header->pair_joint_count);
   state = take(state_size);
   return 0;
 }
@@ -129,11 +134,11 @@ EXPORT bool is_slide(uint32_t variable) {
 }
 /// A joint without limits gets half a turn in each direction.
 EXPORT double lower(uint32_t variable) {
-  const RobotJoint& joint = robot.joints[wasm::joint_of(robot, variable)];
+  const RobotJoint& joint = joint_of(variable);
   return unit_of(variable) * (joint.type == JointType::continuous ? -kFullTurn / 2 : joint.lower);
 }
 EXPORT double upper(uint32_t variable) {
-  const RobotJoint& joint = robot.joints[wasm::joint_of(robot, variable)];
+  const RobotJoint& joint = joint_of(variable);
   return unit_of(variable) * (joint.type == JointType::continuous ? kFullTurn / 2 : joint.upper);
 }
 EXPORT uint32_t first_of_pair(uint32_t pair) {
@@ -188,7 +193,7 @@ EXPORT uint32_t variable_of_link(uint32_t link) {
 /// Sets a value and clamps it to its limits.
 EXPORT void set_value(uint32_t variable, double value) {
   const double steps = value / unit_of(variable);
-  const RobotJoint& joint = robot.joints[wasm::joint_of(robot, variable)];
+  const RobotJoint& joint = joint_of(variable);
   auto coordinate = static_cast<JointCoordinate>(steps + (steps < 0 ? -0.5 : 0.5));
   if (joint.type != JointType::continuous) {
     coordinate = coordinate < joint.lower ? joint.lower : coordinate;
@@ -227,7 +232,7 @@ EXPORT uint32_t distance_of_answer() {
 
 /// A matrix, column by column, from a link's vertices to the base's frame, in metres.
 EXPORT const double* matrix_of(uint32_t link) {
-  set_matrix(frame_of_joint(robot.links[link].joint), meshes[link].origin);
+  set_matrix(frame_of(link), meshes[link].origin);
   return matrix;
 }
 /// A matrix like matrix_of(), from cells of a joint's frame.

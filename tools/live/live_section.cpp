@@ -8,9 +8,14 @@
 namespace flashbvh::tool {
 namespace {
 
-std::string base64(const std::uint8_t* bytes, std::size_t size) {
+/// The bytes of a string, or of a vector of numbers in memory, which is little-endian on all
+/// supported machines.
+template <class Data>
+std::string base64(const Data& data) {
   constexpr const char* kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(data.data());
+  const std::size_t size = data.size() * sizeof(typename Data::value_type);
   const auto byte = [&](std::size_t i) { return i < size ? std::uint32_t{bytes[i]} : 0u; };
   std::string text;
   for (std::size_t i = 0; i < size; i += 3) {
@@ -20,16 +25,6 @@ std::string base64(const std::uint8_t* bytes, std::size_t size) {
     }
   }
   return text;
-}
-/// The bytes in memory, which is little-endian on all supported machines.
-template <class Number>
-std::string base64(const std::vector<Number>& numbers) {
-  return base64(reinterpret_cast<const std::uint8_t*>(numbers.data()),
-                numbers.size() * sizeof(Number));
-}
-
-std::string base64(const std::string& bytes) {
-  return base64(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 std::string quoted(const std::string& text) {

@@ -98,8 +98,9 @@ const numbers_field = (name, count, set) => {
   const text = element("textarea", { rows: 3, spellcheck: false });
   text.onchange = () => {
     const numbers = text.value.trim().split(/\s+/).map(Number);
-    if (numbers.length === count && numbers.every(Number.isFinite)) set(numbers);
-    text.setCustomValidity(numbers.length === count && numbers.every(Number.isFinite) ? "" : `${count} numbers are wanted`);
+    const is_valid = numbers.length === count && numbers.every(Number.isFinite);
+    if (is_valid) set(numbers);
+    text.setCustomValidity(is_valid ? "" : `${count} numbers are wanted`);
     text.reportValidity();
   };
   const copy = element("button", { textContent: "Copy", onclick: () => {

@@ -17,7 +17,7 @@ export class Robot {
     const [place, meshes] = module.keep(this, module.take(ROBOT_BYTES), module.take(MOST_LINKS * MESH_BYTES), image);
     this.place = place;
     module.need_done(library.flashbvh_open_robot(image, length, meshes, MOST_LINKS, place));
-    const [joints, links, pairs, state] = module.view(Uint32Array, library.counts(place), 4);
+    const [joints, links, pairs, state] = module.view(Uint32Array, library.counts(image), 4);
     const named = (count, name) => Array.from({ length: count }, (_, i) => module.text(name(i)));
     this.name = module.text(library.flashbvh_robot_name(image));
     this.jointNames = named(joints, i => library.variable_name(image, place, i));

@@ -1,18 +1,8 @@
 // The C interface to robots and guards, for robot.js: periods in batches.
 #include "../../wasm.hpp"
+#include "flashbvh/robot/image.hpp"
 
 namespace batches {
-namespace {
-
-uint32_t joints_between(const flashbvh_robot& robot) {
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < robot.pair_count; ++i) {
-    count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
-  }
-  return count;
-}
-
-}  // namespace
 
 /// The sizes of a mesh, a robot and a guard in bytes.
 EXPORT const uint32_t* sizes() {
@@ -27,13 +17,13 @@ EXPORT double cell(const flashbvh_robot* robot) {
 }
 
 /// Counts of values, links and pairs, and the bytes of a guard's state.
-EXPORT const uint32_t* counts(const flashbvh_robot* robot) {
+EXPORT const uint32_t* counts(const flashbvh::RobotImageHeader* image) {
   static uint32_t found[4];
-  found[0] = robot->variable_count;
-  found[1] = robot->link_count;
-  found[2] = robot->pair_count;
+  found[0] = image->variable_count;
+  found[1] = image->link_count;
+  found[2] = image->pair_count;
   found[3] =
-      FLASHBVH_GUARD_STATE_SIZE(robot->joint_count, robot->pair_count, joints_between(*robot));
+      FLASHBVH_GUARD_STATE_SIZE(image->joint_count, image->pair_count, image->pair_joint_count);
   return found;
 }
 
