@@ -243,10 +243,8 @@ Values folded(const Values& values, std::size_t step, const Worse& worse) {
 Values known_metres(const GuardedTrajectory& guarded) {
   Values values;
   for (const GuardAnswer& answer : guarded.answers) {
-    values.emplace_back();
-    if (answer.status == Status::done && answer.pair != kNoPair) {
-      values.back() = metres_of(guarded, answer.distance);
-    }
+    const bool is_known = answer.status == Status::done && answer.pair != kNoPair;
+    values.push_back(is_known ? std::optional(metres_of(guarded, answer.distance)) : std::nullopt);
   }
   return values;
 }
@@ -256,10 +254,7 @@ Values work_of(const std::vector<GuardAnswer>& answers) {
   Values values;
   bool is_primed = false;
   for (const GuardAnswer& answer : answers) {
-    values.emplace_back();
-    if (is_primed) {
-      values.back() = answer.work;
-    }
+    values.push_back(is_primed ? std::optional<double>(answer.work) : std::nullopt);
     is_primed = is_primed || answer.status == Status::done;
   }
   return values;

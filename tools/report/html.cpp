@@ -273,17 +273,14 @@ std::string table(const std::string& caption, const Cells& columns,
   return whole_table("", caption, head, body);
 }
 
-std::string matrix(const std::string& style, const std::string& caption, const Cells& rows,
-                   const Cells& columns,
+std::string matrix(const std::string& style, const std::string& caption, const Cells& names,
                    const std::function<std::string(std::size_t, std::size_t)>& cell_at) {
   std::string head = "<td></td>";
-  for (const std::string& column : columns) {
-    head += cell("th", " scope=col", column);
-  }
   std::string body;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    body += "<tr>" + cell("th", " scope=row", rows[i]);
-    for (std::size_t j = 0; j < columns.size(); ++j) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    head += cell("th", " scope=col", names[i]);
+    body += "<tr>" + cell("th", " scope=row", names[i]);
+    for (std::size_t j = 0; j < names.size(); ++j) {
       body += cell_at(i, j);
     }
     body += "</tr>\n";

@@ -63,9 +63,8 @@ using Cells = std::vector<std::string>;
 /// column with a title that begins with '#' contains numbers.
 std::string table(const std::string& caption, const Cells& columns, const std::vector<Cells>& rows);
 
-/// A table of all rows and columns; `cell(row, column)` returns the whole tag.
-std::string matrix(const std::string& style, const std::string& caption, const Cells& rows,
-                   const Cells& columns,
+/// A table with a row and a column for each name; `cell(row, column)` returns the whole tag.
+std::string matrix(const std::string& style, const std::string& caption, const Cells& names,
                    const std::function<std::string(std::size_t, std::size_t)>& cell);
 
 }  // namespace flashbvh::tool

@@ -61,7 +61,7 @@ std::string work_matrix(const Subjects& subjects, const std::vector<QueriedPair>
     names.push_back(escaped(subject->name));
   }
   return matrix(
-      "", "Most work of each pair at its poses", names, names, [&](std::size_t i, std::size_t j) {
+      "", "Most work of each pair at its poses", names, [&](std::size_t i, std::size_t j) {
         const QueriedPair* const pair = find(pairs, subjects[i], subjects[j]);
         return j <= i ? "<td></td>"
                       : matrix_cell(pair != nullptr ? pair : find(pairs, subjects[j], subjects[i]),

@@ -69,7 +69,7 @@ void set_rotation(const std::array<std::int64_t, 4>& q, Matrix& matrix) {
 /// A root's box; `middle` in half cells of the mesh's frame.
 struct Place {
   explicit Place(const AnyTree& any) {
-    const NodeBox box = std::visit([](const auto& tree) { return node_box(tree, 0); }, any);
+    const NodeBox box = root_box(any);
     Vector sides{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       middle[axis] = box.lower[axis] + box.upper[axis];

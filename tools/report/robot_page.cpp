@@ -46,8 +46,7 @@ std::string matrix_of(const DecidedRobot& decided, const std::vector<std::string
     const PairVerdict& pair = decided.pairs[i];
     cells[pair.a][pair.b] = cells[pair.b][pair.a] = cell(pair, shares[i]);
   }
-  return matrix("pairs", "", names, names,
-                [&](std::size_t a, std::size_t b) { return cells[a][b]; });
+  return matrix("pairs", "", names, [&](std::size_t a, std::size_t b) { return cells[a][b]; });
 }
 
 std::string keys() {

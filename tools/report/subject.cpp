@@ -59,12 +59,25 @@ void mark_defects(Subject& subject, const std::vector<SourceTriangle>& sources) 
 
 }  // namespace
 
+NodeBox root_box(const AnyTree& any) {
+  return std::visit(
+      [](const auto& tree) -> NodeBox {
+        const std::int64_t x = tree.origin[0];
+        const std::int64_t y = tree.origin[1];
+        const std::int64_t z = tree.origin[2];
+        const auto box = unpack(tree.nodes[0].box);
+        return {{x + box.lower.x, y + box.lower.y, z + box.lower.z},
+                {x + box.upper.x, y + box.upper.y, z + box.upper.z}};
+      },
+      any);
+}
+
 Subject::Subject(const ImageFile& file, std::size_t place, std::string unique_name)
     : image(file),
       number(place),
       name(std::move(unique_name)),
       flash(file.header().byte_count),
-      box(std::visit([](const auto& tree) { return node_box(tree, 0); }, file.tree())) {
+      box(root_box(file.tree())) {
   const std::vector<SourceTriangle> sources = source_triangles(file);
   left_out = sources.back().number + std::size_t{1} - sources.size();
   mark_defects(*this, sources);

@@ -10,22 +10,14 @@
 
 namespace flashbvh::tool {
 
-/// A box of the tree in cells of the mesh's frame.
+/// A box of a tree in cells of the mesh's frame.
 struct NodeBox {
   LatticePoint lower;
   LatticePoint upper;
 };
 
-/// The box of a node of a tree.
-template <class Tree>
-NodeBox node_box(const Tree& tree, std::uint32_t node) {
-  const std::int64_t x = tree.origin[0];
-  const std::int64_t y = tree.origin[1];
-  const std::int64_t z = tree.origin[2];
-  const auto box = unpack(tree.nodes[node].box);
-  return {{x + box.lower.x, y + box.lower.y, z + box.lower.z},
-          {x + box.upper.x, y + box.upper.y, z + box.upper.z}};
-}
+/// The box of a tree's root.
+NodeBox root_box(const AnyTree& any);
 
 /// A defect of the lattice mesh.
 struct Warning {

@@ -60,8 +60,7 @@ void print_line(std::string label, const std::string& text) {
 
 Json facts_of(const ImageFile& image) {
   const ImageHeader& header = image.header();
-  const NodeBox bounds =
-      std::visit([](const auto& tree) { return node_box(tree, 0); }, image.tree());
+  const NodeBox bounds = root_box(image.tree());
   const double cell = image.cell();
   const bake::BendingCost bending =
       std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());
