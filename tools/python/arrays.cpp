@@ -83,8 +83,7 @@ Numbers rows(const py::object& given, const Argument& argument) {
 }
 
 Integers integer_rows(const py::object& given, const Argument& argument) {
-  const Integers integers =
-      Integers::ensure(number_array(given, argument, false, "iu", "integers"));
+  Integers integers = Integers::ensure(number_array(given, argument, false, "iu", "integers"));
   if (!integers) {
     refuse(argument, "is no array of integers");
   }

@@ -73,17 +73,14 @@ py::list joint_names(const Robot& robot) {
   return names;
 }
 
-py::array_t<double> limits_of(const Robot& robot) {
-  const std::vector<std::size_t>& variables = robot.names.variables;
-  py::array_t<double> limits({static_cast<py::ssize_t>(variables.size()), py::ssize_t{2}});
-  double* to = limits.mutable_data();
-  for (const std::size_t number : variables) {
+py::array limits_of(const Robot& robot) {
+  std::vector<std::array<double, 2>> limits;
+  for (const std::size_t number : robot.names.variables) {
     const tool::ModelJoint& joint = robot.names.joints[number];
     const bool is_endless = joint.type == JointType::continuous;
-    *to++ = is_endless ? -HUGE_VAL : joint.lower;
-    *to++ = is_endless ? HUGE_VAL : joint.upper;
+    limits.push_back({is_endless ? -HUGE_VAL : joint.lower, is_endless ? HUGE_VAL : joint.upper});
   }
-  return limits;
+  return array_of(limits);
 }
 
 py::list link_names(const Robot& robot) {
