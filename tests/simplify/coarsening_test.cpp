@@ -14,7 +14,7 @@ double most_sampled(const bake::SourceMesh& of, const bake::SourceMesh& to, Rand
   double most = 0;
   const int samples = is_thorough() ? 1'000'000 : 150;
   for (int i = 0; i < samples; ++i) {
-    most = std::max(most, distance_by_force(sample(of, random), to));
+    most = std::max(most, distance_by_force(any_point_of(random, of), to));
   }
   return most;
 }
@@ -76,8 +76,8 @@ TEST_CASE("a shell stays, however small") {
 
 TEST_CASE("shells that rounding makes a point, an edge or a sheet are simplified") {
   bake::SourceMesh mesh = many_shells();
-  add(box({0, 30, 0}, {60, 0.01, 0.01}, 6), mesh);
-  add(box({0, 60, 0}, {60, 30, 0.01}, 6), mesh);
+  append(box({0, 30, 0}, {60, 0.01, 0.01}, 6), mesh);
+  append(box({0, 60, 0}, {60, 30, 0.01}, 6), mesh);
   Coarsening coarsening(mesh, 0.25);
   coarsening.coarsen(1);
   CHECK(coarsening.deviation().most <= 1);

@@ -1,10 +1,11 @@
-// Meshes to simplify, and samples of their surfaces.
+// Meshes to simplify.
 #pragma once
 
 #include <string>
 
 #include "bake/mesh.hpp"
 #include "simplify/nearest.hpp"
+#include "support/surface.hpp"
 #include "support/test.hpp"
 
 namespace flashbvh::test {
@@ -52,48 +53,22 @@ inline bake::SourceMesh hills(std::uint32_t across, std::uint32_t along) {
   });
 }
 
-/// A closed box with `parts` x `parts` quads per side and shared vertices.
+/// A closed box with `parts` x `parts` quads per side; the sides share no vertices.
 inline bake::SourceMesh box(const Point& low, const Point& size, std::uint32_t parts) {
   bake::SourceMesh mesh;
-  std::vector<std::uint32_t> index_of((parts + 1) * (parts + 1) * (parts + 1), UINT32_MAX);
-  const auto vertex = [&](const std::array<std::uint32_t, 3>& at) {
-    std::uint32_t& index = index_of[(at[0] * (parts + 1) + at[1]) * (parts + 1) + at[2]];
-    if (index == UINT32_MAX) {
-      index = static_cast<std::uint32_t>(mesh.vertices.size());
-      Point point{};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        point[axis] = low[axis] + size[axis] * at[axis] / parts;
-      }
-      mesh.vertices.push_back(point);
-    }
-    return index;
-  };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const bool is_far : {false, true}) {
-      for (std::uint32_t i = 0; i < parts; ++i) {
-        for (std::uint32_t j = 0; j < parts; ++j) {
-          const auto corner = [&](std::uint32_t di, std::uint32_t dj) {
-            std::array<std::uint32_t, 3> at{};
-            at[axis] = is_far ? parts : 0;
-            at[(axis + 1) % 3] = i + (is_far ? di : dj);
-            at[(axis + 2) % 3] = j + (is_far ? dj : di);
-            return vertex(at);
-          };
-          mesh.triangles.push_back({corner(0, 0), corner(1, 0), corner(1, 1)});
-          mesh.triangles.push_back({corner(0, 0), corner(1, 1), corner(0, 1)});
-        }
-      }
+      const auto at = [&](double u, double v) {
+        Point point = low;
+        point[axis] += is_far ? size[axis] : 0;
+        point[(axis + 1) % 3] += size[(axis + 1) % 3] * (is_far ? u : v);
+        point[(axis + 2) % 3] += size[(axis + 2) % 3] * (is_far ? v : u);
+        return point;
+      };
+      append(grid(parts, parts, false, at), mesh);
     }
   }
   return mesh;
-}
-
-inline void add(const bake::SourceMesh& more, bake::SourceMesh& mesh) {
-  const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const bake::TriangleCorners& corners : more.triangles) {
-    mesh.triangles.push_back({corners[0] + base, corners[1] + base, corners[2] + base});
-  }
 }
 
 /// Boxes with sides from 20 down to 0.02, far from one another.
@@ -101,7 +76,7 @@ inline bake::SourceMesh many_shells() {
   bake::SourceMesh mesh;
   double x = 0;
   for (double side = 20; side > 0.01; side /= 2) {
-    add(box({x, 0, 0}, {side, side, side}, 4), mesh);
+    append(box({x, 0, 0}, {side, side, side}, 4), mesh);
     x += 2 * side + 5;
   }
   return mesh;
@@ -149,28 +124,5 @@ inline std::vector<Specimen> specimens() {
           {"one triangle", {{{0, 0, 0}, {9, 0, 0}, {0, 9, 1}}, {{0, 1, 2}}}, false},
           {"a needle", {{{0, 0, 0}, {9, 0, 0}, {4, 0, 0}}, {{0, 1, 2}}}, false}};
 }
-
-/// A random point of a mesh; all triangles are equally likely.
-inline Point sample(const bake::SourceMesh& mesh, Random& random) {
-  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-  const bake::TriangleCorners& corners = mesh.triangles[random.below(count)];
-  // Corners and edges matter most: a quarter of the samples each.
-  double s = random.below(4) == 0 ? 0 : random.below(1001) / 1000.0;
-  double t = random.below(4) == 0 ? 0 : random.below(1001) / 1000.0;
-  if (s + t > 1) {
-    s = 1 - s;
-    t = 1 - t;
-  }
-  Point at{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    at[axis] = mesh.vertices[corners[0]][axis] * (1 - s - t) + mesh.vertices[corners[1]][axis] * s +
-               mesh.vertices[corners[2]][axis] * t;
-  }
-  return at;
-}
-
-/// The distance to a mesh by testing each triangle: the feet of perpendiculars, in long double.
-/// Shares no code with the tested functions.
-double distance_by_force(const Point& p, const bake::SourceMesh& mesh);
 
 }  // namespace flashbvh::test

@@ -10,7 +10,7 @@
 #include "drawn_mesh.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "simplify/coarsening.hpp"
-#include "support/random.hpp"
+#include "support/arms/arms.hpp"
 #include "text/parallel.hpp"
 
 using namespace flashbvh;
@@ -31,53 +31,43 @@ struct Row {
 /// Samples points uniformly by area.
 class Sampler {
  public:
-  explicit Sampler(const std::vector<DrawnTriangle>& triangles) : triangles_(triangles) {
-    for (const DrawnTriangle& of : triangles) {
-      double squared = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3;
-        const double part = (of[1][i] - of[0][i]) * (of[2][j] - of[0][j]) -
-                            (of[1][j] - of[0][j]) * (of[2][i] - of[0][i]);
-        squared += part * part;
-      }
-      sums_.push_back((sums_.empty() ? 0 : sums_.back()) + std::sqrt(squared));
+  explicit Sampler(const std::vector<FloatTriangle>& triangles) : triangles_(triangles) {
+    for (const FloatTriangle& of : triangles) {
+      const double area = std::sqrt(squared(cross(minus(of[1], of[0]), minus(of[2], of[0]))));
+      sums_.push_back((sums_.empty() ? 0 : sums_.back()) + area);
     }
   }
   Vector3 point(Random& random) const {
-    const auto any = [&] { return std::ldexp(static_cast<double>(random.next() >> 12), -52); };
-    const auto found = std::lower_bound(sums_.begin(), sums_.end(), any() * sums_.back());
+    const double sum = real_between(random, 0, sums_.back());
+    const auto found = std::lower_bound(sums_.begin(), sums_.end(), sum);
     const auto number =
         std::min<std::size_t>(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
-    double u = any();
-    double v = any();
+    double u = real_between(random, 0, 1);
+    double v = real_between(random, 0, 1);
     if (u + v > 1) {
       u = 1 - u;
       v = 1 - v;
     }
-    const DrawnTriangle& of = triangles_[number];
-    Vector3 at;
-    for (std::size_t i = 0; i < 3; ++i) {
-      at[i] = of[0][i] + u * (of[1][i] - of[0][i]) + v * (of[2][i] - of[0][i]);
-    }
-    return at;
+    const FloatTriangle& of = triangles_[number];
+    return plus(plus(of[0], u, minus(of[1], of[0])), v, minus(of[2], of[0]));
   }
 
  private:
-  const std::vector<DrawnTriangle>& triangles_;
+  const std::vector<FloatTriangle>& triangles_;
   std::vector<double> sums_;
 };
 
-double farthest(const std::vector<DrawnTriangle>& of, const DrawnMesh& to, long samples,
+double farthest(const std::vector<FloatTriangle>& of, const DrawnMesh& to, long samples,
                 Random& random) {
   double most = 0;
-  for (const DrawnTriangle& triangle : of) {
+  for (const FloatTriangle& triangle : of) {
     for (const Vector3& corner : triangle) {
-      most = std::max(most, to.distance_to(corner, HUGE_VAL));
+      most = std::max(most, to.distance_to(corner));
     }
   }
   const Sampler sampler(of);
   for (long i = 0; i < samples; ++i) {
-    most = std::max(most, to.distance_to(sampler.point(random), HUGE_VAL));
+    most = std::max(most, to.distance_to(sampler.point(random)));
   }
   return most;
 }
@@ -90,8 +80,8 @@ Row certified(const tool::ModelLink& link, double cell, double limit, long sampl
   coarsening.coarsen(std::max(limit, coarsening.rounding()));
   row.coarse = coarsening.triangle_count();
   row.certified = coarsening.deviation().most;
-  const std::vector<DrawnTriangle> original = triangles_of(link.mesh);
-  const std::vector<DrawnTriangle> coarse = triangles_of(coarsening.mesh());
+  const std::vector<FloatTriangle> original = triangles_of(link.mesh);
+  const std::vector<FloatTriangle> coarse = triangles_of(coarsening.mesh());
   Random random(1);
   row.sampled = std::max(farthest(original, DrawnMesh(coarse), samples / 2, random),
                          farthest(coarse, DrawnMesh(original), samples / 2, random));

@@ -5,29 +5,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "bake/mesh.hpp"
 #include "robot/kinematics.hpp"
+#include "support/surface.hpp"
 
 namespace flashbvh::test {
 
 using tool::Vector3;
-using DrawnTriangle = std::array<Vector3, 3>;
-
-/// The distance of two triangles; 0 if they intersect. To about 10^-15 of the coordinates.
-double distance_between(const DrawnTriangle& p, const DrawnTriangle& q);
-
-/// The distance of a triangle from a point.
-double distance_between(const DrawnTriangle& p, const Vector3& q);
 
 class DrawnMesh {
  public:
-  explicit DrawnMesh(std::vector<DrawnTriangle> triangles);
+  explicit DrawnMesh(std::vector<FloatTriangle> triangles);
 
-  bool is_empty() const { return triangles_.empty(); }
   /// `frame`: the frame of `other` in this mesh's frame.
   bool is_nearer(const DrawnMesh& other, const tool::Transform& frame, double distance) const;
-  /// The distance of the mesh's nearest point, but at most `most`.
-  double distance_to(const Vector3& p, double most) const;
+  /// The distance of the mesh's nearest point. The mesh has a triangle.
+  double distance_to(const Vector3& p) const;
 
  private:
   struct Node {
@@ -49,9 +41,7 @@ class DrawnMesh {
   bool are_leaves_nearer(const Query& query, const Node& a, const Node& b) const;
 
   std::vector<Node> nodes_;
-  std::vector<DrawnTriangle> triangles_;
+  std::vector<FloatTriangle> triangles_;
 };
-
-std::vector<DrawnTriangle> triangles_of(const bake::SourceMesh& mesh);
 
 }  // namespace flashbvh::test

@@ -5,17 +5,16 @@
 // distance. Half of the configurations are random; the other half are as near to a stop of the
 // guard as 12 bisections get. Distances are in doubles. With --more, the stop distances are larger
 // than baked by METRES, so the check has to fail.
-#include <atomic>
 #include <cstdio>
-#include <optional>
-#include <thread>
 
 #include "described.hpp"
 #include "drawn_mesh.hpp"
 #include "flashbvh/robot/guard.hpp"
+#include "robot/baked/fixed_robot.hpp"
 #include "robot/baked/robot_file.hpp"
 #include "simplify/nearest.hpp"
 #include "support/random.hpp"
+#include "text/parallel.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -27,7 +26,6 @@ constexpr int kCuts = 4;
 constexpr int kTries = 200;
 constexpr std::size_t kStateWords = 1 << 16;
 constexpr long kRound = 1000;  ///< configurations of a seed
-constexpr double kTurn = 2 * tool::kPi / kFullTurn;
 
 using Values = std::vector<JointCoordinate>;
 
@@ -47,8 +45,8 @@ double from_axis(const tool::Transform& axis, const Vector3& p) {
 }
 
 /// Adds the part beyond the cylinder about an axis, of triangles cut in four; not all of it.
-void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, double radius, int cuts,
-                std::vector<DrawnTriangle>& beyond) {
+void add_beyond(const FloatTriangle& triangle, const tool::Transform& axis, double radius, int cuts,
+                std::vector<FloatTriangle>& beyond) {
   const Vector3 centre = simplify::centre_of(triangle);
   const double size = simplify::radius_of(triangle, centre);
   const double off = from_axis(axis, centre);
@@ -59,7 +57,7 @@ void add_beyond(const DrawnTriangle& triangle, const tool::Transform& axis, doub
   if (cuts == 0 || off + size < radius) {
     return;
   }
-  for (const DrawnTriangle& part : simplify::quarters_of(triangle)) {
+  for (const FloatTriangle& part : simplify::quarters_of(triangle)) {
     add_beyond(part, axis, radius, cuts - 1, beyond);
   }
 }
@@ -101,8 +99,8 @@ class Judge {
   const JudgedPair* near_pair(const Values& values) const {
     std::vector<double> variables;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const bool slides = robot().joints[model_.variables[i]].type == JointType::prismatic;
-      variables.push_back(values[i] * (slides ? file_.cell() / kFrameCell : kTurn));
+      const JointType type = robot().joints[model_.variables[i]].type;
+      variables.push_back(values[i] * tool::unit_of_coordinate(type, file_.cell()));
     }
     for (const JudgedPair& pair : pairs_) {
       if (pair.of_a->is_nearer(*pair.of_b, frame_between(model_, pair.joints, variables),
@@ -145,8 +143,8 @@ class Judge {
     const bool is_moved = model_.links[link].joint == pair.joint;
     const tool::Transform axis =
         is_moved ? tool::Transform() : inverse(model_.joints[pair.joint].fixed);
-    std::vector<DrawnTriangle> beyond;
-    for (const DrawnTriangle& triangle : triangles_of(model_.links[link].mesh)) {
+    std::vector<FloatTriangle> beyond;
+    for (const FloatTriangle& triangle : triangles_of(model_.links[link].mesh)) {
       add_beyond(triangle, axis, pair.radius, kCuts, beyond);
     }
     meshes_.push_back(std::make_unique<DrawnMesh>(std::move(beyond)));
@@ -163,7 +161,6 @@ class Judge {
 };
 
 struct Counts {
-  long configurations = 0;
   long stops = 0;
   long passes = 0;
   long next_to_stops = 0;  ///< of passes
@@ -177,10 +174,9 @@ class Judged {
         memory_(kStateWords),
         guard_(judge.robot(), memory_.data(), kStateWords * sizeof memory_[0]) {}
 
-  void run(std::uint64_t seed, long configurations) {
+  const Counts& run(std::uint64_t seed, long configurations) {
     Random random(seed);
     for (long i = 0; i < configurations; ++i) {
-      ++counts_.configurations;
       Values values = judge_.any_values(random);
       const bool stops = is_stopped(values);
       counts_.stops += stops ? 1 : 0;
@@ -193,8 +189,8 @@ class Judged {
         check(values, seed);
       }
     }
+    return counts_;
   }
-  const Counts& counts() const { return counts_; }
   bool fits() const { return guard_.fits(); }
 
  private:
@@ -248,27 +244,17 @@ class Judged {
 };
 
 int judged(const Judge& judge, long configurations, std::uint64_t seed) {
-  std::vector<std::unique_ptr<Judged>> judged;
-  std::vector<std::thread> threads;
-  std::atomic<long> begun{0};
-  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
-    Judged& own = *judged.emplace_back(std::make_unique<Judged>(judge));
-    if (!own.fits()) {
-      std::fprintf(stderr, "the robot's guard needs more memory than there is here\n");
-      return 2;
-    }
-    threads.emplace_back([&] {
-      for (long round = begun++; round * kRound < configurations; round = begun++) {
-        own.run(seed + static_cast<std::uint64_t>(round),
-                std::min(kRound, configurations - round * kRound));
-      }
-    });
+  if (!Judged(judge).fits()) {
+    std::fprintf(stderr, "the robot's guard needs more memory than there is here\n");
+    return 2;
   }
+  std::vector<Counts> rounds(static_cast<std::size_t>((configurations + kRound - 1) / kRound));
+  tool::for_each_in_parallel(rounds.size(), [&](std::size_t i) {
+    const long before = static_cast<long>(i) * kRound;
+    rounds[i] = Judged(judge).run(seed + i, std::min(kRound, configurations - before));
+  });
   Counts all;
-  for (std::size_t i = 0; i < threads.size(); ++i) {
-    threads[i].join();
-    const Counts& more = judged[i]->counts();
-    all.configurations += more.configurations;
+  for (const Counts& more : rounds) {
     all.stops += more.stops;
     all.passes += more.passes;
     all.next_to_stops += more.next_to_stops;
@@ -279,7 +265,7 @@ int judged(const Judge& judge, long configurations, std::uint64_t seed) {
       "stop | unsound |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n"
       "| %s | %zu | %zu | %zu | %ld | %ld | %ld | %ld | %ld |\n",
       judge.model().name.c_str(), judge.whole(), judge.beyond_zones(), judge.left_out(),
-      all.configurations, all.stops, all.passes, all.next_to_stops, all.unsound);
+      configurations, all.stops, all.passes, all.next_to_stops, all.unsound);
   return all.unsound == 0 && all.passes != 0 ? 0 : 1;
 }
 

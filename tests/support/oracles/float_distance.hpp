@@ -1,5 +1,5 @@
 // The distance of any two triangles in doubles: the least over their features, or 0 where an edge
-// pierces a face. Uses other methods than the library.
+// pierces a face; and of a point from a triangle. Uses other methods than the library.
 #pragma once
 
 #include <algorithm>
@@ -80,6 +80,11 @@ inline double distance_across(const FloatVector& p, const FloatVector& p_end, co
   const double t = (squared(u) * dot(v, from) - dot(u, v) * dot(u, from)) / area;
   const bool crosses = area > 0 && s >= 0 && s <= 1 && t >= 0 && t <= 1;
   return crosses ? squared(plus(plus(from, s, u), -t, v)) : std::numeric_limits<double>::infinity();
+}
+
+inline double squared_distance(const FloatVector& p, const FloatTriangle& t) {
+  return std::min({FloatFace(t).distance(p), distance_to_edge(p, t[0], t[1]),
+                   distance_to_edge(p, t[1], t[2]), distance_to_edge(p, t[2], t[0])});
 }
 
 inline double squared_distance(const FloatTriangle& a, const FloatTriangle& b) {
