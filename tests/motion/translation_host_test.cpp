@@ -15,8 +15,7 @@ constexpr long kOfAScene = 20;
 constexpr double kEnd = kMotionEnd;
 
 long motions() {
-  const char* const text = setting("FLASHBVH_MOTIONS");
-  return text != nullptr ? std::atol(text) : rounds(100'000L, 1'000'000L);
+  return number_in("FLASHBVH_MOTIONS", rounds(100'000L, 1'000'000L));
 }
 
 struct Found {

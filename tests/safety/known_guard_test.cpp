@@ -4,17 +4,16 @@
 #include "flashbvh/robot/image.hpp"
 #include "robot/known_robot.hpp"
 #include "support/all_distances.hpp"
+#include "support/arms/placed_links.hpp"
 #include "support/test.hpp"
 
 namespace {
 
 /// The distance of the hand from the wall, in 1/256 cell, rounded down.
-std::uint32_t true_distance(const Robot& robot, const JointCoordinate* values) {
-  JointCoordinate coordinates[2];
-  Frame frames[2];
-  REQUIRE(set_coordinates(robot, values, coordinates) == Status::done);
-  set_frames(robot, coordinates, frames);
-  const Pose pose = relative_pose(kIdentityFrame, frames[robot.links[1].joint]);
+std::uint32_t true_distance(const Robot& robot, const Values& values) {
+  const Values coordinates = coordinates_of(robot, values);
+  REQUIRE_FALSE(coordinates.empty());
+  const Pose pose = PlacedLinks(robot, coordinates).pose(0, 1);
   return lower_of(least_of(all_distances(robot.meshes[0], robot.meshes[1], pose)).squared);
 }
 
@@ -25,14 +24,13 @@ TEST_CASE("the known guard is free, warns and stops where brute force says so") 
   Robot robot{};
   REQUIRE(open_robot(detail::kKnownRobot, sizeof detail::kKnownRobot, meshes, 2, robot) ==
           Status::done);
-  REQUIRE(robot.links[robot.pairs[0].a].joint == kBase);
   const RobotPair& pair = robot.pairs[0];
   GuardStateOf<2, 1, 2> state;
   Guard guard(robot, state);
-  JointCoordinate values[2] = {detail::kKnownStart[0], detail::kKnownStart[1]};
+  Values values = {detail::kKnownStart[0], detail::kKnownStart[1]};
   std::uint32_t verdicts = 0;
   for (int i = 0; i < detail::kKnownPeriods; ++i) {
-    const GuardAnswer answer = guard.update(values, detail::kKnownWork);
+    const GuardAnswer answer = guard.update(values.data(), detail::kKnownWork);
     const std::uint32_t truth = true_distance(robot, values) + 1;
     CAPTURE(i, truth, answer.distance);
     REQUIRE(answer.status == Status::done);

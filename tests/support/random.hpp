@@ -44,6 +44,12 @@ inline const char* setting(const char* name) {
 #endif
 }
 
+/// An environment variable's number; `usual` if unset, and always on a board.
+inline long number_in(const char* name, long usual) {
+  const char* const text = setting(name);
+  return text != nullptr ? static_cast<long>(strtoull(text, nullptr, 0)) : usual;
+}
+
 /// Whether FLASHBVH_THOROUGH is set: random tests run all their rounds.
 inline bool is_thorough() {
   return setting("FLASHBVH_THOROUGH") != nullptr;

@@ -1,7 +1,5 @@
 // The guard's explanation of a pair: the nearest points, each joint's influence, and the warning.
-#include "flashbvh/robot/workcell.hpp"
 #include "support/arms/any_workcell.hpp"
-#include "support/arms/guarded_arm.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::tool;
@@ -11,19 +9,10 @@ namespace {
 /// An upper bound of the pair's motion per unit of the variable, in 1/256 cell.
 double reach_of(const Robot& robot, const RobotPair& pair, std::size_t variable) {
   double sum = 0;
-  const auto add = [&](std::uint8_t link, std::uint8_t count) {
-    std::uint8_t joint = robot.links[link].joint;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const RobotJoint& of = robot.joints[joint];
-      const double factor = std::ldexp(std::abs(of.multiplier), -of.shift);
-      const double reach =
-          std::ldexp(robot.reaches[robot.links[link].first_reach + i], -kReachBits);
-      sum += of.variable == variable ? reach * factor : 0;
-      joint = of.parent;
-    }
-  };
-  add(pair.a, pair.joints_a);
-  add(pair.b, pair.joints_b);
+  for_each_reach(robot, pair, [&](std::uint32_t joint, double reach) {
+    const RobotJoint& of = robot.joints[joint];
+    sum += of.variable == variable ? reach * std::ldexp(std::abs(of.multiplier), -of.shift) : 0;
+  });
   return sum;
 }
 
@@ -58,20 +47,17 @@ TEST_CASE("what is explained of a pair is where it is near, and how its joints m
         continue;  // rounding changes its direction too much
       }
       ++explained;
-      const auto point = [](const FinePoint& p) {
-        return Vector3{static_cast<double>(p.x) / 256 * kWorkcellCell,
-                       static_cast<double>(p.y) / 256 * kWorkcellCell,
-                       static_cast<double>(p.z) / 256 * kWorkcellCell};
-      };
+      constexpr double kFine = kWorkcellCell / 256;
       const auto seen_from = [&](std::uint8_t link, const FinePoint& p) {
-        return placed(inverse(cell->frame_of(link, before, 1)), point(p));
+        const Vector3 point = {double(p.x) * kFine, double(p.y) * kFine, double(p.z) * kFine};
+        return placed(inverse(cell->frame_of(link, before, 1)), point);
       };
       const Vector3 in_a = seen_from(pair.a, detail.nearest.point_a);
       const Vector3 in_b = seen_from(pair.b, detail.nearest.point_b);
       const auto distance_at = [&](const Values& values) {
         const Vector3 p = placed(cell->frame_of(pair.a, values, 1), in_a);
         const Vector3 q = placed(cell->frame_of(pair.b, values, 1), in_b);
-        return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / kWorkcellCell * 256;
+        return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / kFine;
       };
       CHECK(std::abs(distance_at(before) - detail.nearest.lower) < 4);
       double most = 0;

@@ -1,5 +1,7 @@
 // The guard on random arms against brute force, and the distance tables of these arms.
 // FLASHBVH_PERIODS sets the number of periods.
+#include <array>
+
 #include "flashbvh/detail/robot/distance_table.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "support/arms/guarded_arm.hpp"
@@ -10,16 +12,14 @@ using namespace flashbvh::tool;
 namespace {
 
 long periods() {
-  const char* const text = std::getenv("FLASHBVH_PERIODS");
-  return text != nullptr ? std::atol(text) : rounds(1500L, 6000L);
+  return number_in("FLASHBVH_PERIODS", rounds(1500L, 6000L));
 }
 
 constexpr std::uint32_t kBudgets[] = {1, 17, 60, 300, 2000, UINT32_MAX};
 constexpr double kSpeeds[] = {1e-4, 1e-3, 1e-2, 0.1};
 
-struct Verdicts {
-  long of[4] = {};
-};
+/// The number of periods with each verdict.
+using Verdicts = std::array<long, 4>;
 
 /// About 1,000 periods of one arm with one budget.
 void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count,
@@ -42,7 +42,7 @@ void walk(Random& random, const FixedArm& arm, const DrawnArm& drawn, long count
       CAPTURE(wrong, i, budget, answer.pair, answer.distance, static_cast<int>(answer.verdict));
       FAIL();
     }
-    ++counts.of[static_cast<int>(answer.verdict)];
+    ++counts[static_cast<std::size_t>(answer.verdict)];
     before = now;
   }
 }
@@ -55,10 +55,10 @@ struct TableCounts {
 /// Checks at random values that no exact distance is less than the distance table's value.
 TableCounts check_tables(const FixedArm& arm, Random& random) {
   TableCounts checked{};
-  std::vector<JointCoordinate> coordinates(arm.robot().joint_count);
   for (int i = 0; i < 2000; ++i) {
     const Values values = arm.any_values(random);
-    REQUIRE(set_coordinates(arm.robot(), values.data(), coordinates.data()) == Status::done);
+    const Values coordinates = coordinates_of(arm.robot(), values);
+    REQUIRE_FALSE(coordinates.empty());
     for (std::uint16_t pair = 0; pair < arm.robot().pair_count; ++pair) {
       const RobotPair& of = arm.robot().pairs[pair];
       const std::uint32_t distance =
@@ -78,7 +78,7 @@ TableCounts check_tables(const FixedArm& arm, Random& random) {
 
 TEST_CASE("no verdict is contradicted on random arms, whatever the budget") {
   Random random = test_random();
-  Verdicts counts;
+  Verdicts counts{};
   constexpr long kAtOnce = 200;
   constexpr long kOfArm = 3;
   std::unique_ptr<FixedArm> arm;
@@ -92,8 +92,8 @@ TEST_CASE("no verdict is contradicted on random arms, whatever the budget") {
     }
     walk(random, *arm, *drawn, kAtOnce, counts);
   }
-  CAPTURE(counts.of[0], counts.of[1], counts.of[2], counts.of[3]);
-  for (const long of : counts.of) {
+  CAPTURE(counts[0], counts[1], counts[2], counts[3]);
+  for (const long of : counts) {
     CHECK(of > 0);  // the test meets each verdict
   }
 }
@@ -118,7 +118,7 @@ TEST_CASE("a distance table for which there was no time leaves the guard sound")
       CHECK((looks != 0 || checked.places == 0));
       cut += checked.places != 0 && *deadline.looks < 0 ? 1 : 0;
       const DrawnArm drawn(arm);
-      Verdicts counts;
+      Verdicts counts{};
       walk(random, arm, drawn, 100, counts);
     }
   });

@@ -1,7 +1,7 @@
 // Kinematics in fixed point against long doubles, and against the host program's doubles.
-#include "flashbvh/robot/kinematics.hpp"
 #include "lattice/sine.hpp"
 #include "support/arms/fixed_arm.hpp"
+#include "support/oracles/float_distance.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::tool;
@@ -16,53 +16,17 @@ long double sine_error(std::uint32_t turn) {
                   std::fabs(at.cosine - std::cos(angle) * kRotationOne));
 }
 
-double length(const Vector3& v) {
-  return std::hypot(v[0], v[1], v[2]);
-}
-
-Vector3 moved(const Frame& frame, const Vector3& p) {
-  Vector3 at{};
-  for (int i = 0; i < 3; ++i) {
-    at[i] = 1.0 * frame.translation[i] / kFrameCell;
-    for (int j = 0; j < 3; ++j) {
-      at[i] += std::ldexp(frame.rotation[i][j] * p[j], -30);
-    }
-  }
-  return at;
-}
-
-Vector3 moved(const Pose& pose, const Vector3& p) {
-  Vector3 at{};
-  for (int i = 0; i < 3; ++i) {
-    at[i] = pose.translation(i) + pose.fraction(i) / 65536.0;
-    for (int j = 0; j < 3; ++j) {
-      at[i] += std::ldexp(pose.rotation(i, j) * p[j], -30);
-    }
-  }
-  return at;
-}
-
-/// A point that the transform moves, in cells.
-Vector3 moved(const Transform& transform, const Vector3& p, double cell) {
-  Vector3 at = placed(transform, {p[0] * cell, p[1] * cell, p[2] * cell});
-  for (double& coordinate : at) {
+/// A transform in metres, in cells.
+Transform in_cells(Transform transform, double cell) {
+  for (double& coordinate : transform.translation) {
     coordinate /= cell;
   }
-  return at;
+  return transform;
 }
 
-double apart(const Vector3& p, const Vector3& q) {
-  return length({p[0] - q[0], p[1] - q[1], p[2] - q[2]});
-}
-
-std::vector<Vector3> vertices_of(const Mesh& mesh) {
-  std::vector<Vector3> points;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    const Vertex& v = mesh.vertices[i];
-    points.push_back(
-        {1.0 * mesh.origin[0] + v.x, 1.0 * mesh.origin[1] + v.y, 1.0 * mesh.origin[2] + v.z});
-  }
-  return points;
+/// The distance between the places to which two transforms move a point.
+double apart(const Transform& t, const Transform& u, const Vector3& p) {
+  return std::sqrt(squared(minus(placed(t, p), placed(u, p))));
 }
 
 /// The largest errors seen, as parts of the allowed ones.
@@ -74,34 +38,29 @@ struct Worst {
 /// `kinematics`: the allowed error of one link, in cells.
 void look(const FixedArm& arm, const Values& values, double kinematics, Worst& worst) {
   const Robot& robot = arm.robot();
-  std::vector<JointCoordinate> coordinates(robot.joint_count);
-  REQUIRE(set_coordinates(robot, values.data(), coordinates.data()) == Status::done);
-  std::vector<Frame> frames(robot.joint_count);
-  set_frames(robot, coordinates.data(), frames.data());
+  const Values coordinates = coordinates_of(robot, values);
+  REQUIRE_FALSE(coordinates.empty());
+  const PlacedLinks links(robot, coordinates);
   const std::vector<double> variables = arm.variables(values);
   const std::vector<Transform> exact = frames_of(arm.model, variables);
-  const auto frame = [&](std::size_t link) {
-    return robot.links[link].joint == kBase ? kIdentityFrame : frames[robot.links[link].joint];
-  };
-  for (std::size_t b = 0; b < robot.link_count; ++b) {
+  for (std::uint8_t b = 0; b < robot.link_count; ++b) {
     const std::vector<Vector3> points = vertices_of(robot.meshes[b]);
-    if (robot.links[b].joint != kBase) {
-      for (const Vector3& p : points) {
-        const double off =
-            apart(moved(frame(b), p), moved(exact[robot.links[b].joint], p, arm.arm.cell()));
-        worst.frame = std::max(worst.frame, off / kinematics);
-      }
+    const Transform frame = transform_of(links.frame_of(b));
+    const std::uint8_t joint = robot.links[b].joint;
+    const Transform truth = joint == kBase ? frame : in_cells(exact[joint], arm.arm.cell());
+    for (const Vector3& p : points) {
+      worst.frame = std::max(worst.frame, apart(frame, truth, p) / kinematics);
     }
-    for (std::size_t a = 0; a < b; ++a) {
-      const Pose pose = relative_pose(frame(a), frame(b));
+    for (std::uint8_t a = 0; a < b; ++a) {
+      const Pose pose = links.pose(a, b);
       REQUIRE(pose.status() == Status::done);
-      const Transform between =
-          frame_between(arm.model, joints_between(arm.model, a, b), variables);
+      const Transform between = in_cells(
+          frame_between(arm.model, joints_between(arm.model, a, b), variables), arm.arm.cell());
       for (const Vector3& p : points) {
         // A pose rounds its entries to 2^-22.
         const double rounding =
             std::sqrt(3) * ((std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2])) * 0x1p-23);
-        const double off = apart(moved(pose, p), moved(between, p, arm.arm.cell()));
+        const double off = apart(transform_of(pose), between, p);
         worst.pose = std::max(worst.pose, (off - rounding) / (2 * kinematics));
       }
     }
@@ -124,10 +83,10 @@ Model on_lattice(Model model, double cell) {
 
 // FLASHBVH_SINES=1 tests all 2^32 angles.
 TEST_CASE("sine and cosine are within 2^-29") {
-  const char* const text = std::getenv("FLASHBVH_SINES");
-  const std::uint64_t stride = text != nullptr ? std::strtoull(text, nullptr, 0) : 49'999;
+  const long stride = number_in("FLASHBVH_SINES", 49'999);
   long double worst = 0;
-  for (std::uint64_t turn = 0; turn < (std::uint64_t{1} << 32); turn += stride) {
+  for (std::uint64_t turn = 0; turn < (std::uint64_t{1} << 32);
+       turn += static_cast<std::uint64_t>(stride)) {
     worst = std::max(worst, sine_error(static_cast<std::uint32_t>(turn)));
   }
   for (std::uint32_t edge = 0; edge < 8; ++edge) {

@@ -2,40 +2,19 @@
 #include "robot/levers.hpp"
 
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/robot/kinematics.hpp"
 #include "robot/coordinate.hpp"
-#include "support/arms/fixed_arm.hpp"
 #include "support/arms/guarded_arm.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-struct Posed {
-  Posed(const Robot& of, const std::vector<JointCoordinate>& coordinates)
-      : robot(of), frames(of.joint_count) {
-    set_frames(robot, coordinates.data(), frames.data());
-  }
-  const Frame& frame_of(const RobotLink& link) const {
-    return detail::frame_of(frames.data(), link.joint);
-  }
-  Clearance<std::uint16_t> clearance(const RobotPair& pair) const {
-    const Pose pose = relative_pose(frame_of(robot.links[pair.a]), frame_of(robot.links[pair.b]));
-    return clearance_of(robot.meshes[pair.a], robot.meshes[pair.b], pose);
-  }
-  static Clearance<std::uint16_t> clearance_of(const Mesh& a, const Mesh& b, const Pose& pose) {
-    ClearanceQuery query(a, b, pose);
-    (void)query.run(UINT32_MAX);
-    return query.result();
-  }
-
-  const Robot& robot;
-  std::vector<Frame> frames;
-};
+Clearance<std::uint16_t> clearance(const PlacedLinks& at, const RobotPair& pair) {
+  return distance(at.robot.meshes[pair.a], at.robot.meshes[pair.b], at.pose(pair.a, pair.b));
+}
 
 /// The travel from `from` to `to`, by levers at `from`.
-std::uint32_t travel_between(const RobotPair& pair, const Posed& at,
-                             const std::vector<JointCoordinate>& from,
-                             const std::vector<JointCoordinate>& to) {
+std::uint32_t travel_between(const RobotPair& pair, const PlacedLinks& at, const Values& from,
+                             const Values& to) {
   std::vector<std::uint8_t> shares(at.robot.joint_count);
   detail::set_shares(at.robot, pair, at.frames.data(), shares.data());
   detail::LeverTravel travel;
@@ -47,44 +26,29 @@ std::uint32_t travel_between(const RobotPair& pair, const Posed& at,
 }
 
 /// The distance of the link's farthest vertex from the joint's axis, in cells.
-double farthest_from_axis(const Posed& at, std::uint32_t joint, std::uint8_t number) {
-  const RobotLink& link = at.robot.links[number];
-  const Mesh& mesh = at.robot.meshes[number];
-  const Frame& of_link = at.frame_of(link);
-  const Frame& of_joint = at.frames[joint];
+double farthest_from_axis(const PlacedLinks& at, std::uint32_t joint, std::uint8_t link) {
+  const Transform seen =
+      composed(inverse(transform_of(at.frames[joint])), transform_of(at.frame_of(link)));
   double most = 0;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    const Vertex& v = mesh.vertices[i];
-    const double own[3] = {1.0 * mesh.origin[0] + v.x, 1.0 * mesh.origin[1] + v.y,
-                           1.0 * mesh.origin[2] + v.z};
-    double along = 0;
-    double squared = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      double off = 1.0 * (of_link.translation[axis] - of_joint.translation[axis]) / kFrameCell;
-      for (int k = 0; k < 3; ++k) {
-        off += std::ldexp(of_link.rotation[axis][k] * own[k], -30);
-      }
-      along += std::ldexp(of_joint.rotation[axis][2] * off, -30);
-      squared += off * off;
-    }
-    most = std::max(most, std::sqrt(std::max(0.0, squared - along * along)));
+  for (const Vector3& vertex : vertices_of(at.robot.meshes[link])) {
+    const Vector3 p = placed(seen, vertex);
+    most = std::max(most, std::hypot(p[0], p[1]));
   }
   return most;
 }
 
 /// The travel of the farthest vertices on a straight joint motion, in small steps, in 1/256 cell.
-double way_of_vertices(const RobotPair& pair, const Robot& robot,
-                       const std::vector<JointCoordinate>& from,
-                       const std::vector<JointCoordinate>& to) {
+double way_of_vertices(const RobotPair& pair, const Robot& robot, const Values& from,
+                       const Values& to) {
   constexpr int kSteps = 24;
   double sum = 0;
   for (int step = 0; step < kSteps; ++step) {
-    std::vector<JointCoordinate> middle(from);
+    Values middle(from);
     for (std::size_t i = 0; i < from.size(); ++i) {
       const double way = 1.0 * to[i] - from[i];
       middle[i] = static_cast<JointCoordinate>(from[i] + way * (step + 0.5) / kSteps);
     }
-    const Posed at(robot, middle);
+    const PlacedLinks at(robot, middle);
     std::uint32_t passed = 0;
     detail::for_each_between(robot, pair, [&](std::uint32_t number, std::uint32_t reach) {
       const RobotJoint& joint = robot.joints[number];
@@ -113,10 +77,8 @@ Values near_values(const FixedArm& arm, const Values& from, Random& random) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     const RobotJoint& joint = arm.joint_of(i);
     const std::int64_t at = std::int64_t{to[i]} + random.between(-most, most);
-    to[i] =
-        arm.is_free(i)
-            ? static_cast<JointCoordinate>(at)
-            : static_cast<JointCoordinate>(std::clamp<std::int64_t>(at, joint.lower, joint.upper));
+    to[i] = static_cast<JointCoordinate>(
+        arm.is_free(i) ? at : std::clamp<std::int64_t>(at, joint.lower, joint.upper));
   }
   return to;
 }
@@ -142,8 +104,8 @@ TEST_CASE("no links come nearer to each other than levers say, often less than r
   for_rounds(rounds(20, 600), [&](Random& random, int) {
     const FixedArm arm = any_guarded_arm(random, 3 + random.below(4), 1e-3);
     const Robot& robot = arm.robot();
-    std::vector<JointCoordinate> from(robot.joint_count);
-    std::vector<JointCoordinate> to(robot.joint_count);
+    Values from(robot.joint_count);
+    Values to(robot.joint_count);
     for (int i = 0; i < 20; ++i) {
       const Values values = arm.any_values(random);
       REQUIRE(set_coordinates(robot, values.data(), from.data()) == Status::done);
@@ -151,8 +113,8 @@ TEST_CASE("no links come nearer to each other than levers say, often less than r
           Status::done) {
         continue;  // over a turn apart
       }
-      const Posed before(robot, from);
-      const Posed after(robot, to);
+      const PlacedLinks before(robot, from);
+      const PlacedLinks after(robot, to);
       for (std::uint32_t j = 0; j < robot.pair_count; ++j) {
         const RobotPair& pair = robot.pairs[j];
         const std::uint32_t travel = travel_between(pair, before, from, to);
@@ -161,8 +123,8 @@ TEST_CASE("no links come nearer to each other than levers say, often less than r
           sum.add_short(reach, detail::apart(from[joint], to[joint]));
         });
         const std::uint32_t by_reaches = sum.fine();
-        const Clearance<std::uint16_t> was = before.clearance(pair);
-        const Clearance<std::uint16_t> is = after.clearance(pair);
+        const Clearance<std::uint16_t> was = clearance(before, pair);
+        const Clearance<std::uint16_t> is = clearance(after, pair);
         if (was.status != Status::done || is.status != Status::done || !is.in_range) {
           continue;
         }

@@ -12,11 +12,6 @@ namespace {
 /// The stop distance, in cells.
 constexpr double kStop = 100;
 
-long number_in(const char* name, long usual) {
-  const char* const text = setting(name);
-  return text != nullptr ? std::atol(text) : usual;
-}
-
 bool is_contradicted(const BakedArm& arm, const PairVerdict& pair,
                      const std::vector<double>& variables) {
   return pair.verdict == MatrixVerdict::never &&

@@ -27,23 +27,17 @@ MotionAnswer in_slices(MotionQuery& query, std::uint32_t work) {
 /// Whether the pair intersects at the reported moment, as the query places it.
 bool is_hit(const FixedArm& arm, const MotionAnswer& answer, const Values& values) {
   const RobotPair& pair = arm.robot().pairs[answer.pair];
-  JointCoordinate coordinates[8];
-  Frame frames[8];
-  if (set_coordinates(arm.robot(), values.data(), coordinates) != Status::done) {
+  const Values coordinates = coordinates_of(arm.robot(), values);
+  if (coordinates.empty()) {
     return false;
   }
-  set_frames(arm.robot(), coordinates, frames);
-  const auto frame = [&](std::uint8_t link) {
-    const std::uint8_t joint = arm.robot().links[link].joint;
-    return joint == kBase ? kIdentityFrame : frames[joint];
-  };
-  const Pose pose = relative_pose(frame(pair.a), frame(pair.b));
-  PairQuery query(arm.robot().meshes[pair.a], arm.robot().meshes[pair.b], pose);
+  const Pose pose = PlacedLinks(arm.robot(), coordinates).pose(pair.a, pair.b);
   bool found = false;
-  (void)query.run(UINT32_MAX, [&](const TrianglePair<std::uint16_t>& triangles) {
-    found = found || (triangles.a == answer.triangles.a && triangles.b == answer.triangles.b);
-    return !found;
-  });
+  (void)for_each_pair(
+      arm.robot().meshes[pair.a], arm.robot().meshes[pair.b], pose, [&](const auto& triangles) {
+        found = found || (triangles.a == answer.triangles.a && triangles.b == answer.triangles.b);
+        return !found;
+      });
   return found;
 }
 

@@ -12,22 +12,12 @@ constexpr std::uint32_t kTwoCells = 512;
 /// The travel of a pair by the joints between its links, and by the obstacle, in 1/256 cell.
 double travel_of(const Robot& robot, const RobotPair& pair, const NearMoment& from,
                  const NearMoment& to) {
-  std::vector<JointCoordinate> before(robot.joint_count);
-  std::vector<JointCoordinate> now(robot.joint_count);
-  (void)set_coordinates(robot, from.values.data(), before.data());
-  (void)set_coordinates(robot, to.values.data(), now.data());
+  const Values before = coordinates_of(robot, from.values);
+  const Values now = coordinates_of(robot, to.values);
   double sum = 0;
-  const auto add = [&](std::uint8_t link, std::uint32_t count) {
-    std::uint32_t joint = robot.links[link].joint;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      sum += std::ldexp(double(robot.reaches[robot.links[link].first_reach + i]) *
-                            std::abs(double(now[joint]) - before[joint]),
-                        -kReachBits);
-      joint = robot.joints[joint].parent;
-    }
-  };
-  add(pair.a, pair.joints_a);
-  add(pair.b, pair.joints_b);
+  for_each_reach(robot, pair, [&](std::uint32_t joint, double reach) {
+    sum += reach * std::abs(double(now[joint]) - before[joint]);
+  });
   return sum;
 }
 
@@ -105,7 +95,7 @@ void GuardedMoves::count_stop(const NearMove& move, std::size_t at) {
   const Robot& robot = scene_.robot();
   const std::int64_t least = std::max<std::int64_t>(
       0, std::min(move.excess(at), move.excess(at == 0 ? 0 : at - 1)) - robot.slack);
-  const double over = static_cast<double>(least) / 256 * cell_of(robot) * 1000;
+  const double over = static_cast<double>(least) / 256 * tool::cell_of(robot) * 1000;
   ++counts_.stops;
   counts_.sum_over += over;
   counts_.most_over = std::max(counts_.most_over, over);

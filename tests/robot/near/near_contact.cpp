@@ -12,11 +12,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <string>
 
-#include "flashbvh/robot/image.hpp"
 #include "guarded_moves.hpp"
+#include "robot/baked/robot_file.hpp"
 #include "support/arms/guarded_arm.hpp"
 
 using namespace flashbvh;
@@ -26,14 +25,6 @@ namespace {
 
 constexpr std::uint32_t kBudgets[] = {500, 2000, UINT32_MAX - 1};
 constexpr int kMovesOfPlace = 8;
-
-std::vector<std::uint32_t> words_of(const char* path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  std::vector<std::uint32_t> words(bytes.size() / 4 + 1);
-  std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(words.data()));
-  return words;
-}
 
 void print(const GuardedMoves& moves) {
   const NearCounts& of = moves.counts();
@@ -50,8 +41,21 @@ void print(const GuardedMoves& moves) {
       static_cast<double>(of.work) / static_cast<double>(of.periods), of.most_work);
 }
 
+using Guards = std::vector<std::unique_ptr<GuardedMoves>>;
+
+/// A guard for each budget.
+template <std::size_t count>
+Guards guards_of(const Robot& robot, const NearOptions& options,
+                 const std::uint32_t (&budgets)[count]) {
+  Guards guarded;
+  for (const std::uint32_t budget : budgets) {
+    guarded.push_back(std::make_unique<GuardedMoves>(robot, options, budget));
+  }
+  return guarded;
+}
+
 /// Runs all guards along the same moves from a place.
-void run_at_place(const std::vector<std::unique_ptr<GuardedMoves>>& guarded, NearMoves& moves) {
+void run_at_place(const Guards& guarded, NearMoves& moves) {
   for (const auto& of : guarded) {
     of->begin(moves.place());
   }
@@ -67,10 +71,7 @@ int guard_moves(const Robot& robot, const NearOptions& options, long periods, st
   Random random(seed);
   const NearScene scene(robot, options);
   NearMoves moves(scene, options, random);
-  std::vector<std::unique_ptr<GuardedMoves>> guarded;
-  for (const std::uint32_t budget : kBudgets) {
-    guarded.push_back(std::make_unique<GuardedMoves>(robot, options, budget));
-  }
+  const Guards guarded = guards_of(robot, options, kBudgets);
   while (guarded[0]->counts().periods < periods) {
     if (!moves.find_place()) {
       std::fprintf(stderr,
@@ -95,33 +96,22 @@ int guard_moves(const Robot& robot, const NearOptions& options, long periods, st
   return unsound != 0 ? 1 : 0;
 }
 
-/// The robot of an image, with its words and meshes.
-struct ReadRobot {
-  std::vector<std::uint32_t> words;
-  std::vector<Mesh> meshes = std::vector<Mesh>(kMaxLinks);
-  Robot robot{};
-
-  bool read(const char* path) {
-    words = words_of(path);
-    const Status status =
-        open_robot(words.data(), words.size() * 4, meshes.data(), kMaxLinks, robot);
-    if (status != Status::done) {
-      std::fprintf(stderr, "%s: no robot image (%s)\n", path, status_name(status));
-    }
-    return status == Status::done;
+/// The robot of an image, or null, with a message.
+std::unique_ptr<tool::RobotFile> read(const char* path) {
+  try {
+    return std::make_unique<tool::RobotFile>(path);
+  } catch (const tool::UserError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return nullptr;
   }
-};
+}
 
 /// Sums over all seeds of a robot.
 struct SoundCounts {
   long seeds = 0;
   long places = 0;
-  long periods = 0;
-  long not_yet_known = 0;
-  long warned = 0;
-  long stops = 0;
   long queries = 0;
-  long unsound = 0;
+  NearCounts of;
 };
 
 constexpr int kPlacesOfSeed = 10;
@@ -136,10 +126,7 @@ void guard_seed(const Robot& robot, std::uint64_t seed, SoundCounts& counts) {
   Random random(seed);
   const NearScene scene(robot, options);
   NearMoves moves(scene, options, random);
-  std::vector<std::unique_ptr<GuardedMoves>> guarded;
-  for (const std::uint32_t budget : kSoundBudgets) {
-    guarded.push_back(std::make_unique<GuardedMoves>(robot, options, budget));
-  }
+  const Guards guarded = guards_of(robot, options, kSoundBudgets);
   for (int place = 0; place < kPlacesOfSeed && moves.find_place(400); ++place) {
     ++counts.places;
     run_at_place(guarded, moves);
@@ -148,11 +135,11 @@ void guard_seed(const Robot& robot, std::uint64_t seed, SoundCounts& counts) {
   counts.queries += scene.oracle().queries();
   for (const auto& of : guarded) {
     const NearCounts& more = of->counts();
-    counts.periods += more.periods;
-    counts.not_yet_known += more.not_yet_known;
-    counts.warned += more.warned;
-    counts.stops += more.stops;
-    counts.unsound += more.unsound;
+    counts.of.periods += more.periods;
+    counts.of.not_yet_known += more.not_yet_known;
+    counts.of.warned += more.warned;
+    counts.of.stops += more.stops;
+    counts.of.unsound += more.unsound;
     if (more.unsound != 0) {
       std::fprintf(stderr, "seed %llu, work %u: %ld unsound\n",
                    static_cast<unsigned long long>(seed), of->budget(), more.unsound);
@@ -164,8 +151,8 @@ void guard_seed(const Robot& robot, std::uint64_t seed, SoundCounts& counts) {
 bool is_sound(const char* name, double seconds) {
   using Clock = std::chrono::steady_clock;
   const bool is_generated = std::strcmp(name, "arms") == 0;
-  ReadRobot read;
-  if (!is_generated && !read.read(name)) {
+  const auto file = is_generated ? nullptr : read(name);
+  if (!is_generated && !file) {
     return false;
   }
   SoundCounts counts;
@@ -177,14 +164,15 @@ bool is_sound(const char* name, double seconds) {
       const FixedArm arm = any_guarded_arm(random, 3 + random.below(4), 1e-3);
       guard_seed(arm.robot(), seed, counts);
     } else {
-      guard_seed(read.robot, seed, counts);
+      guard_seed(file->robot(), seed, counts);
     }
   }
+  const NearCounts& of = counts.of;
   std::printf("| %s | %ld | %ld | %ld | %ld | %ld | %ld | %ld | %.0f | %ld |\n", name, counts.seeds,
-              counts.places, counts.periods, counts.warned, counts.not_yet_known, counts.stops,
-              counts.queries, static_cast<double>(counts.periods) / since(), counts.unsound);
+              counts.places, of.periods, of.warned, of.not_yet_known, of.stops, counts.queries,
+              static_cast<double>(of.periods) / since(), of.unsound);
   std::fflush(stdout);
-  return counts.unsound == 0;
+  return of.unsound == 0;
 }
 
 int check_soundness(double seconds, const char* const* names) {
@@ -212,13 +200,13 @@ int main(int count, char** arguments) {
         "       flashbvh_near_contact --sound SECONDS ROBOT...\n");
     return 2;
   }
-  ReadRobot read;
-  if (!read.read(arguments[1])) {
+  const auto file = read(arguments[1]);
+  if (!file) {
     return 2;
   }
   NearOptions options;
   options.turn = count > 4 ? std::atof(arguments[4]) : options.turn;
   options.has_obstacle = count > 5;
-  return guard_moves(read.robot, options, count > 2 ? std::atol(arguments[2]) : 20000,
+  return guard_moves(file->robot(), options, count > 2 ? std::atol(arguments[2]) : 20000,
                      count > 3 ? std::strtoull(arguments[3], nullptr, 0) : 1);
 }

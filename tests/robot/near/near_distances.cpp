@@ -3,21 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/oracles/float_distance.hpp"
+
 namespace flashbvh::test {
 namespace {
 
 constexpr double kFine = 256;
 /// Placing rounds a vertex by less than a cell (lib/docs/derivations.md, "Robots").
 constexpr double kPlaced = 1;
-
-template <class Visit>
-void for_each_corner(const std::array<double, 3>& low, const std::array<double, 3>& high,
-                     const Visit& visit) {
-  for (unsigned i = 0; i < 8; ++i) {
-    visit(std::array<double, 3>{(i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1],
-                                (i & 4) != 0 ? high[2] : low[2]});
-  }
-}
 
 std::int64_t rounded_down(double cells) {
   return static_cast<std::int64_t>(std::floor(cells * kFine));
@@ -32,61 +25,40 @@ NearOracle::NearOracle(const Robot& robot) : robot_(robot), measured_(robot.pair
 }
 
 NearOracle::Box3 NearOracle::box_of(const Mesh& mesh) {
-  Box3 box;
-  box.low.fill(HUGE_VAL);
-  box.high.fill(-HUGE_VAL);
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    const Vertex& v = mesh.vertices[i];
-    const double along[3] = {double(v.x), double(v.y), double(v.z)};
+  const std::vector<Vector3> vertices = vertices_of(mesh);
+  Box3 box = {vertices[0], vertices[0]};
+  for (const Vector3& v : vertices) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], along[axis] + mesh.origin[axis]);
-      box.high[axis] = std::max(box.high[axis], along[axis] + mesh.origin[axis]);
+      box.low[axis] = std::min(box.low[axis], v[axis]);
+      box.high[axis] = std::max(box.high[axis], v[axis]);
     }
   }
   return box;
 }
 
-NearOracle::Placement NearOracle::placement_of(const Pose& pose) {
-  Placement made;
-  for (int i = 0; i < 3; ++i) {
-    auto& row = made[static_cast<std::size_t>(i)];
-    for (int j = 0; j < 3; ++j) {
-      row[static_cast<std::size_t>(j)] = std::ldexp(pose.rotation(i, j), -30);
-    }
-    row[3] = pose.translation(i) + std::ldexp(pose.fraction(i), -16);
-  }
-  return made;
-}
-
 /// The largest travel of a point of the box, in cells.
-double NearOracle::moved(const Box3& box, const Placement& from, const Placement& to) {
-  Placement change;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      change[i][j] = to[i][j] - from[i][j];
-    }
-  }
+double NearOracle::moved(const Box3& box, const Transform& from, const Transform& to) {
   double most = 0;
-  for_each_corner(box.low, box.high, [&](const Point3& p) {
-    double squared = 0;
-    for (const auto& row : change) {
-      const double along = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
-      squared += along * along;
-    }
-    most = std::max(most, squared);
-  });
+  for (unsigned i = 0; i < 8; ++i) {
+    const Vector3 corner = {(i & 1) != 0 ? box.high[0] : box.low[0],
+                            (i & 2) != 0 ? box.high[1] : box.low[1],
+                            (i & 4) != 0 ? box.high[2] : box.low[2]};
+    most = std::max(most, squared(minus(placed(to, corner), placed(from, corner))));
+  }
   return std::sqrt(most);
 }
 
 /// The gap between A's box and the axis-aligned box of B's box in A's frame, in cells.
-double NearOracle::gap(const Box3& a, const Box3& b, const Placement& b_in_a) {
+double NearOracle::gap(const Box3& a, const Box3& b, const Transform& b_in_a) {
   double squared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    double low = b_in_a[i][3];
-    double high = b_in_a[i][3];
+    double low = b_in_a.translation[i];
+    double high = low;
     for (std::size_t j = 0; j < 3; ++j) {
-      low += std::min(b_in_a[i][j] * b.low[j], b_in_a[i][j] * b.high[j]);
-      high += std::max(b_in_a[i][j] * b.low[j], b_in_a[i][j] * b.high[j]);
+      const auto [least, most] =
+          std::minmax({b_in_a.rotation[i][j] * b.low[j], b_in_a.rotation[i][j] * b.high[j]});
+      low += least;
+      high += most;
     }
     const double apart = std::max({0.0, a.low[i] - high, low - a.high[i]});
     squared += apart * apart;
@@ -97,7 +69,7 @@ double NearOracle::gap(const Box3& a, const Box3& b, const Placement& b_in_a) {
 NearBounds NearOracle::bounds(std::uint32_t pair, const Pose& pose) const {
   const Box3& a = boxes_[robot_.pairs[pair].a];
   const Box3& b = boxes_[robot_.pairs[pair].b];
-  const Placement at = placement_of(pose);
+  const Transform at = transform_of(pose);
   NearBounds found;
   const Measured& last = measured_[pair];
   if (last.is_known) {
@@ -117,7 +89,7 @@ NearBounds NearOracle::measured(std::uint32_t pair, const Pose& pose) {
   const Clearance<std::uint16_t> found =
       distance(robot_.meshes[of.a], robot_.meshes[of.b], pose, last.hint);
   last.is_known = true;
-  last.at = placement_of(pose);
+  last.at = transform_of(pose);
   last.lower = found.lower;
   last.upper = found.upper == UINT32_MAX ? INT64_MAX : std::int64_t{found.upper};
   last.hint = found.in_range ? found.witness : Witness<std::uint16_t>();

@@ -4,12 +4,11 @@
 // farthest bounds the travel of all its points: the difference of two placements is affine.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/robot/robot.hpp"
+#include "support/arms/placed_links.hpp"
 
 namespace flashbvh::test {
 
@@ -32,25 +31,21 @@ class NearOracle {
   long queries() const { return queries_; }
 
  private:
-  using Point3 = std::array<double, 3>;
   struct Box3 {
-    Point3 low;
-    Point3 high;
+    Vector3 low;
+    Vector3 high;
   };
-  /// Three rows of a rotation and a translation, in cells.
-  using Placement = std::array<std::array<double, 4>, 3>;
   struct Measured {
     bool is_known = false;
-    Placement at;
+    Transform at;  ///< in cells
     std::int64_t lower;
     std::int64_t upper;
     Witness<std::uint16_t> hint;
   };
 
-  static Placement placement_of(const Pose& pose);
   static Box3 box_of(const Mesh& mesh);
-  static double moved(const Box3& box, const Placement& from, const Placement& to);
-  static double gap(const Box3& a, const Box3& b, const Placement& b_in_a);
+  static double moved(const Box3& box, const Transform& from, const Transform& to);
+  static double gap(const Box3& a, const Box3& b, const Transform& b_in_a);
 
   const Robot& robot_;
   std::vector<Box3> boxes_;

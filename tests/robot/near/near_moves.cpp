@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "flashbvh/robot/kinematics.hpp"
+#include "robot/baked/fixed_robot.hpp"
 
 namespace flashbvh::test {
 namespace {
@@ -35,12 +34,6 @@ std::uint32_t fine(double metres, double cell) {
 
 }  // namespace
 
-double cell_of(const Robot& robot) {
-  double cell = 0;
-  std::memcpy(&cell, &robot.cell_bits, sizeof cell);
-  return cell;
-}
-
 NearScene::NearScene(const Robot& robot, const NearOptions& options)
     : memory_(new NearCell), workcell_(robot, *memory_) {
   if (options.has_obstacle) {
@@ -50,7 +43,7 @@ NearScene::NearScene(const Robot& robot, const NearOptions& options)
 }
 
 void NearScene::add_obstacle(const NearOptions& options) {
-  const double cell = cell_of(robot());
+  const double cell = tool::cell_of(robot());
   const double half = kSide / 2;
   add_link(model_, tool::kNoJoint, box({-half, -half, -half}, {half, half, half}));
   body_ = std::make_unique<BakedArm>(model_, cell);
@@ -72,22 +65,17 @@ void NearScene::move(const Frame& frame, std::uint32_t moved) {
 
 std::vector<Pose> NearScene::poses(const NearMoment& moment) const {
   const Robot& robot = this->robot();
-  std::vector<JointCoordinate> coordinates(robot.joint_count);
-  std::vector<Frame> frames(robot.joint_count);
-  if (set_coordinates(robot, moment.values.data(), coordinates.data()) != Status::done) {
+  const Values coordinates = coordinates_of(robot, moment.values);
+  if (coordinates.empty()) {
     return {};
   }
-  set_frames(robot, coordinates.data(), frames.data());
+  PlacedLinks links(robot, coordinates);
   if (has_obstacle()) {
-    frames.back() = moment.obstacle;
+    links.frames.back() = moment.obstacle;
   }
-  const auto frame_of = [&](std::uint8_t link) {
-    const std::uint8_t joint = robot.links[link].joint;
-    return joint == kBase ? kIdentityFrame : frames[joint];
-  };
   std::vector<Pose> all;
   for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
-    all.push_back(relative_pose(frame_of(robot.pairs[i].a), frame_of(robot.pairs[i].b)));
+    all.push_back(links.pose(robot.pairs[i].a, robot.pairs[i].b));
   }
   return all;
 }
@@ -133,7 +121,7 @@ std::int64_t NearMove::excess(std::size_t i) const {
 }
 
 NearMoves::NearMoves(const NearScene& scene, const NearOptions& options, Random& random)
-    : scene_(scene), options_(options), random_(random), cell_(cell_of(scene.robot())) {
+    : scene_(scene), options_(options), random_(random), cell_(tool::cell_of(scene.robot())) {
   const Robot& robot = scene.robot();
   joints_.resize(robot.variable_count);
   for (std::uint32_t i = robot.joint_count; i-- != 0;) {
@@ -146,8 +134,7 @@ NearMoves::NearMoves(const NearScene& scene, const NearOptions& options, Random&
 }
 
 double NearMoves::unit_of(std::size_t variable) const {
-  return joint_of(variable).type == JointType::prismatic ? cell_ / kFrameCell
-                                                         : 2 * tool::kPi / kFullTurn;
+  return tool::unit_of_coordinate(joint_of(variable).type, cell_);
 }
 
 JointCoordinate NearMoves::kept(std::size_t variable, double value) const {

@@ -10,7 +10,6 @@
 #include "flashbvh/robot/workcell.hpp"
 #include "near_distances.hpp"
 #include "support/arms/arms.hpp"
-#include "support/random.hpp"
 
 namespace flashbvh::test {
 
@@ -26,12 +25,11 @@ struct NearOptions {
   double obstacle_warn = 0.01;
 };
 
-using NearValues = std::vector<JointCoordinate>;
 using NearCell = WorkcellOf<kMaxJoints, kMaxLinks, 512, 4096>;
 
 /// Joint values and the obstacle's frame at one moment.
 struct NearMoment {
-  NearValues values;
+  Values values;
   Frame obstacle = kIdentityFrame;
 };
 
@@ -148,7 +146,5 @@ class NearMoves {
   std::vector<bool> is_always_near_;
   NearMoment place_;
 };
-
-double cell_of(const Robot& robot);
 
 }  // namespace flashbvh::test

@@ -72,22 +72,21 @@ TEST_CASE("no joint moves a tool farther than its reach") {
     const auto cell = std::make_unique<CrowdedCell>(random);
     const Robot& robot = cell->robot();
     const RobotLink& tool = robot.links[cell->links[0]];
-    const Mesh& mesh = robot.meshes[cell->links[0]];
+    const std::vector<Vector3> vertices = vertices_of(robot.meshes[cell->links[0]]);
     for (int i = 0; i < 200; ++i) {
       const Values values = cell->arm.any_values(random);
       const std::vector<Transform> frames = frames_of(cell->arm.model, cell->arm.variables(values));
       const Transform tool_frame = composed(frames[cell->tool_joint], cell->tool_at);
-      const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
-      const Vector3 at = placed(tool_frame, {(mesh.origin[0] + v.x) * kWorkcellCell,
-                                             (mesh.origin[1] + v.y) * kWorkcellCell,
-                                             (mesh.origin[2] + v.z) * kWorkcellCell});
+      const Vector3& v = vertices[random.below(static_cast<std::uint32_t>(vertices.size()))];
+      const Vector3 at =
+          placed(tool_frame, {v[0] * kWorkcellCell, v[1] * kWorkcellCell, v[2] * kWorkcellCell});
       const std::uint32_t* reach = robot.reaches + tool.first_reach + 1;
       for (std::size_t j = cell->tool_joint; j != kNoJoint; j = cell->arm.model.joints[j].parent) {
         const Vector3 seen = placed(inverse(frames[j]), at);
-        const bool slides = cell->arm.model.joints[j].type == JointType::prismatic;
-        const double lever = slides ? 1 : std::hypot(seen[0], seen[1]) / kWorkcellCell;
-        const double unit = slides ? 1.0 / kFrameCell : 2 * kPi / kFullTurn;
-        REQUIRE(std::ldexp(*reach++, -kReachBits) >= lever * unit * 256);
+        const JointType type = cell->arm.model.joints[j].type;
+        const double lever =
+            type == JointType::prismatic ? 1 : std::hypot(seen[0], seen[1]) / kWorkcellCell;
+        REQUIRE(std::ldexp(*reach++, -kReachBits) >= lever * unit_of_coordinate(type, 1) * 256);
       }
     }
   });

@@ -6,10 +6,9 @@
 #include "flashbvh/clearance.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "support/arms/arms.hpp"
+#include "support/arms/placed_links.hpp"
 
 namespace flashbvh::test {
-
-using Values = std::vector<JointCoordinate>;
 
 /// The model as the reader returns it: a mimic of a joint without limits has none, either.
 inline Model as_read(Model model) {
@@ -36,8 +35,7 @@ struct FixedArm {
 
   const Robot& robot() const { return fixed.robot(); }
   double unit_of(std::size_t variable) const {
-    const bool slides = model.joints[model.variables[variable]].type == JointType::prismatic;
-    return slides ? arm.cell() / kFrameCell : 2 * kPi / kFullTurn;
+    return tool::unit_of_coordinate(joint_of(variable).type, arm.cell());
   }
   std::vector<double> variables(const Values& values) const {
     std::vector<double> reals;

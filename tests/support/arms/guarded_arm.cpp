@@ -58,22 +58,14 @@ Values Period::between(Random& random) const {
 }
 
 double Period::travel(const FixedArm& arm, const RobotPair& pair) const {
-  const Robot& robot = arm.robot();
   double sum = 0;
-  const auto add = [&](std::uint8_t link, std::uint32_t count) {
-    std::uint32_t joint = robot.links[link].joint;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const tool::ModelJoint& of = arm.model.joints[joint];
-      const double unit =
-          of.type == JointType::prismatic ? arm.arm.cell() / kFrameCell : 2 * kPi / kFullTurn;
-      const double way = double(now_[of.variable]) - before_[of.variable];
-      const double moved = std::abs(way * arm.unit_of(of.variable) / unit * of.multiplier) + 3;
-      sum += robot.reaches[robot.links[link].first_reach + i] * std::ldexp(moved, -kReachBits);
-      joint = robot.joints[joint].parent;
-    }
-  };
-  add(pair.a, pair.joints_a);
-  add(pair.b, pair.joints_b);
+  for_each_reach(arm.robot(), pair, [&](std::uint32_t joint, double reach) {
+    const tool::ModelJoint& of = arm.model.joints[joint];
+    const double way = double(now_[of.variable]) - before_[of.variable];
+    const double units =
+        arm.unit_of(of.variable) / tool::unit_of_coordinate(of.type, arm.arm.cell());
+    sum += reach * (std::abs(way * units * of.multiplier) + 3);
+  });
   return sum;
 }
 
