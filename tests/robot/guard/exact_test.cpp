@@ -13,15 +13,10 @@ constexpr double kCell = 0.01;
 constexpr double kWall = 1.0054;
 
 /// An arm before a wall.
-struct Scene {
-  Model model;
-  std::vector<GuardedPair> pairs;
-};
-
-Scene with_wall(Model model, const bake::SourceMesh& tip, double stop, double warn) {
+FixedArm with_wall(Model model, const bake::SourceMesh& tip, double stop, double warn) {
   add_link(model, kNoJoint, box({kWall, -4, -4}, {1.5, 4, 4}));
   add_link(model, model.joints.size() - 1, tip);
-  return {std::move(model), {{0, 1, stop, warn}}};
+  return FixedArm(model, kCell, {{0, 1, stop, warn}});
 }
 
 /// The distance of the link's corners, as drawn, to the wall, in 1/256 cell.
@@ -38,6 +33,10 @@ struct Walk {
   explicit Walk(const FixedArm& of)
       : arm(of), state(std::make_unique<AnyGuardState>()), guard(of.robot(), *state) {}
 
+  void prime(const Values& values) {
+    before = values;
+    answer = guard.prime(values.data());
+  }
   /// True if each verdict holds during the whole period.
   bool holds(const Values& now, std::uint32_t work, Random& random) {
     answer = guard.update(now.data(), work);
@@ -62,7 +61,7 @@ struct Walk {
 };
 
 /// Sliders that all move towards the wall.
-Scene sliders(std::size_t count, double stop, double warn) {
+FixedArm sliders(std::size_t count, double stop, double warn) {
   Model model;
   for (std::size_t i = 0; i < count; ++i) {
     const Transform fixed = i == 0 ? turned(1, kPi / 2) : Transform();
@@ -72,7 +71,7 @@ Scene sliders(std::size_t count, double stop, double warn) {
 }
 
 /// A long rod that turns towards the wall: the joint's reach is its whole length.
-Scene hammer(double stop, double warn) {
+FixedArm hammer(double stop, double warn) {
   Model model;
   add_joint(model, kNoJoint, composed(shifted({0.7, -2, 0}), turned(2, kPi / 2)),
             JointType::revolute, -0.3, 1.5);
@@ -80,18 +79,13 @@ Scene hammer(double stop, double warn) {
 }
 
 /// A block that turns about all axes and slides.
-Scene tumbler(double stop, double warn) {
+FixedArm tumbler(double stop, double warn) {
   Model model;
   add_joint(model, kNoJoint, composed(shifted({0.3, 0, 0}), turned(1, kPi / 2)),
             JointType::prismatic, -0.5, 0.5);
   add_joint(model, 0, turned(0, 1.2), JointType::continuous, -kPi, kPi);
   add_joint(model, 1, turned(1, 1), JointType::continuous, -kPi, kPi);
   return with_wall(model, box({-0.1048, -0.2046, -0.1747}, {0.1549, 0.1043, 0.2047}), stop, warn);
-}
-
-const FixedArm& made(std::vector<std::unique_ptr<FixedArm>>& arms, const Scene& scene) {
-  arms.push_back(std::unique_ptr<FixedArm>(new FixedArm(scene.model, kCell, scene.pairs)));
-  return *arms.back();
 }
 
 /// A distance that is no whole number of cells.
@@ -105,10 +99,10 @@ std::vector<std::unique_ptr<FixedArm>> all_arms(Random& random) {
     const double stop = any_distance(random);
     const double warn = stop + any_distance(random);
     for (const std::size_t count : {1u, 2u, 3u}) {
-      made(arms, sliders(count, stop, warn));
+      arms.emplace_back(new FixedArm(sliders(count, stop, warn)));
     }
-    made(arms, hammer(stop, warn));
-    made(arms, tumbler(stop, warn));
+    arms.emplace_back(new FixedArm(hammer(stop, warn)));
+    arms.emplace_back(new FixedArm(tumbler(stop, warn)));
   }
   return arms;
 }
@@ -116,8 +110,7 @@ std::vector<std::unique_ptr<FixedArm>> all_arms(Random& random) {
 /// The caller owns the robot's arrays, which a mutant may change.
 void check_walks(Random& random, const FixedArm& arm, double speed, std::uint32_t work) {
   Walk walk(arm);
-  walk.before = arm.any_values(random);
-  walk.answer = walk.guard.prime(walk.before.data());
+  walk.prime(arm.any_values(random));
   Wandering wandering(arm, walk.before, speed);
   for (int i = 0; i < 120; ++i) {
     CAPTURE(i, walk.answer.distance);
@@ -147,8 +140,7 @@ TEST_CASE("from anywhere straight towards the wall, until all that was known is 
     for (std::size_t i = 0; i < arms.size(); ++i) {
       const FixedArm& arm = *arms[i];
       Walk walk(arm);
-      walk.before = arm.any_values(random);
-      walk.answer = walk.guard.prime(walk.before.data());
+      walk.prime(arm.any_values(random));
       const double share = real_between(random, 0.7, 1.0);
       CAPTURE(round, i, walk.answer.distance, share);
       // The hammer's tip turns towards the wall, 2.5 from its axis.
@@ -164,13 +156,11 @@ TEST_CASE("from anywhere straight towards the wall, until all that was known is 
 }
 
 TEST_CASE("a joint that lags while another leads: their ways add up") {
-  std::vector<std::unique_ptr<FixedArm>> arms;
-  const FixedArm& arm = made(arms, sliders(2, 0.013, 0.013));
+  const FixedArm arm = sliders(2, 0.013, 0.013);
   for_rounds(400, [&](Random& random, int round) {
     Walk walk(arm);
     const JointCoordinate at = random.between(-60 * kFrameCell / 2, 0);
-    walk.before = {at, at};
-    walk.answer = walk.guard.prime(walk.before.data());
+    walk.prime({at, at});
     const auto way = static_cast<JointCoordinate>(
         walk.answer.distance * real_between(random, 0.4, 1.1) * kFrameCell / 256);
     const JointCoordinate to = std::min(at + way, arm.joint_of(0).upper);
@@ -182,14 +172,13 @@ TEST_CASE("a joint that lags while another leads: their ways add up") {
 }
 
 TEST_CASE("at the stop and the warn distance itself, not beyond them") {
-  std::vector<std::unique_ptr<FixedArm>> arms;
   for (const bool stops : {false, true}) {
     const double warn = 60 * kCell;
-    const FixedArm& arm = made(arms, sliders(1, stops ? warn : 0.05, warn));
+    const FixedArm arm = sliders(1, stops ? warn : 0.05, warn);
     Walk walk(arm);
     const RobotPair& pair = arm.robot().pairs[0];
     Values values = {30 * kFrameCell};
-    walk.answer = walk.guard.prime(values.data());
+    walk.prime(values);
     REQUIRE(walk.answer.verdict == Verdict::free);
     // At 1/256 cell per period, unmeasured, the reported distance decreases by one each time.
     while (walk.answer.distance >= pair.warn) {
@@ -206,8 +195,7 @@ TEST_CASE("at the stop and the warn distance itself, not beyond them") {
 TEST_CASE("a joint without limits turns on and on: no certificate runs out at half a turn") {
   Model model;
   add_joint(model, kNoJoint, {}, JointType::continuous, -kPi, kPi);
-  const Scene scene = with_wall(model, box({-0.1, -0.1, 0}, {0.1, 0.1, 0.1}), 0.05, 0.1);
-  const FixedArm arm(scene.model, kCell, scene.pairs);
+  const FixedArm arm = with_wall(model, box({-0.1, -0.1, 0}, {0.1, 0.1, 0.1}), 0.05, 0.1);
   Walk walk(arm);
   const Values start = {kFullTurn / 2 - 1000};
   REQUIRE(walk.guard.prime(start.data()).verdict == Verdict::free);
