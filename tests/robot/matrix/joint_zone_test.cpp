@@ -4,6 +4,7 @@
 #include "flashbvh/clearance.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "support/arms/arms.hpp"
+#include "support/surface.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::tool;
@@ -11,17 +12,6 @@ using namespace flashbvh::tool;
 namespace {
 
 constexpr double kCell = 1e-4;
-
-void append(bake::SourceMesh& mesh, const bake::SourceMesh& more) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (bake::TriangleCorners triangle : more.triangles) {
-    for (std::uint32_t& corner : triangle) {
-      corner += first;
-    }
-    mesh.triangles.push_back(triangle);
-  }
-}
 
 /// Adds a flat, two-sided fin from two corners of the mesh to a tip.
 void add_fin(bake::SourceMesh& mesh, std::uint32_t p, std::uint32_t q, const Vector3& tip) {
@@ -46,6 +36,12 @@ struct Neighbours {
     return joint_zones(model, arm.wholes(), kCell, options, radii);
   }
   std::vector<JointZone> zones() const { return zones(BakedArm(model, kCell)); }
+  /// The only zone.
+  JointZone zone() const {
+    const std::vector<JointZone> all = zones();
+    REQUIRE(all.size() == 1);
+    return all[0];
+  }
   PairVerdict decided() const {
     const BakedArm arm(model, kCell);
     const PairVerdict pair = arm.decide(options, zones(arm))[0];
@@ -60,11 +56,11 @@ struct Neighbours {
 Neighbours hub_and_arm(double lower, double upper) {
   Neighbours made;
   bake::SourceMesh hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
-  append(hub, box({0.4, -0.005, -0.2}, {0.41, 0.005, 0.2}));
+  append(box({0.4, -0.005, -0.2}, {0.41, 0.005, 0.2}), hub);
   add_link(made.model, kNoJoint, hub);
   const std::size_t joint = add_joint(made.model, kNoJoint, {}, JointType::revolute, lower, upper);
   bake::SourceMesh arm = prism(24, 0.11, 0, 0, -0.05, 0.05);
-  append(arm, box({0.105, -0.01, -0.02}, {0.5, 0.01, 0.02}));
+  append(box({0.105, -0.01, -0.02}, {0.5, 0.01, 0.02}), arm);
   add_link(made.model, joint, arm);
   made.model.neighbours = {{0, 1}};
   return made;
@@ -79,14 +75,14 @@ double angle_of_contact() {
 Neighbours gantry(double reach) {
   Neighbours made;
   bake::SourceMesh table = box({-1, -0.5, -0.05}, {1, 0.5, 0});
-  append(table, box({0.8, -0.02, 0}, {0.84, 0.02, 0.3}));
+  append(box({0.8, -0.02, 0}, {0.84, 0.02, 0.3}), table);
   add_link(made.model, kNoJoint, table);
   const std::size_t joint =
       add_joint(made.model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, 0, reach);
   const Transform back = turned(1, -kPi / 2);
   bake::SourceMesh bridge = box({-0.05, -0.4, -0.001}, {0.05, -0.3, 0.2});
-  append(bridge, box({-0.05, 0.3, -0.001}, {0.05, 0.4, 0.2}));
-  append(bridge, box({-0.05, -0.4, 0.2}, {0.05, 0.4, 0.25}));
+  append(box({-0.05, 0.3, -0.001}, {0.05, 0.4, 0.2}), bridge);
+  append(box({-0.05, -0.4, 0.2}, {0.05, 0.4, 0.25}), bridge);
   for (Vector3& vertex : bridge.vertices) {
     vertex = placed(back, vertex);
   }
@@ -95,50 +91,16 @@ Neighbours gantry(double reach) {
   return made;
 }
 
-double area(const Vector3& p, const Vector3& q, const Vector3& r) {
-  const Vector3 u = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  const Vector3 v = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                          u[0] * v[1] - u[1] * v[0]);
-}
-
-bool is_on(const bake::SourceMesh& mesh, const Vector3& point) {
-  return std::any_of(
-      mesh.triangles.begin(), mesh.triangles.end(), [&](const bake::TriangleCorners& corners) {
-        const Vector3& p = mesh.vertices[corners[0]];
-        const Vector3& q = mesh.vertices[corners[1]];
-        const Vector3& r = mesh.vertices[corners[2]];
-        return area(point, p, q) + area(point, q, r) + area(point, r, p) < area(p, q, r) + 1e-9;
-      });
-}
-
-Vector3 any_point(Random& random, const bake::SourceMesh& mesh) {
-  const bake::TriangleCorners& corners =
-      mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
-  double s = real_between(random, 0, 1);
-  double t = real_between(random, 0, 1);
-  if (s + t > 1) {
-    s = 1 - s;
-    t = 1 - t;
-  }
-  Vector3 point{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double first = mesh.vertices[corners[0]][axis];
-    point[axis] = first + s * (mesh.vertices[corners[1]][axis] - first) +
-                  t * (mesh.vertices[corners[2]][axis] - first);
-  }
-  return point;
-}
-
 /// Checks that the bodies contain all of the first link's surface outside the zone.
 void check_surface(Random& random, const Model& model, const JointZone& zone) {
   const Transform frame =
       model.links[zone.a].joint == zone.joint ? Transform() : model.joints[zone.joint].fixed;
   for (int i = 0; i < 300; ++i) {
-    const Vector3 point = any_point(random, model.links[zone.a].mesh);
+    const Vector3 point = any_point_of(random, model.links[zone.a].mesh);
     const bool is_far = zone.shape.distance_of(placed(inverse(frame), point)) > zone.shape.radius;
-    const bool is_kept = std::any_of(zone.bodies.begin(), zone.bodies.end(),
-                                     [&](const auto& of) { return is_on(of.mesh_a, point); });
+    const bool is_kept = std::any_of(zone.bodies.begin(), zone.bodies.end(), [&](const auto& of) {
+      return distance_by_force(point, of.mesh_a) < 1e-9;
+    });
     REQUIRE((!is_far || is_kept));
   }
 }
@@ -170,11 +132,10 @@ void check_parts(Random& random, const Neighbours& any, const JointZone& zone) {
 TEST_CASE("what touches about a joint is its zone; what lies outside is decided to 0.001 rad") {
   const double contact = angle_of_contact();
   const Neighbours meets = hub_and_arm(contact - 0.001, 2);
-  const std::vector<JointZone> zones = meets.zones();
-  REQUIRE(zones.size() == 1);
-  CHECK((zones[0].a == 0 && zones[0].b == 1 && zones[0].joint == 0));
-  CHECK(zones[0].shape.radius > 0.1);
-  CHECK(zones[0].shape.radius < 0.14);
+  const JointZone zone = meets.zone();
+  CHECK((zone.a == 0 && zone.b == 1 && zone.joint == 0));
+  CHECK(zone.shape.radius > 0.1);
+  CHECK(zone.shape.radius < 0.14);
   const PairVerdict can = meets.decided();
   CHECK(can.verdict == MatrixVerdict::can);
   CHECK(can.reason.substr(0, 8) == "outside ");
@@ -190,7 +151,7 @@ TEST_CASE("a joint that slides has a cylinder for a zone; a post on the table is
   CHECK(can.verdict == MatrixVerdict::can);
   CHECK(can.witness[0] > 0.75);
   CHECK(gantry(0.749).decided().verdict == MatrixVerdict::never);
-  CHECK(gantry(0.749).zones()[0].shape.is_cylinder);
+  CHECK(gantry(0.749).zone().shape.is_cylinder);
 }
 
 TEST_CASE("where what touches grows towards a limit, the zone does not") {
@@ -207,8 +168,7 @@ TEST_CASE("where what touches grows towards a limit, the zone does not") {
     return heel;
   };
   const Neighbours reaching = made(1.6);
-  REQUIRE(reaching.zones().size() == 1);
-  CHECK(reaching.zones()[0].shape.radius < 0.2);
+  CHECK(reaching.zone().shape.radius < 0.2);
   CHECK(reaching.decided().verdict == MatrixVerdict::can);
   CHECK(made(1.35).decided().verdict == MatrixVerdict::never);
 }
@@ -230,14 +190,12 @@ TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range 
   for (const double upper : {1.6, 2.8}) {
     CAPTURE(upper);
     const Neighbours meets = made(upper);
-    const std::vector<JointZone> zones = meets.zones();
-    REQUIRE(zones.size() == 1);
-    CHECK(zones[0].shape.radius < (upper < 2 ? 0.14 : 0.16));  // the hubs need 0.121; times 1.25
+    // The hubs need 0.121; times 1.25.
+    CHECK(meets.zone().shape.radius < (upper < 2 ? 0.14 : 0.16));
     CHECK(meets.decided().verdict == MatrixVerdict::can);
   }
   const Neighbours never = made(1.3);
-  REQUIRE(never.zones().size() == 1);
-  CHECK(never.zones()[0].shape.radius < 0.14);
+  CHECK(never.zone().shape.radius < 0.14);
   CHECK(never.decided().verdict == MatrixVerdict::never);
 }
 
@@ -260,9 +218,9 @@ TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a m
     return rail;
   };
   const Neighbours meets = made(0.451);
-  REQUIRE(meets.zones().size() == 1);
-  CHECK(meets.zones()[0].shape.is_cylinder);
-  CHECK(meets.zones()[0].shape.radius < 0.1);
+  const JointZone zone = meets.zone();
+  CHECK(zone.shape.is_cylinder);
+  CHECK(zone.shape.radius < 0.1);
   CHECK(meets.decided().verdict == MatrixVerdict::can);
   CHECK(made(0.449).decided().verdict == MatrixVerdict::never);
 }
@@ -282,41 +240,39 @@ TEST_CASE("what touches between two looks is in the zone") {
   }
   gear.model.links[0].mesh = base;
   gear.model.links[1].mesh = wheel;
-  REQUIRE(gear.zones().size() == 1);
-  CHECK(gear.zones()[0].shape.radius > 0.13);  // 0.121 holds the contact at the samples
-  CHECK(gear.zones()[0].shape.radius < 0.16);
+  const double radius = gear.zone().shape.radius;
+  CHECK(radius > 0.13);  // 0.121 holds the contact at the samples
+  CHECK(radius < 0.16);
   CHECK(gear.decided().verdict == MatrixVerdict::never);
 }
 
 TEST_CASE("without time there is no zone, and a guard keeps all that lies outside one") {
   Neighbours late = hub_and_arm(angle_of_contact() - 0.001, 2);
-  const std::vector<JointZone> zones = late.zones();
+  const JointZone zone = late.zone();
   late.options.deadline = in_seconds(Clock::now(), -1);
   CHECK(late.zones().empty());
   late.radii = {{0, 0.2}};
   CHECK(late.zones().empty());
-  REQUIRE(zones.size() == 1);
-  const std::vector<ZoneParts> parts = zone_parts(late.model, zones[0], kCell, late.options);
-  REQUIRE(parts.size() == zones[0].bodies.size());
+  const std::vector<ZoneParts> parts = zone_parts(late.model, zone, kCell, late.options);
+  REQUIRE(parts.size() == zone.bodies.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    CHECK(parts[i].a.triangles.size() == zones[0].bodies[i].mesh_a.triangles.size());
-    CHECK(parts[i].b.triangles.size() == zones[0].bodies[i].mesh_b.triangles.size());
+    CHECK(parts[i].a.triangles.size() == zone.bodies[i].mesh_a.triangles.size());
+    CHECK(parts[i].b.triangles.size() == zone.bodies[i].mesh_b.triangles.size());
   }
 }
 
 TEST_CASE("without time a guard's parts are not searched for") {
   Neighbours late = hub_and_arm(angle_of_contact() - 0.001, 2);
-  const std::vector<JointZone> zones = late.zones();
-  REQUIRE(zones.size() == 1);
-  late.options.deadline = after_looks(0);
-  const auto count =
-      static_cast<std::int64_t>(zone_parts(late.model, zones[0], kCell, late.options).size());
+  const JointZone zone = late.zone();
+  const auto parts_after = [&](const Deadline& deadline) {
+    late.options.deadline = deadline;
+    return zone_parts(late.model, zone, kCell, late.options);
+  };
+  const auto count = static_cast<std::int64_t>(parts_after(after_looks(0)).size());
   CHECK(-*late.options.deadline.looks == 2 * count);  // one per side
   // If time runs out in the middle, the remaining surface is kept.
-  late.options.deadline = {};
-  const std::vector<ZoneParts> least = zone_parts(late.model, zones[0], kCell, late.options);
-  late.options.deadline = after_looks(8);
-  const std::vector<ZoneParts> some = zone_parts(late.model, zones[0], kCell, late.options);
+  const std::vector<ZoneParts> least = parts_after({});
+  const std::vector<ZoneParts> some = parts_after(after_looks(8));
   CHECK(*late.options.deadline.looks < 0);
   REQUIRE(some.size() >= least.size());
   std::size_t more = 0;
@@ -358,8 +314,7 @@ TEST_CASE("of all pairs those with a zone are decided first") {
 
 TEST_CASE("neighbours apart have no zone, unless they are nearer than they stop") {
   Neighbours apart = hub_and_arm(0.2, 2);
-  bake::SourceMesh sleeve = box({0.103, -0.01, -0.02}, {0.5, 0.01, 0.02});
-  apart.model.links[1].mesh = sleeve;
+  apart.model.links[1].mesh = box({0.103, -0.01, -0.02}, {0.5, 0.01, 0.02});
   CHECK(apart.zones().empty());
   apart.options.stop = 0.005 / kCell;
   REQUIRE(apart.zones().size() == 1);
@@ -372,8 +327,7 @@ TEST_CASE("neighbours apart have no zone, unless they are nearer than they stop"
 TEST_CASE("a zone that is chosen is as large as that; 0 is none") {
   Neighbours chosen = hub_and_arm(0, 2);
   chosen.radii = {{0, 0.6}};
-  REQUIRE(chosen.zones().size() == 1);
-  CHECK(chosen.zones()[0].shape.radius == 0.6);
+  CHECK(chosen.zone().shape.radius == 0.6);
   CHECK(chosen.decided().verdict == MatrixVerdict::can);  // the post seldom touches: no zone
   chosen.radii = {{0, 0.0}};
   CHECK(chosen.zones().empty());
@@ -395,7 +349,7 @@ TEST_CASE("random neighbours: nothing is lost outside a zone, nor by a guard") {
     Neighbours any;
     any.model = any_arm(random, 3);
     for (ModelLink& link : any.model.links) {
-      append(link.mesh, box({-0.06, -0.06, -0.06}, {0.06, 0.06, 0.06}));  // touches the next link
+      append(box({-0.06, -0.06, -0.06}, {0.06, 0.06, 0.06}), link.mesh);  // touches the next link
     }
     any.options.stop = random.below(2) == 0 ? 0 : 0.004 / kCell;
     const BakedArm arm(any.model, kCell);

@@ -11,9 +11,8 @@ namespace {
 
 constexpr double kCell = 1e-3;
 
-/// Decides the pair, and checks the promises of any verdict.
-PairVerdict decided(const Model& model, std::size_t a, std::size_t b,
-                    const MatrixOptions& options = {}) {
+/// Decides the pair of the first link and `b`, and checks the promises of any verdict.
+PairVerdict decided(const Model& model, const MatrixOptions& options = {}, std::size_t b = 1) {
   const BakedArm arm(model, kCell);
   for (const PairVerdict& pair : arm.decide(options)) {
     if (pair.verdict == MatrixVerdict::can) {
@@ -25,12 +24,16 @@ PairVerdict decided(const Model& model, std::size_t a, std::size_t b,
       }
     }
     REQUIRE_FALSE(pair.reason.empty());
-    if (pair.a == a && pair.b == b) {
+    if (pair.a == 0 && pair.b == b) {
       return pair;
     }
   }
   FAIL("no such pair");
   return {};
+}
+
+MatrixVerdict verdict_of(const Model& model) {
+  return decided(model).verdict;
 }
 
 /// A rod of length 1 that turns about z from `lower` to `upper`, and a wall along x at y = `wall`.
@@ -53,15 +56,13 @@ TEST_CASE("limits that just allow contact, and that just forbid it") {
   // The slack is 1.78 cells and the resolution half a cell: a pair four cells away is decided.
   for (const double wall : {0.3, 0.7, 0.9}) {
     CAPTURE(wall);
-    CHECK(decided(rod_and_wall(-1, angle_at(wall + kCell), wall), 0, 1).verdict ==
-          MatrixVerdict::can);
-    CHECK(decided(rod_and_wall(-1, angle_at(wall - 4 * kCell), wall), 0, 1).verdict ==
-          MatrixVerdict::never);
+    CHECK(verdict_of(rod_and_wall(-1, angle_at(wall + kCell), wall)) == MatrixVerdict::can);
+    CHECK(verdict_of(rod_and_wall(-1, angle_at(wall - 4 * kCell), wall)) == MatrixVerdict::never);
     // Within the slack, verdicts are undecided.
-    CHECK(decided(rod_and_wall(-1, angle_at(wall - 1.2 * kCell), wall), 0, 1).verdict ==
+    CHECK(verdict_of(rod_and_wall(-1, angle_at(wall - 1.2 * kCell), wall)) ==
           MatrixVerdict::undecided);
     // The other end of the interval.
-    CHECK(decided(rod_and_wall(angle_at(wall + kCell) - kPi, 0, -wall - 0.1), 0, 1).verdict ==
+    CHECK(verdict_of(rod_and_wall(angle_at(wall + kCell) - kPi, 0, -wall - 0.1)) ==
           MatrixVerdict::can);
   }
 }
@@ -114,7 +115,7 @@ TEST_CASE("a witness lies well inside of where they intersect") {
   const double wall = 0.5;
   for (const double upper : {0.6, 1.0, 1.5}) {
     CAPTURE(upper);
-    const double witness = decided(rod_and_wall(-1, upper, wall), 0, 1).witness[0];
+    const double witness = decided(rod_and_wall(-1, upper, wall)).witness[0];
     const double first = angle_at(wall);
     CHECK(witness > first + (upper - first) / 5);
     CHECK(witness <= upper);
@@ -131,12 +132,10 @@ TEST_CASE("intervals are closed: contact at a limit alone is found") {
               : add_joint(model, kNoJoint, shifted({0, 0, 0.5}), JointType::prismatic, -0.25, 0);
     const double face = upper ? 0.25 : -0.15;
     add_link(model, joint, box({0, 0, face}, {0.1, 0.1, face}));
-    // Flat boxes, whose two faces coincide.
-    const PairVerdict touching = decided(model, 0, 1);
-    CHECK(touching.verdict == MatrixVerdict::can);
+    CHECK(verdict_of(model) == MatrixVerdict::can);
     model.joints[0].upper -= upper ? 4 * kCell : 0;
     model.joints[0].lower += upper ? 0 : 4 * kCell;
-    CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+    CHECK(verdict_of(model) == MatrixVerdict::never);
   }
 }
 
@@ -146,14 +145,14 @@ TEST_CASE("a continuous joint covers the full turn") {
   add_link(model, kNoJoint, box({-1.2, -0.0005, -0.1}, {-0.9, 0.0005, 0.1}));
   const std::size_t joint = add_joint(model, kNoJoint, {}, JointType::continuous, -kPi, kPi);
   add_link(model, joint, box({0.2, -0.0005, -0.1}, {1, 0.0005, 0.1}));
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);
+  CHECK(verdict_of(model) == MatrixVerdict::can);
   // A rod that ends before the wall.
   model.links[1].mesh = box({0.2, -0.0005, -0.1}, {0.9 - 4 * kCell, 0.0005, 0.1});
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+  CHECK(verdict_of(model) == MatrixVerdict::never);
   // Slightly less than a full turn, on both sides of the seam.
   model = rod_and_wall(-kPi + 0.02, kPi - 0.02, 0);
   model.links[0].mesh = box({-1.2, -0.0005, -0.1}, {-0.9, 0.0005, 0.1});
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+  CHECK(verdict_of(model) == MatrixVerdict::never);
 }
 
 TEST_CASE("a planar arm folds until its law of cosines says so") {
@@ -171,7 +170,7 @@ TEST_CASE("a planar arm folds until its law of cosines says so") {
                                         opening - kPi, kPi - opening);
     const double thin = kCell / 4;
     add_link(model, elbow, box({0.9, -thin, -0.4}, {1, thin, 0.2}));
-    CHECK(decided(model, 0, 1).verdict == (beyond < 0 ? MatrixVerdict::never : MatrixVerdict::can));
+    CHECK(verdict_of(model) == (beyond < 0 ? MatrixVerdict::never : MatrixVerdict::can));
   }
 }
 
@@ -183,7 +182,7 @@ TEST_CASE("what never collides is guarded if it comes within the stop distance")
     const auto stopping_at = [&](double stop) {
       MatrixOptions options;
       options.stop = stop / kCell;
-      const PairVerdict pair = decided(model, 0, 1, options);
+      const PairVerdict pair = decided(model, options);
       CHECK(pair.verdict == MatrixVerdict::never);
       return pair;
     };
@@ -207,7 +206,7 @@ TEST_CASE("prismatic joints: gaps by subtraction") {
         add_joint(model, kNoJoint, turned(1, -kPi / 2), JointType::prismatic, 0, stroke);
     add_link(model, left, box({-0.01, -0.01, -0.12}, {0.01, 0.01, -0.1}));
     add_link(model, right, box({-0.01, -0.01, -0.12}, {0.01, 0.01, -0.1}));
-    CHECK(decided(model, 0, 1).verdict == (gap > 0 ? MatrixVerdict::never : MatrixVerdict::can));
+    CHECK(verdict_of(model) == (gap > 0 ? MatrixVerdict::never : MatrixVerdict::can));
     // One variable moves both: the second finger mimics the first, with gear ratio 1 or 3.
     for (const double gear : {1.0, 3.0}) {
       Model mimic;
@@ -216,7 +215,7 @@ TEST_CASE("prismatic joints: gaps by subtraction") {
                 2 * stroke / (1 + gear));
       add_mimic(mimic, kNoJoint, right_frame, JointType::prismatic, 0, gear, 0);
       mimic.links = model.links;
-      const PairVerdict closed = decided(mimic, 0, 1);
+      const PairVerdict closed = decided(mimic);
       CHECK(closed.verdict == (gap > 0 ? MatrixVerdict::never : MatrixVerdict::can));
       CHECK(closed.witness.size() == (gap > 0 ? 0 : 1));
     }
@@ -232,19 +231,19 @@ TEST_CASE("mimics move with their master, not by themselves") {
   const std::size_t elbow =
       add_mimic(model, shoulder, shifted({1, 0, 0}), JointType::revolute, 0, -1, 0);
   add_link(model, elbow, box({0.2, -0.01, -0.01}, {0.6, 0.01, 0.01}));
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::never);
+  CHECK(verdict_of(model) == MatrixVerdict::never);
   model.joints[elbow].multiplier = 1;
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);
+  CHECK(verdict_of(model) == MatrixVerdict::can);
   model.joints[elbow].multiplier = -1;
   model.joints[elbow].offset = kPi / 2;
   model.links[0].mesh = box({-0.1, 1.4, -0.5}, {0.1, 1.5, 0.5});
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::can);
+  CHECK(verdict_of(model) == MatrixVerdict::can);
 }
 
 TEST_CASE("pairs that need no test say why") {
   Model model = rod_and_wall(-3, 3, 0.5);
   add_link(model, kNoJoint, box({0, 0, -0.2}, {0.1, 0.1, 0.2}));
-  const PairVerdict fixed = decided(model, 0, 2);
+  const PairVerdict fixed = decided(model, {}, 2);
   CHECK(fixed.verdict == MatrixVerdict::fixed);
   CHECK(fixed.reason == "no joint moves them, apart");
 }
@@ -252,35 +251,35 @@ TEST_CASE("pairs that need no test say why") {
 TEST_CASE("what an SRDF disables is decided as any pair") {
   Model model = rod_and_wall(-1, 1, 0.5);
   model.disabled = {{1, 0, "Never", 7}};
-  const PairVerdict can = decided(model, 0, 1);
+  const PairVerdict can = decided(model);
   CHECK(can.verdict == MatrixVerdict::can);
   CHECK(can.is_guarded);
   model.disabled[0].is_believed = true;
-  const PairVerdict believed = decided(model, 0, 1);
+  const PairVerdict believed = decided(model);
   CHECK(believed.verdict == MatrixVerdict::believed);
   CHECK(believed.reason == "intersect at the witness; disabled in the SRDF and believed");
   CHECK_FALSE(believed.is_guarded);
   // A pair too near to decide is guarded, unless it is believed.
   model.joints[0].upper = angle_at(0.5 - 1.2 * kCell);
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::believed);
+  CHECK(verdict_of(model) == MatrixVerdict::believed);
   model.disabled[0].is_believed = false;
-  CHECK(decided(model, 0, 1).verdict == MatrixVerdict::undecided);
-  CHECK(decided(model, 0, 1).is_guarded);
+  CHECK(verdict_of(model) == MatrixVerdict::undecided);
+  CHECK(decided(model).is_guarded);
   // A pair that never collides is not guarded for the stop distance.
   model.joints[0].upper = angle_at(0.45);
   MatrixOptions options;
   options.stop = 0.1 / kCell;
-  CHECK(decided(model, 0, 1, options).verdict == MatrixVerdict::never);
-  CHECK_FALSE(decided(model, 0, 1, options).is_guarded);
+  CHECK(decided(model, options).verdict == MatrixVerdict::never);
+  CHECK_FALSE(decided(model, options).is_guarded);
   options.stops = {{0, 1, options.stop, options.stop}};
-  CHECK(decided(model, 0, 1, options).is_guarded);
+  CHECK(decided(model, options).is_guarded);
 }
 
 TEST_CASE("a proof and the proof for the stop distance are distinguished") {
   MatrixOptions options;
   options.stop = 10;
-  const PairVerdict pair = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1, options);
-  const PairVerdict alone = decided(rod_and_wall(-1, angle_at(0.4), 0.5), 0, 1);
+  const PairVerdict pair = decided(rod_and_wall(-1, angle_at(0.4), 0.5), options);
+  const PairVerdict alone = decided(rod_and_wall(-1, angle_at(0.4), 0.5));
   CHECK(alone.reason ==
         "proven for all values within the limits, " + std::to_string(alone.cells) + " cells");
   CHECK(alone.cells > 1);
@@ -296,8 +295,8 @@ TEST_CASE("more than a turn is looked at over one") {
       made.links[1].mesh = box({0.2, -0.001, -0.1}, {rod, 0.001, 0.1});
       return made;
     };
-    const PairVerdict turn = decided(model(kPi), 0, 1);
-    const PairVerdict more = decided(model(3 * kPi), 0, 1);
+    const PairVerdict turn = decided(model(kPi));
+    const PairVerdict more = decided(model(3 * kPi));
     CHECK(turn.verdict == (rod > 0.4 ? MatrixVerdict::can : MatrixVerdict::never));
     CHECK(more.verdict == turn.verdict);
     CHECK(more.cells == turn.cells);
@@ -311,7 +310,7 @@ TEST_CASE("when the time is up, the rest is undecided, and guarded") {
   for (const double wall : {0.5, 1.5}) {
     CAPTURE(wall);
     const Model model = rod_and_wall(-1, 1, wall);
-    const PairVerdict pair = decided(model, 0, 1, late);
+    const PairVerdict pair = decided(model, late);
     CHECK(pair.verdict == MatrixVerdict::undecided);
     CHECK(pair.reason ==
           "neither proven nor found to intersect after 0 cells, when its time was up");
@@ -342,9 +341,9 @@ TEST_CASE("plates that slide side by side end") {
   };
   MatrixOptions options;
   options.most_cells = 3000;
-  CHECK(decided(plates(0.1 * kCell), 0, 1, options).verdict ==
+  CHECK(decided(plates(0.1 * kCell), options).verdict ==
         MatrixVerdict::can);  // rounded: they touch
-  const PairVerdict close = decided(plates(5 * kCell), 0, 1, options);
+  const PairVerdict close = decided(plates(5 * kCell), options);
   CHECK(close.verdict == MatrixVerdict::undecided);
   CHECK(close.cells <= 2 * options.most_cells);
 }

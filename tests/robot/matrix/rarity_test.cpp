@@ -31,11 +31,8 @@ const std::vector<PairVerdict> kCan = {{0, 1, MatrixVerdict::can, "", {0}, 0}};
 }  // namespace
 
 TEST_CASE("the share of configurations that collide is reported, of rare ones from more") {
-  struct Case {
-    double reach;
-    std::uint32_t of;
-  };
-  for (const auto& [reach, of] : {Case{0.5, kSamples}, {0.1, kSamples}, {0.001, 10 * kSamples}}) {
+  for (const auto& [reach, of] :
+       {std::pair(0.5, kSamples), {0.1, kSamples}, {0.001, 10 * kSamples}}) {
     CAPTURE(reach);
     const Collisions found = collisions(sliding(reach), kCan);
     CHECK(found.of == of);

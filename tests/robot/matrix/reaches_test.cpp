@@ -23,16 +23,6 @@ void take_distances(const Model& model, std::size_t link, const std::vector<doub
   }
 }
 
-/// The largest distances of a link over random settings of all joints, some at their limits.
-std::vector<double> found_by_trial(Random& random, const Model& model, std::size_t link,
-                                   int tries) {
-  std::vector<double> found(model.joints.size());
-  for (int i = 0; i < tries; ++i) {
-    take_distances(model, link, any_variables(random, model), found);
-  }
-  return found;
-}
-
 constexpr double kCell = 1e-4;
 
 std::vector<double> any_point(Random& random, const PairSpace& space, double part) {
@@ -53,13 +43,13 @@ struct Pair {
   std::vector<double> reaches_b;
   PairSpace space;
 
-  explicit Pair(const Model& made)
+  explicit Pair(const Model& made, double cell = kCell)
       : model(made),
-        arm(model, kCell),
-        reaches_a(reaches_of(model, 0, kCell)),
-        reaches_b(reaches_of(model, model.links.size() - 1, kCell)),
+        arm(model, cell),
+        reaches_a(reaches_of(model, 0, cell)),
+        reaches_b(reaches_of(model, model.links.size() - 1, cell)),
         space(model, {0, &arm.wholes().front(), &reaches_a},
-              {model.links.size() - 1, &arm.wholes().back(), &reaches_b}, kCell) {}
+              {model.links.size() - 1, &arm.wholes().back(), &reaches_b}, cell) {}
 };
 
 }  // namespace
@@ -69,7 +59,10 @@ TEST_CASE("nothing that was tried reaches further than the bound") {
     const Model model = any_arm(random, 1 + random.below(5));
     const std::size_t link = random.below(static_cast<std::uint32_t>(model.links.size()));
     const std::vector<double> bounds = reaches_of(model, link, 1e-4);
-    const std::vector<double> found = found_by_trial(random, model, link, 2000);
+    std::vector<double> found(model.joints.size());
+    for (int i = 0; i < 2000; ++i) {
+      take_distances(model, link, any_variables(random, model), found);
+    }
     for (std::size_t k = 0; k < found.size(); ++k) {
       CAPTURE(link, k);
       if (model.joints[k].type == JointType::prismatic) {
@@ -222,11 +215,8 @@ TEST_CASE("the motion of a cell: formulas") {
       add_joint(model, shoulder, shifted({2, 0, 0}), JointType::revolute, -kPi, kPi);
   add_link(model, elbow, box({0, 0, 0}, {1, 0.01, 0.01}));
   const double cell = 4e-3;
-  const BakedArm arm(model, cell);
-  const std::vector<double> reaches_a = reaches_of(model, 0, cell);
-  const std::vector<double> reaches_b = reaches_of(model, 1, cell);
-  const PairSpace space(model, {0, &arm.wholes()[0], &reaches_a}, {1, &arm.wholes()[1], &reaches_b},
-                        cell);
+  const Pair pair(model, cell);
+  const PairSpace& space = pair.space;
   REQUIRE(space.dimensions()[0].variable == 0);
   const Motion motion = space.motion({0, kPi / 2}, {0.1, 0.2});
   CHECK(motion.parts[0] * cell == Approx(0.1 * std::sqrt(5.0)).epsilon(0.01));

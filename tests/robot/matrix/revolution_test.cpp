@@ -3,6 +3,7 @@
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/swept_pair.hpp"
 #include "support/arms/arms.hpp"
+#include "support/surface.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::tool;
@@ -30,19 +31,9 @@ TEST_CASE("a solid of revolution holds its mesh at every angle") {
     REQUIRE(solid.is_closed);
     REQUIRE(solid.shell_count == 1);
     for (int i = 0; i < 200; ++i) {
-      // A random point of a random triangle.
-      const auto& triangle =
-          mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
-      const double u = real_between(random, 0, 1);
-      const double v = real_between(random, 0, 1 - u);
-      Vector3 point{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        point[k] = (1 - u - v) * mesh.vertices[triangle[0]][k] + u * mesh.vertices[triangle[1]][k] +
-                   v * mesh.vertices[triangle[2]][k];
-      }
       const Transform spun =
           composed(axis, composed(turned(2, real_between(random, -kPi, kPi)), inverse(axis)));
-      const Vector3 p = placed(spun, point);
+      const Vector3 p = placed(spun, any_point_of(random, mesh));
       const auto cells = [&](std::size_t k) {
         return static_cast<std::int32_t>(std::round(p[k] / cell));
       };
