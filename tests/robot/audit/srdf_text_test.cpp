@@ -2,9 +2,7 @@
 #include "robot/audit/srdf_text.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
-#include <random>
 #include <set>
 
 #include "robot/read/urdf.hpp"
@@ -18,9 +16,8 @@ using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
 /// Links a to d; XML escapes d's name.
 tool::Model four_links(RobotFiles& files) {
-  return files.read(link_text("a") + link_text("b") + link_text("c") +
-                    link_text("d &lt;&amp;&quot;") + joint_text("j", "fixed", "a", "b") +
-                    joint_text("k", "fixed", "a", "c") +
+  return files.read(link_texts("abc") + link_text("d &lt;&amp;&quot;") +
+                    joint_text("j", "fixed", "a", "b") + joint_text("k", "fixed", "a", "c") +
                     joint_text("l", "fixed", "a", "d &lt;&amp;&quot;"));
 }
 
@@ -28,6 +25,19 @@ std::string changed(RobotFiles& files, const tool::Model& model, const std::stri
                     const tool::SrdfChanges& changes) {
   files.write("x.srdf", srdf);
   return tool::changed_srdf(files.path("x.srdf"), model, changes);
+}
+
+const std::string kBegin = "<robot name=\"arm\">";
+const std::string kEnd = "</robot>\n";
+
+/// The text between kBegin and kEnd.
+std::string changed_inside(RobotFiles& files, const tool::Model& model, const std::string& inside,
+                           const tool::SrdfChanges& changes) {
+  const std::string text = changed(files, model, kBegin + inside + kEnd, changes);
+  REQUIRE(text.size() >= kBegin.size() + kEnd.size());
+  const std::size_t size = text.size() - kBegin.size() - kEnd.size();
+  REQUIRE(text == kBegin + text.substr(kBegin.size(), size) + kEnd);
+  return text.substr(kBegin.size(), size);
 }
 
 std::vector<std::string> link_names(const tool::Model& model) {
@@ -55,46 +65,39 @@ const std::string kLine = "<disable_collisions link1=\"a\" link2=\"b\" reason=\"
 TEST_CASE("lines go and come where an SRDF has them") {
   RobotFiles files;
   const tool::Model model = four_links(files);
-  const auto with = [&](const std::string& srdf, const tool::SrdfChanges& changes) {
-    return changed(files, model, srdf, changes);
+  const auto with = [&](const std::string& inside, const tool::SrdfChanges& changes) {
+    return changed_inside(files, model, inside, changes);
   };
   const tool::SrdfChanges out = {{{0, 1}}, {}};
   const tool::SrdfChanges in = {{}, {{0, 2, "Never"}}};
   const std::string added = "<disable_collisions link1=\"a\" link2=\"c\" reason=\"Never\"/>";
   const std::string other = "<disable_collisions link2='c' link1='b'></disable_collisions>";
 
-  CHECK(with("<robot name=\"arm\">\n  " + kLine + "\n</robot>\n", out) ==
-        "<robot name=\"arm\">\n</robot>\n");
-  CHECK(with("<robot name=\"arm\">" + kLine + other + "</robot>", out) ==
-        "<robot name=\"arm\">" + other + "</robot>");
-  CHECK(with("<robot name=\"arm\">\r\n\t" + kLine + " " + kLine + "\r\n</robot>", out) ==
-        "<robot name=\"arm\">\r\n</robot>");
-  CHECK(with("<robot name=\"arm\">\n" + kLine + " <!-- why -->\n</robot>", out) ==
-        "<robot name=\"arm\">\n <!-- why -->\n</robot>");
-  CHECK(with("<robot name=\"arm\"/>", in) == "<robot name=\"arm\">\n  " + added + "\n</robot>");
-  CHECK(with("<robot name=\"arm\"></robot>\n", in) ==
-        "<robot name=\"arm\">\n  " + added + "\n</robot>\n");
-  CHECK(with("<robot name=\"arm\">\r\n<x/>\r\n</robot>", in) ==
-        "<robot name=\"arm\">\r\n<x/>\r\n" + added + "\r\n</robot>");
-  CHECK(with("<robot name=\"arm\">\n\t" + other + " <!-- why --><x/>\n</robot>", in) ==
-        "<robot name=\"arm\">\n\t" + other + " <!-- why -->\n\t" + added + "<x/>\n</robot>");
-  CHECK(with("<robot name=\"arm\">\n" + other + "\n <!-- two\nlines --> </robot>", in) ==
-        "<robot name=\"arm\">\n" + other + "\n" + added + "\n <!-- two\nlines --> </robot>");
-  CHECK(with("<robot name=\"arm\">\n" + kLine + "\n</robot>", {{{0, 1}}, {{0, 2, "Never"}}}) ==
-        "<robot name=\"arm\">\n" + added + "\n</robot>");
+  CHECK(with("\n  " + kLine + "\n", out) == "\n");
+  CHECK(with(kLine + other, out) == other);
+  CHECK(with("\r\n\t" + kLine + " " + kLine + "\r\n", out) == "\r\n");
+  CHECK(with("\n" + kLine + " <!-- why -->\n", out) == "\n <!-- why -->\n");
+  CHECK(changed(files, model, "<robot name=\"arm\"/>", in) ==
+        kBegin + "\n  " + added + "\n</robot>");
+  CHECK(with("", in) == "\n  " + added + "\n");
+  CHECK(with("\r\n<x/>\r\n", in) == "\r\n<x/>\r\n" + added + "\r\n");
+  CHECK(with("\n\t" + other + " <!-- why --><x/>\n", in) ==
+        "\n\t" + other + " <!-- why -->\n\t" + added + "<x/>\n");
+  CHECK(with("\n" + other + "\n <!-- two\nlines --> ", in) ==
+        "\n" + other + "\n" + added + "\n <!-- two\nlines --> ");
+  CHECK(with("\n" + kLine + "\n", {{{0, 1}}, {{0, 2, "Never"}}}) == "\n" + added + "\n");
 }
 
 TEST_CASE("a pair that a default disables is enabled, and one that is enabled is not") {
   RobotFiles files;
   const tool::Model model = four_links(files);
-  const std::string by_default = "<robot name=\"arm\">\n<disable_default_collisions link=\"a\"/>\n";
+  const std::string by_default = "\n<disable_default_collisions link=\"a\"/>\n";
   const std::string enabled = "<enable_collisions link1=\"a\" link2=\"b\"/>\n";
-  CHECK(changed(files, model, by_default + "</robot>", {{{0, 1}}, {}}) ==
-        by_default + enabled + "</robot>");
-  CHECK(changed(files, model, by_default + kLine + enabled + "</robot>", {{{0, 1}}, {}}) ==
-        by_default + enabled + "</robot>");
-  CHECK(changed(files, model, by_default + enabled + "</robot>", {{}, {{0, 1, "Never"}}}) ==
-        by_default + kLine + "\n</robot>");
+  const tool::SrdfChanges out = {{{0, 1}}, {}};
+  CHECK(changed_inside(files, model, by_default, out) == by_default + enabled);
+  CHECK(changed_inside(files, model, by_default + kLine + enabled, out) == by_default + enabled);
+  CHECK(changed_inside(files, model, by_default + enabled, {{}, {{0, 1, "Never"}}}) ==
+        by_default + kLine + "\n");
 }
 
 TEST_CASE("an SRDF whose root is not alone, or that is none") {
@@ -118,7 +121,7 @@ struct Piece {
   std::optional<std::pair<std::size_t, std::size_t>> pair;
 };
 
-Piece any_piece(const std::function<std::size_t(std::size_t)>& below) {
+Piece any_piece(Random& random) {
   const std::vector<std::string> others = {
       "<!-- <disable_collisions link1=\"a\" link2=\"b\"/> -->",
       "<group name='>'/>",
@@ -131,15 +134,15 @@ Piece any_piece(const std::function<std::size_t(std::size_t)>& below) {
       "<![CDATA[</robot>]]>",
       "<?say </robot>?>"};
   const std::vector<std::string> names = {"a", "b", "c", "d &lt;&amp;&quot;"};
-  if (below(2) == 0) {
-    return {others[below(others.size())], {}};
+  if (random.below(2) == 0) {
+    return {others[random.below(static_cast<std::uint32_t>(others.size()))], {}};
   }
-  const std::size_t a = below(3);
-  const std::size_t b = a + 1 + below(3 - a);
-  const bool is_turned = below(2) == 0;
+  const std::uint32_t a = random.below(3);
+  const std::uint32_t b = a + 1 + random.below(3 - a);
+  const bool is_turned = random.below(2) == 0;
   return {"<disable_collisions link1=\"" + names[is_turned ? b : a] + "\" link2=\"" +
               names[is_turned ? a : b] +
-              (below(2) == 0 ? "\" reason=\"x\" />" : "\" ></disable_collisions>"),
+              (random.below(2) == 0 ? "\" reason=\"x\" />" : "\" ></disable_collisions>"),
           std::pair(a, b)};
 }
 
@@ -165,13 +168,11 @@ std::string without_added(std::string text) {
 TEST_CASE("random SRDFs keep all that is not changed") {
   RobotFiles files;
   const tool::Model model = four_links(files);
-  std::mt19937 random(7);
-  const auto below = [&](std::size_t n) { return random() % n; };
-  for (int round = 0; round < 3000; ++round) {
-    std::vector<Piece> pieces(below(12));
+  for_rounds(3000, [&](Random& random, int) {
+    std::vector<Piece> pieces(random.below(12));
     Pairs before;
     for (Piece& piece : pieces) {
-      piece = any_piece(below);
+      piece = any_piece(random);
       if (piece.pair) {
         before.insert(*piece.pair);
       }
@@ -180,7 +181,7 @@ TEST_CASE("random SRDFs keep all that is not changed") {
     Pairs after;
     for (const auto& pair : Pairs{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}) {
       const bool was = before.count(pair) != 0;
-      const bool is = below(3) == 0 ? !was : was;
+      const bool is = random.below(3) == 0 ? !was : was;
       if (is) {
         after.insert(pair);
       }
@@ -190,18 +191,18 @@ TEST_CASE("random SRDFs keep all that is not changed") {
         changes.disabled.push_back({pair.first, pair.second, "Never"});
       }
     }
-    std::string srdf = "<?xml version=\"1.0\"?>\n<robot name=\"arm\">";
+    std::string srdf = "<?xml version=\"1.0\"?>\n" + kBegin;
     std::string kept = srdf;
     for (const Piece& piece : pieces) {
       srdf += piece.text;
       kept += piece.pair && after.count(*piece.pair) == 0 ? "" : piece.text;
     }
     CAPTURE(srdf);
-    const std::string text = changed(files, model, srdf + "</robot>\n", changes);
+    const std::string text = changed(files, model, srdf + kEnd, changes);
     CHECK(disabled_in(files, model, text) == after);
     CHECK(without_blanks(without_added(text)) == without_blanks(kept + "</robot>"));
     if (changes.enabled.empty() && changes.disabled.empty()) {
-      CHECK(text == srdf + "</robot>\n");
+      CHECK(text == srdf + kEnd);
     }
-  }
+  });
 }

@@ -1,13 +1,13 @@
 // From a URDF to the firmware's data.
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/baked/bake_links.hpp"
-#include "robot/kinematics.hpp"
+#include "support/arms/placed_links.hpp"
 #include "support/arms/robot_files.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-constexpr double kTurn = kFullTurn / (2 * tool::kPi);
+constexpr double kPerRadian = kFullTurn / tool::kTurn;
 
 struct Baked {
   std::vector<tool::BakedPart> wholes;
@@ -38,23 +38,17 @@ std::string limits(const std::string& lower, const std::string& upper) {
   return "<limit lower=\"" + lower + "\" upper=\"" + upper + "\"/>";
 }
 
-/// A chain of links a, b, c and so on with these joints in between.
-std::string chain(const std::vector<std::pair<std::string, std::string>>& joints) {
-  std::string text = link_text("a");
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const std::string parent(1, static_cast<char>('a' + i));
-    const std::string child(1, static_cast<char>('b' + i));
-    text += link_text(child) +
-            joint_text("j" + std::to_string(i), joints[i].first, parent, child, joints[i].second);
-  }
-  return text;
+/// Whether a link's sphere holds a point, in cells.
+bool holds(const RobotLink& sphere, const Vector3& p) {
+  return std::hypot(p[0] * kFrameCell - sphere.centre[0], p[1] * kFrameCell - sphere.centre[1],
+                    p[2] * kFrameCell - sphere.centre[2]) <= sphere.radius;
 }
 
 }  // namespace
 
 TEST_CASE("frames are rounded to the nearest; turns by right angles are exact") {
   RobotFiles files;
-  const tool::Model model = files.read(chain(
+  const tool::Model model = files.read(chain_text(
       {{"revolute", "<origin xyz=\"0.5 -0.25 1\"/><axis xyz=\"0 -1 0\"/>" + limits("-1", "1")},
        {"prismatic",
         "<origin xyz=\"0.1 0 0\" rpy=\"0.3 0 0\"/><axis xyz=\"0 0 1\"/>" + limits("0", "0.3")}}));
@@ -85,14 +79,15 @@ TEST_CASE("frames are rounded to the nearest; turns by right angles are exact") 
 
 TEST_CASE("limits are both allowed, and little more than them") {
   RobotFiles files;
-  const tool::Model model = files.read(chain({{"revolute", limits("-6.283185307179586", "1.5")},
-                                              {"revolute", limits("-25.1", "25.1")},
-                                              {"continuous", ""}}));
+  const tool::Model model =
+      files.read(chain_text({{"revolute", limits("-6.283185307179586", "1.5")},
+                             {"revolute", limits("-25.1", "25.1")},
+                             {"continuous", ""}}));
   const std::vector<RobotJoint> joints = bake_robot(model).robot->joints();
   for (std::size_t i = 0; i < 2; ++i) {
-    CHECK(joints[i].lower <= model.joints[i].lower * kTurn);
-    CHECK(joints[i].upper >= model.joints[i].upper * kTurn);
-    CHECK(joints[i].upper <= model.joints[i].upper * kTurn * (1 + 0x1p-21) + 1);
+    CHECK(joints[i].lower <= model.joints[i].lower * kPerRadian);
+    CHECK(joints[i].upper >= model.joints[i].upper * kPerRadian);
+    CHECK(joints[i].upper <= model.joints[i].upper * kPerRadian * (1 + 0x1p-21) + 1);
   }
   CHECK(joints[2].lower == 0);
   CHECK(joints[2].upper == 0);
@@ -104,18 +99,18 @@ TEST_CASE("mimics: firmware's multiplier, offset and limits") {
     return kLimit + "<mimic joint=\"j0\" multiplier=\"" + multiplier + "\" offset=\"" + offset +
            "\"/>";
   };
-  const tool::Model model = files.read(chain({{"revolute", kLimit},
-                                              {"revolute", mimic("-1", "0")},
-                                              {"revolute", mimic("0.75", "0.5")},
-                                              {"prismatic", mimic("0.02", "0")},
-                                              {"revolute", mimic("0", "0")}}));
+  const tool::Model model = files.read(chain_text({{"revolute", kLimit},
+                                                   {"revolute", mimic("-1", "0")},
+                                                   {"revolute", mimic("0.75", "0.5")},
+                                                   {"prismatic", mimic("0.02", "0")},
+                                                   {"revolute", mimic("0", "0")}}));
   const Baked baked = bake_robot(model, 1e-4);
   const std::vector<RobotJoint>& joints = baked.robot->joints();
   CHECK(baked.robot->robot().variable_count == 1);
   for (std::size_t i = 1; i < joints.size(); ++i) {
     const RobotJoint& joint = joints[i];
-    const double units = joint.type == JointType::prismatic ? kFrameCell / 1e-4 : kTurn;
-    const double factor = model.joints[i].multiplier * units / kTurn;
+    const double units = joint.type == JointType::prismatic ? kFrameCell / 1e-4 : kPerRadian;
+    const double factor = model.joints[i].multiplier * units / kPerRadian;
     for (const JointCoordinate value : {joints[0].lower, 0, 12345678, joints[0].upper}) {
       const double q = std::ldexp(1.0 * value * joint.multiplier, -joint.shift) + joint.offset;
       CHECK(q >= joint.lower - 0.5);
@@ -128,8 +123,7 @@ TEST_CASE("mimics: firmware's multiplier, offset and limits") {
 TEST_CASE("links: a sphere round the mesh, where their reaches stand, what lies between two") {
   RobotFiles files;
   const tool::Model model =
-      files.read(link_text("a") + link_text("b") + link_text("c") + link_text("d") +
-                 joint_text("j", "revolute", "a", "b", kLimit) +
+      files.read(link_texts("abcd") + joint_text("j", "revolute", "a", "b", kLimit) +
                  joint_text("k", "revolute", "b", "c", kLimit) +
                  joint_text("l", "revolute", "b", "d", kLimit));
   const Baked baked = bake_robot(model, 0.001, {{2, 3, 0.01, 0.02}, {0, 2, 0.0100001, 0.0100001}});
@@ -151,13 +145,8 @@ TEST_CASE("links: a sphere round the mesh, where their reaches stand, what lies 
   CHECK(robot.pairs[1].stop == 2561);
   CHECK(robot.pairs[1].warn == 2561);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Mesh& mesh = robot.meshes[i];
-    for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
-      const Vertex& at = mesh.vertices[v];
-      CHECK(std::hypot((mesh.origin[0] + at.x) * kFrameCell - robot.links[i].centre[0],
-                       (mesh.origin[1] + at.y) * kFrameCell - robot.links[i].centre[1],
-                       (mesh.origin[2] + at.z) * kFrameCell - robot.links[i].centre[2]) <=
-            robot.links[i].radius);
+    for (const Vector3& vertex : vertices_of(robot.meshes[i])) {
+      CHECK(holds(robot.links[i], vertex));
     }
     CHECK(robot.links[i].radius < 0.105 * 1000 * kFrameCell);
   }
@@ -176,26 +165,23 @@ TEST_CASE("a link's sphere holds what decides, and what firmware gets") {
   const auto sphere_of = [&](const std::vector<Mesh>& meshes) {
     return tool::FixedRobot(model, tool::views_of(parts), meshes, kCell, {}).robot().links[0];
   };
-  const auto holds = [](const RobotLink& sphere, const tool::Vector3& vertex) {
-    return std::hypot(std::round(vertex[0] / kCell) * kFrameCell - sphere.centre[0],
-                      std::round(vertex[1] / kCell) * kFrameCell - sphere.centre[1],
-                      std::round(vertex[2] / kCell) * kFrameCell - sphere.centre[2]) <=
-           sphere.radius;
+  const auto rounded = [](const Vector3& v) {
+    return Vector3{std::round(v[0] / kCell), std::round(v[1] / kCell), std::round(v[2] / kCell)};
   };
-  for (const tool::Vector3& vertex : whole.mesh.vertices) {
-    CHECK(holds(sphere_of({link.mesh()}), vertex));
-    CHECK(holds(sphere_of({}), vertex));
+  for (const Vector3& vertex : whole.mesh.vertices) {
+    CHECK(holds(sphere_of({link.mesh()}), rounded(vertex)));
+    CHECK(holds(sphere_of({}), rounded(vertex)));
   }
-  for (const tool::Vector3& vertex : coarse.mesh.vertices) {
-    CHECK(holds(sphere_of({link.mesh()}), vertex));
+  for (const Vector3& vertex : coarse.mesh.vertices) {
+    CHECK(holds(sphere_of({link.mesh()}), rounded(vertex)));
   }
-  CHECK_FALSE(holds(sphere_of({}), coarse.mesh.vertices[1]));
+  CHECK_FALSE(holds(sphere_of({}), rounded(coarse.mesh.vertices[1])));
 }
 
 TEST_CASE("the hash distinguishes robots") {
   RobotFiles files;
   const auto hash = [&](const std::string& limit, double cell) {
-    return bake_robot(files.read(chain({{"revolute", limit}})), cell).robot->robot().hash;
+    return bake_robot(files.read(chain_text({{"revolute", limit}})), cell).robot->robot().hash;
   };
   CHECK(hash(kLimit, 1e-4) == hash(kLimit, 1e-4));
   CHECK(hash(kLimit, 1e-4) != hash(limits("-1", "2.1"), 1e-4));
@@ -205,7 +191,7 @@ TEST_CASE("the hash distinguishes robots") {
 TEST_CASE("the cell is the finest that all meshes and all frames fit") {
   RobotFiles files;
   const auto arm = [](const std::string& length) {
-    return chain({{"revolute", kLimit + "<origin xyz=\"" + length + " 0 0\"/>"}});
+    return chain_text({{"revolute", kLimit + "<origin xyz=\"" + length + " 0 0\"/>"}});
   };
   const tool::Model small = files.read(arm("0.1"));
   const double for_meshes = tool::robot_cell(small, {}, "arm.urdf");
@@ -281,7 +267,7 @@ TEST_CASE("a chain as long as firmware holds fits the guard's sums, and no finer
 TEST_CASE("the slack grows by what the reader of a link's file rounded, along three axes, twice") {
   RobotFiles files;
   const double cell = 1e-4;
-  tool::Model model = files.read(chain({{"revolute", limits("-1", "1")}}));
+  tool::Model model = files.read(chain_text({{"revolute", limits("-1", "1")}}));
   const auto slack = [&] { return bake_robot(model, cell).robot->robot().slack; };
   const double before = tool::link_deviation(model.links[1], cell);
   const std::uint32_t least = slack();

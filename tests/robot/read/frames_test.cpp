@@ -1,42 +1,23 @@
 // A model's frames against the URDF's own axes and origins, evaluated by its specification.
-#include <catch2/catch.hpp>
-#include <cmath>
-#include <cstdio>
-#include <random>
-
-#include "robot/kinematics.hpp"
+#include "support/arms/arms.hpp"
 #include "support/arms/robot_files.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
-using tool::Transform;
-using tool::Vector3;
+#include "support/oracles/float_distance.hpp"
+#include "support/test.hpp"
 
 namespace {
 
-using Random = std::mt19937_64;
-
-double between(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-Vector3 vector_in(Random& random, double reach) {
-  return {between(random, -reach, reach), between(random, -reach, reach),
-          between(random, -reach, reach)};
-}
-
-std::string text_of(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
 std::string text_of(const Vector3& v) {
-  return "\"" + text_of(v[0]) + " " + text_of(v[1]) + " " + text_of(v[2]) + "\"";
+  return "\"" + tool::shortest(v[0]) + " " + tool::shortest(v[1]) + " " + tool::shortest(v[2]) +
+         "\"";
+}
+
+Vector3 unit_along(const Vector3& axis) {
+  return plus({0, 0, 0}, 1 / std::sqrt(squared(axis)), axis);
 }
 
 /// A rotation by Rodrigues' formula.
 Transform turn_about(const Vector3& axis, double angle) {
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
-  const Vector3 k = {axis[0] / length, axis[1] / length, axis[2] / length};
+  const Vector3 k = unit_along(axis);
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   Transform turn;
@@ -80,8 +61,7 @@ struct PlainJoint {
     }
     if (type == "prismatic") {
       Transform slide;
-      const double length = std::hypot(axis[0], axis[1], axis[2]);
-      slide.translation = {axis[0] / length * q, axis[1] / length * q, axis[2] / length * q};
+      slide.translation = plus({0, 0, 0}, q, unit_along(axis));
       return composed(origin, slide);
     }
     return composed(origin, turn_about(axis, q));
@@ -89,32 +69,32 @@ struct PlainJoint {
 };
 
 /// Joint i leads from an earlier link to link i + 1.
-std::vector<PlainJoint> random_joints(Random& random, std::size_t count) {
+std::vector<PlainJoint> random_joints(Random& random, std::uint32_t count) {
   const std::vector<Vector3> plain_axes = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                            {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
   const char* const types[] = {"revolute", "prismatic", "fixed", "revolute", "continuous"};
   std::vector<PlainJoint> joints;
-  for (std::size_t i = 0; i < count; ++i) {
-    PlainJoint joint{types[random() % 5],
-                     random() % (i + 1),
-                     vector_in(random, 1),
-                     vector_in(random, 3),
-                     vector_in(random, 1),
+  for (std::uint32_t i = 0; i < count; ++i) {
+    PlainJoint joint{types[random.below(5)],
+                     random.below(i + 1),
+                     any_vector(random, 1),
+                     any_vector(random, 3),
+                     any_vector(random, 1),
                      i,
                      1,
                      0};
-    if (random() % 2 == 0) {
-      joint.axis = plain_axes[random() % 6];
-    } else if (random() % 2 == 0) {
+    if (random.below(2) == 0) {
+      joint.axis = plain_axes[random.below(6)];
+    } else if (random.below(2) == 0) {
       joint.axis = {1e-9, -1e-5, -1};
     }
-    const std::size_t other = random() % (i + 1);
+    const std::size_t other = random.below(i + 1);
     const bool can_mimic = joint.type == "revolute" || joint.type == "prismatic";
     if (can_mimic && other != i &&
         (joints[other].type == "revolute" || joints[other].type == "prismatic")) {
       joint.mimics = other;
-      joint.multiplier = between(random, -2, 2);
-      joint.offset = between(random, -1, 1);
+      joint.multiplier = real_between(random, -2, 2);
+      joint.offset = real_between(random, -1, 1);
     }
     joints.push_back(joint);
   }
@@ -136,7 +116,7 @@ std::string urdf_of(const std::vector<PlainJoint>& joints, const std::vector<Vec
     inside += j.type == "continuous" ? "" : kLimit;
     if (j.mimics != i) {
       inside += "<mimic joint=\"j" + std::to_string(j.mimics) + "\" multiplier=\"" +
-                text_of(j.multiplier) + "\" offset=\"" + text_of(j.offset) + "\"/>";
+                tool::shortest(j.multiplier) + "\" offset=\"" + tool::shortest(j.offset) + "\"/>";
     }
     text += joint_text("j" + std::to_string(i), j.type, "l" + std::to_string(j.parent),
                        "l" + std::to_string(i + 1), inside);
@@ -144,19 +124,11 @@ std::string urdf_of(const std::vector<PlainJoint>& joints, const std::vector<Vec
   return text;
 }
 
-Transform box_placement(const Vector3& xyz) {
-  return origin_of(xyz, {0.3, -2, 1});
-}
-
-double gap(const Vector3& p, const Vector3& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
-
 void check_at(const tool::Model& model, const std::vector<PlainJoint>& joints,
               const std::vector<Vector3>& corners, Random& random) {
   std::vector<double> values;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    values.push_back(between(random, -1, 2));
+    values.push_back(real_between(random, -1, 2));
   }
   std::vector<double> variables;
   for (const std::size_t joint : model.variables) {
@@ -176,30 +148,30 @@ void check_at(const tool::Model& model, const std::vector<PlainJoint>& joints,
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Vector3 own = {corner & 1 ? 0.5 : -0.5, corner & 2 ? 1.0 : -1.0,
                            corner & 4 ? 1.5 : -1.5};
-      worst = std::max(worst, gap(placed(frame, link.mesh.vertices[corner]),
-                                  placed(composed(wanted[i], box_placement(corners[i])), own)));
+      const Transform box = origin_of(corners[i], {0.3, -2, 1});
+      worst = std::max(worst, squared(minus(placed(frame, link.mesh.vertices[corner]),
+                                            placed(composed(wanted[i], box), own))));
     }
   }
-  CHECK(worst < 1e-12);
+  CHECK(std::sqrt(worst) < 1e-12);
 }
 
 }  // namespace
 
 TEST_CASE("frames turned to z put each point where the URDF's own axes do") {
-  Random random(7);
   RobotFiles files;
-  for (int robot = 0; robot < 60; ++robot) {
-    const std::vector<PlainJoint> joints = random_joints(random, 1 + random() % 9);
+  for_rounds(60, [&](Random& random, int) {
+    const std::vector<PlainJoint> joints = random_joints(random, 1 + random.below(9));
     std::vector<Vector3> corners;
     for (std::size_t i = 0; i <= joints.size(); ++i) {
-      corners.push_back(vector_in(random, 1));
+      corners.push_back(any_vector(random, 1));
     }
     const tool::Model model = files.read(urdf_of(joints, corners));
     REQUIRE(model.links.size() == corners.size());
     for (int i = 0; i < 20; ++i) {
       check_at(model, joints, corners, random);
     }
-  }
+  });
 }
 
 TEST_CASE("turning an axis of the frame to z moves no entry off 0, 1 and -1") {
@@ -213,10 +185,7 @@ TEST_CASE("turning an axis of the frame to z moves no entry off 0, 1 and -1") {
         CHECK(std::fabs(row[0]) + std::fabs(row[1]) + std::fabs(row[2]) == 1);
       }
       const auto& r = turned.rotation;
-      CHECK(r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) -
-                r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
-                r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]) ==
-            1);
+      CHECK(dot(r[0], cross(r[1], r[2])) == 1);
     }
   }
   CHECK(tool::rotation_to({0, 0, 1}).rotation == Transform{}.rotation);

@@ -5,8 +5,8 @@
 namespace {
 
 const std::string kJoints =
-    link_text("a") + link_text("b") + link_text("c") + link_text("d") + link_text("e") +
-    joint_text("turn", "revolute", "a", "b", kLimit) + joint_text("spin", "continuous", "b", "c") +
+    link_texts("abcde") + joint_text("turn", "revolute", "a", "b", kLimit) +
+    joint_text("spin", "continuous", "b", "c") +
     joint_text("copy", "revolute", "c", "d", kLimit + "<mimic joint=\"turn\" multiplier=\"-2\"/>") +
     joint_text("weld", "fixed", "d", "e");
 

@@ -1,35 +1,26 @@
 // Primitives as meshes: closed, facing outwards, and enclosing the whole primitive.
-#include <random>
-
 #include "mesh/defects.hpp"
 #include "robot/read/primitive_mesh.hpp"
+#include "support/arms/arms.hpp"
+#include "support/surface.hpp"
 #include "support/test.hpp"
-
-using tool::Vector3;
 
 namespace {
 
 /// The least depth of a point under the planes of all triangles: its depth in a convex mesh.
 double depth(const bake::SourceMesh& mesh, const Vector3& point) {
   double least = 1e300;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vector3& p = mesh.vertices[a];
-    const Vector3& q = mesh.vertices[b];
-    const Vector3& r = mesh.vertices[c];
-    Vector3 normal{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const std::size_t k = (i + 2) % 3;
-      normal[i] = (q[j] - p[j]) * (r[k] - p[k]) - (q[k] - p[k]) * (r[j] - p[j]);
-    }
-    const double length = std::hypot(normal[0], normal[1], normal[2]);
-    double above = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      above += (point[i] - p[i]) * normal[i] / length;
-    }
-    least = std::min(least, -above);
+  for (const FloatTriangle& t : triangles_of(mesh)) {
+    const Vector3 normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+    least = std::min(least, dot(minus(t[0], point), normal) / std::sqrt(squared(normal)));
   }
   return least;
+}
+
+/// A point at this distance from the origin.
+Vector3 any_point_at(Random& random, double radius) {
+  const Vector3 v = any_vector(random, 1);
+  return plus({0, 0, 0}, radius / std::sqrt(squared(v)), v);
 }
 
 void check_closed(const bake::SourceMesh& mesh) {
@@ -50,8 +41,7 @@ TEST_CASE("a box has its edges' lengths") {
 }
 
 TEST_CASE("a cylinder and a sphere lie inside their meshes, which reach no further than they say") {
-  std::mt19937_64 random(3);
-  std::normal_distribution<double> normal;
+  Random random = test_random();
   const double radius = 0.7;
   const tool::PrimitiveMesh cylinder = tool::cylinder_mesh(radius, 2);
   const tool::PrimitiveMesh sphere = tool::sphere_mesh(radius);
@@ -60,11 +50,9 @@ TEST_CASE("a cylinder and a sphere lie inside their meshes, which reach no furth
   CHECK(cylinder.excess < 0.005 * radius);
   CHECK(sphere.excess < 0.019 * radius);
   for (int i = 0; i < test::rounds(3000, 20000); ++i) {
-    const Vector3 v = {normal(random), normal(random), normal(random)};
-    const double length = std::hypot(v[0], v[1], v[2]);
+    const Vector3 v = any_point_at(random, radius);
     const double width = std::hypot(v[0], v[1]);
-    CHECK(depth(sphere.mesh,
-                {v[0] / length * radius, v[1] / length * radius, v[2] / length * radius}) >= 0);
+    CHECK(depth(sphere.mesh, v) >= 0);
     CHECK(depth(cylinder.mesh, {v[0] / width * radius, v[1] / width * radius, 1}) >= 0);
   }
   for (const Vector3& v : sphere.mesh.vertices) {
@@ -77,8 +65,7 @@ TEST_CASE("a cylinder and a sphere lie inside their meshes, which reach no furth
 }
 
 TEST_CASE("a capsule and an ellipsoid lie inside their meshes, too") {
-  std::mt19937_64 random(4);
-  std::normal_distribution<double> normal;
+  Random random = test_random(1);
   const double radius = 0.3;
   const Vector3 size = {2, 0.5, 1};
   const tool::PrimitiveMesh capsule = tool::capsule_mesh(radius, 2);
@@ -89,9 +76,7 @@ TEST_CASE("a capsule and an ellipsoid lie inside their meshes, too") {
   CHECK(capsule.excess < 0.022 * radius);
   CHECK(ellipsoid.excess < 0.02);
   for (int i = 0; i < test::rounds(3000, 20000); ++i) {
-    const Vector3 v = {normal(random), normal(random), normal(random)};
-    const double length = std::hypot(v[0], v[1], v[2]);
-    const Vector3 u = {v[0] / length, v[1] / length, v[2] / length};
+    const Vector3 u = any_point_at(random, 1);
     CHECK(depth(capsule.mesh,
                 {u[0] * radius, u[1] * radius, u[2] * radius + std::copysign(1.0, u[2])}) >= 0);
     CHECK(depth(ellipsoid.mesh, {u[0] * size[0] / 2, u[1] * size[1] / 2, u[2] * size[2] / 2}) >= 0);

@@ -38,11 +38,10 @@ TEST_CASE("fixed joints are folded, whatever else they carry") {
   const std::string odd =
       "<origin xyz=\"0 0 1\"/><axis xyz=\"0 0 0\"/><limit lower=\"5\"/>"
       "<mimic joint=\"gone\"/>";
-  const tool::Model model = files.read(
-      link_text("a") + link_text("b") + link_text("c") + joint_text("j", "fixed", "a", "b", odd) +
-      joint_text("k", "revolute", "b", "c", "<origin xyz=\"0 2 0\"/>" + kLimit));
+  const tool::Model model =
+      files.read(chain_text({{"fixed", odd}, {"revolute", "<origin xyz=\"0 2 0\"/>" + kLimit}}));
   REQUIRE(model.joints.size() == 1);
-  CHECK(model.joints[0].name == "k");
+  CHECK(model.joints[0].name == "j1");
   CHECK(model.joints[0].fixed.translation == std::array<double, 3>{0, 2, 1});
   REQUIRE(model.links.size() == 3);
   CHECK(model.links[1].joint == tool::kNoJoint);
@@ -105,8 +104,7 @@ TEST_CASE("blanks of any kind part and surround numbers, whatever the locale") {
 TEST_CASE("continuous joints turn on, with limits or without") {
   RobotFiles files;
   for (const std::string limits : {"", kLimit.c_str()}) {
-    const tool::Model model = files.read(link_text("a") + link_text("b") +
-                                         joint_text("j", "continuous", "a", "b", limits));
+    const tool::Model model = files.read(chain_text({{"continuous", limits}}));
     CHECK(model.joints[0].type == JointType::continuous);
     CHECK(model.joints[0].lower == -model.joints[0].upper);
     CHECK(model.joints[0].upper == 3.14159265358979323846);
@@ -116,13 +114,11 @@ TEST_CASE("continuous joints turn on, with limits or without") {
 TEST_CASE("mimics in a chain follow the joint at its end") {
   RobotFiles files;
   const tool::Model model = files.read(
-      link_text("a") + link_text("b") + link_text("c") + link_text("d") + link_text("e") +
-      joint_text(
-          "j", "revolute", "a", "b",
-          "<limit lower=\"-9\" upper=\"9\"/><mimic joint=\"k\" multiplier=\"2\" offset=\"1\"/>") +
-      joint_text("k", "revolute", "b", "c", kLimit + "<mimic joint=\"l\" multiplier=\"-3\"/>") +
-      joint_text("l", "revolute", "c", "d", kLimit) +
-      joint_text("m", "continuous", "d", "e", "<mimic joint=\"l\"/>"));
+      chain_text({{"revolute",
+                   R"(<limit lower="-9" upper="9"/><mimic joint="j1" multiplier="2" offset="1"/>)"},
+                  {"revolute", kLimit + R"(<mimic joint="j2" multiplier="-3"/>)"},
+                  {"revolute", kLimit},
+                  {"continuous", R"(<mimic joint="j2"/>)"}}));
   REQUIRE(model.variables == std::vector<std::size_t>{2});
   CHECK(model.joints[0].multiplier == -6);
   CHECK(model.joints[0].offset == 1);
@@ -136,9 +132,8 @@ TEST_CASE("mimics in a chain follow the joint at its end") {
 
 TEST_CASE("a mimic of a continuous joint turns on, too") {
   RobotFiles files;
-  const tool::Model model = files.read(
-      link_text("a") + link_text("b") + link_text("c") + joint_text("j", "continuous", "a", "b") +
-      joint_text("k", "revolute", "b", "c", kLimit + "<mimic joint=\"j\" multiplier=\"-2\"/>"));
+  const tool::Model model = files.read(chain_text(
+      {{"continuous", ""}, {"revolute", kLimit + R"(<mimic joint="j0" multiplier="-2"/>)"}}));
   CHECK(model.joints[1].type == JointType::continuous);
   CHECK(model.joints[1].multiplier == -2);
 }
@@ -210,9 +205,7 @@ TEST_CASE("an SRDF's pairs, each once, with their reasons") {
               "<disable_collisions link1=\"a\" link2=\"c\" reason=\"again\"/>"
               "<disable_collisions link1=\"a\" link2=\"bare\"/>"
               "<disable_collisions link1=\"a\" link2=\"gone\"/><group name=\"g\"/></robot>");
-  const std::string robot = link_text("a") + link_text("b") + link_text("c") +
-                            link_text("bare", "") + joint_text("j", "fixed", "a", "b") +
-                            joint_text("k", "fixed", "a", "c") +
+  const std::string robot = chain_text({{"fixed", ""}, {"fixed", ""}}) + link_text("bare", "") +
                             joint_text("l", "fixed", "a", "bare");
   const tool::Model model = files.read(robot, files.path("arm.srdf"));
   REQUIRE(model.disabled.size() == 1);
@@ -232,9 +225,7 @@ TEST_CASE("an SRDF's default is disabled for all pairs of a link but those that 
               "<enable_collisions link1=\"b\" link2=\"a\"/>\n"
               "<enable_collisions link1=\"b\" link2=\"c\"/>\n"
               "<disable_collisions link1=\"b\" link2=\"c\" reason=\"User\"/></robot>");
-  const std::string robot = link_text("a") + link_text("b") + link_text("c") + link_text("d") +
-                            joint_text("j", "fixed", "a", "b") +
-                            joint_text("k", "fixed", "a", "c") + joint_text("l", "fixed", "a", "d");
+  const std::string robot = chain_text({{"fixed", ""}, {"fixed", ""}, {"fixed", ""}});
   const tool::Model model = files.read(robot, files.path("arm.srdf"));
   REQUIRE(model.disabled.size() == 3);
   CHECK((model.disabled[0].a == 1 && model.disabled[0].b == 2 && model.disabled[0].line == 5));
@@ -257,10 +248,8 @@ TEST_CASE("soft limits narrow the limits of a joint that has its own") {
           {"k_velocity=\"1\"", -1, 2, ""},
       }));
   RobotFiles files;
-  const tool::Model model =
-      files.read(link_text("a") + link_text("b") +
-                 joint_text("j", "revolute", "a", "b",
-                            kLimit + "<safety_controller " + std::string(soft) + "/>"));
+  const tool::Model model = files.read(
+      chain_text({{"revolute", kLimit + "<safety_controller " + std::string(soft) + "/>"}}));
   CHECK(model.joints[0].lower == lower);
   CHECK(model.joints[0].upper == upper);
   REQUIRE(files.warnings.all().size() == (*warning == 0 ? 0 : 1));
@@ -272,22 +261,18 @@ TEST_CASE("soft limits narrow the limits of a joint that has its own") {
 TEST_CASE("a base that floats over a link without shapes is fixed, no other is") {
   RobotFiles files;
   const std::string joint = joint_text("j", "floating", "world", "a");
-  const std::string arm =
-      link_text("a") + link_text("b") + joint_text("k", "revolute", "a", "b", kLimit);
+  const std::string arm = link_texts("ab") + joint_text("k", "revolute", "a", "b", kLimit);
   const tool::Model model = files.read(link_text("world", "") + joint + arm);
   CHECK(model.joints.size() == 1);
   REQUIRE(files.warnings.all().size() == 1);
   CHECK(files.warnings.all()[0].what.find("floats and is taken for fixed") == 0);
   const std::string no = "is floating, which firmware does not move";
-  CHECK(files.refusal(link_text("world") + joint + arm).find(no) != std::string::npos);
-  CHECK(files
-            .refusal(link_text("world", "") + joint + arm + link_text("c") +
-                     joint_text("l", "floating", "world", "c"))
-            .find(no) != std::string::npos);
-  CHECK(files
-            .refusal(link_text("root") + link_text("world", "") + joint + arm +
-                     joint_text("l", "fixed", "root", "world"))
-            .find(no) != std::string::npos);
+  for (const std::string& floating :
+       {link_text("world"),
+        link_texts("c") + link_text("world", "") + joint_text("l", "floating", "world", "c"),
+        link_texts("c") + link_text("world", "") + joint_text("l", "fixed", "c", "world")}) {
+    CHECK_THAT(files.refusal(floating + joint + arm), Catch::Matchers::Contains(no));
+  }
 }
 
 TEST_CASE("visual shapes collide where they are all that a link has, and only if they shall") {

@@ -6,7 +6,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string kTwoLinks = link_text("a") + link_text("b");
+const std::string kTwoLinks = link_texts("ab");
 
 /// The refusal of a robot of two links with this joint in between.
 std::string said_of_joint(const std::string& type, const std::string& inside) {
@@ -138,7 +138,7 @@ TEST_CASE("graphs that are no tree") {
         "of them out");
   CHECK_THAT(files.refusal(link_text("a") + joint_text("j", "fixed", "a", "gone")),
              Contains("joint 'j': has the child 'gone', which is no link of the robot"));
-  CHECK_THAT(files.refusal(link_text("a") + link_text("a")), Contains("link 'a' is not unique"));
+  CHECK_THAT(files.refusal(link_texts("aa")), Contains("link 'a' is not unique"));
   CHECK_THAT(files.refusal(kTwoLinks + link_text("c") + joint_text("j", "fixed", "a", "b") +
                            joint_text("j", "fixed", "b", "c")),
              Contains("joint 'j' is not unique"));

@@ -18,14 +18,6 @@ void add_quad(bake::SourceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uin
   mesh.triangles.push_back({a, c, d});
 }
 
-Vector3 any_vector(Random& random, double size) {
-  Vector3 vector{};
-  for (double& coordinate : vector) {
-    coordinate = real_between(random, -size, size);
-  }
-  return vector;
-}
-
 Transform any_turn(Random& random) {
   const auto angle = [&] {
     return random.below(2) == 0 ? kPi / 2 * random.between(-2, 2) : real_between(random, -kPi, kPi);
@@ -70,6 +62,14 @@ std::size_t add_any_joint(Random& random, Model& model, std::size_t parent,
 
 double real_between(Random& random, double low, double high) {
   return low + std::ldexp(static_cast<double>(random.next() >> 11), -53) * (high - low);
+}
+
+Vector3 any_vector(Random& random, double size) {
+  Vector3 vector{};
+  for (double& coordinate : vector) {
+    coordinate = real_between(random, -size, size);
+  }
+  return vector;
 }
 
 Transform shifted(const Vector3& translation) {

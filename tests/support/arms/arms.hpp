@@ -19,6 +19,8 @@ using tool::kPi;
 
 /// A random number in [low, high).
 double real_between(Random& random, double low, double high);
+/// A vector with coordinates in [-size, size).
+Vector3 any_vector(Random& random, double size);
 
 Transform shifted(const Vector3& translation);
 /// A rotation about axis 0, 1 or 2.

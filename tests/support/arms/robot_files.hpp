@@ -67,11 +67,33 @@ inline std::string link_text(const std::string& name, const std::string& inside 
   return "<link name=\"" + name + "\">" + inside + "</link>\n";
 }
 
+/// Links of one letter each, with balls.
+inline std::string link_texts(const std::string& names) {
+  std::string text;
+  for (const char name : names) {
+    text += link_text(std::string(1, name));
+  }
+  return text;
+}
+
 inline std::string joint_text(const std::string& name, const std::string& type,
                               const std::string& parent, const std::string& child,
                               const std::string& inside = "") {
   return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent +
          "\"/><child link=\"" + child + "\"/>" + inside + "</joint>\n";
+}
+
+/// A chain of links a, b, c and so on; joints j0, j1 and so on lie between. `joints`: their types
+/// and elements.
+inline std::string chain_text(const std::vector<std::pair<std::string, std::string>>& joints) {
+  std::string text = link_text("a");
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string parent(1, static_cast<char>('a' + i));
+    const std::string child(1, static_cast<char>('b' + i));
+    text += link_text(child) +
+            joint_text("j" + std::to_string(i), joints[i].first, parent, child, joints[i].second);
+  }
+  return text;
 }
 
 inline const std::string kLimit = "<limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>";
