@@ -75,7 +75,7 @@ NearBounds NearOracle::bounds(std::uint32_t pair, const Pose& pose) const {
   if (last.is_known) {
     const std::int64_t way = rounded_down(moved(b, last.at, at) + 2 * kPlaced) + 1;
     found.lower = last.lower - way;
-    found.upper = last.upper == INT64_MAX ? last.upper : last.upper + way;
+    found.upper = last.upper + way;
   }
   found.lower = std::max(found.lower, rounded_down(gap(a, b, at) - kPlaced));
   found.lower = std::clamp<std::int64_t>(found.lower, 0, found.upper);
@@ -91,7 +91,7 @@ NearBounds NearOracle::measured(std::uint32_t pair, const Pose& pose) {
   last.is_known = true;
   last.at = transform_of(pose);
   last.lower = found.lower;
-  last.upper = found.upper == UINT32_MAX ? INT64_MAX : std::int64_t{found.upper};
+  last.upper = found.upper == UINT32_MAX ? kUnbounded : std::int64_t{found.upper};
   last.hint = found.in_range ? found.witness : Witness<std::uint16_t>();
   return {found.lower, found.lower};
 }

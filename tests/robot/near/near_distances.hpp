@@ -12,10 +12,13 @@
 
 namespace flashbvh::test {
 
+/// More than any distance, and little enough for sums.
+constexpr std::int64_t kUnbounded = INT64_MAX / 4;
+
 /// Inclusive bounds of the `lower` that a query would report, in 1/256 cell.
 struct NearBounds {
   std::int64_t lower = 0;
-  std::int64_t upper = INT64_MAX;
+  std::int64_t upper = kUnbounded;
 };
 
 /// The distances of one robot's pairs; remembers the last query of each.

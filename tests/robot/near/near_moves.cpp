@@ -9,7 +9,13 @@ namespace flashbvh::test {
 namespace {
 
 constexpr double kFine = 256;
-constexpr double kSide = 0.06;  // the obstacle's edge, in metres
+// In metres: the obstacle's edge and distances, and the excess of a place over a stop distance.
+constexpr double kSide = 0.06;
+constexpr double kObstacleStop = 0.005;
+constexpr double kObstacleWarn = 0.01;
+constexpr double kNearest = 0.001;
+constexpr double kFarthest = 0.008;
+constexpr double kReach = 0.05;  // the largest turn of a joint in a move, in radians
 
 template <class Number>
 Number between(Number from, Number to, double part) {
@@ -37,12 +43,12 @@ std::uint32_t fine(double metres, double cell) {
 NearScene::NearScene(const Robot& robot, const NearOptions& options)
     : memory_(new NearCell), workcell_(robot, *memory_) {
   if (options.has_obstacle) {
-    add_obstacle(options);
+    add_obstacle();
   }
   oracle_ = std::make_unique<NearOracle>(this->robot());
 }
 
-void NearScene::add_obstacle(const NearOptions& options) {
+void NearScene::add_obstacle() {
   const double cell = tool::cell_of(robot());
   const double half = kSide / 2;
   add_link(model_, tool::kNoJoint, box({-half, -half, -half}, {half, half, half}));
@@ -51,8 +57,7 @@ void NearScene::add_obstacle(const NearOptions& options) {
   const std::uint8_t own_links = link_;
   for (std::uint8_t link = 0; link < own_links; ++link) {
     if (robot().links[link].joint != kBase) {
-      (void)workcell_.keep_apart(link, link_, fine(options.obstacle_stop, cell),
-                                 fine(options.obstacle_warn, cell));
+      (void)workcell_.keep_apart(link, link_, fine(kObstacleStop, cell), fine(kObstacleWarn, cell));
     }
   }
 }
@@ -109,6 +114,24 @@ bool NearDistances::are_over(std::int64_t excess) const {
   return are;
 }
 
+std::int64_t NearDistances::excess(const std::vector<bool>& is_ignored) const {
+  const auto counts = [&](std::uint32_t i) {
+    return !is_ignored[i] || !is_beyond(i, static_cast<double>(stop_of(i)));
+  };
+  // Queries only pairs that may be the nearest.
+  std::int64_t most = kUnbounded;
+  for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+    most = counts(i) ? std::min(most, bounds_[i].upper - stop_of(i)) : most;
+  }
+  std::int64_t least = kUnbounded;
+  for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
+    if (bounds_[i].lower - stop_of(i) <= std::min(most, least) && counts(i)) {
+      least = std::min(least, distance(i) - stop_of(i));
+    }
+  }
+  return least;
+}
+
 const NearDistances& NearMove::distances(std::size_t i) const {
   if (!distances_[i]) {
     distances_[i].emplace(scene_, moments_[i]);
@@ -117,7 +140,7 @@ const NearDistances& NearMove::distances(std::size_t i) const {
 }
 
 std::int64_t NearMove::excess(std::size_t i) const {
-  return distances(i).excess([](std::uint32_t) { return true; });
+  return distances(i).excess(std::vector<bool>(scene_.robot().pair_count));
 }
 
 NearMoves::NearMoves(const NearScene& scene, const NearOptions& options, Random& random)
@@ -159,10 +182,7 @@ NearMoment NearMoves::any() const {
 }
 
 double NearMoves::excess_at(const NearMoment& moment) const {
-  const NearDistances all(scene_, moment);
-  const std::int64_t least = all.excess([&](std::uint32_t i) {
-    return !is_always_near_[i] || !all.is_beyond(i, scene_.robot().pairs[i].stop);
-  });
+  const std::int64_t least = NearDistances(scene_, moment).excess(is_always_near_);
   return static_cast<double>(least) / kFine * cell_;
 }
 
@@ -173,7 +193,7 @@ void NearMoves::find_always_near() {
   for (int i = 0; i < kTries; ++i) {
     const NearDistances all(scene_, any());
     for (std::uint32_t j = 0; j < robot.pair_count; ++j) {
-      const double farthest = robot.pairs[j].stop + fine(options_.farthest, cell_);
+      const double farthest = robot.pairs[j].stop + fine(kFarthest, cell_);
       near[j] += all.is_beyond(j, farthest - 1) ? 0 : 1;
     }
   }
@@ -187,11 +207,11 @@ bool NearMoves::narrow(NearMoment far, const NearMoment& near) {
   for (int i = 0; i < 30; ++i) {
     const NearMoment middle = between(far, wrong, 0.5);
     const double excess = excess_at(middle);
-    if (excess > options_.nearest && excess < options_.farthest) {
+    if (excess > kNearest && excess < kFarthest) {
       place_ = middle;
       return true;
     }
-    (excess < options_.nearest ? wrong : far) = middle;
+    (excess < kNearest ? wrong : far) = middle;
   }
   return false;
 }
@@ -209,7 +229,7 @@ bool NearMoves::find_place(int tries) {
   std::optional<NearMoment> far;
   for (int i = 0; i < tries; ++i) {
     const NearMoment moment = far || i < tries / 2 ? any() : nearer_rest();
-    if (excess_at(moment) > options_.farthest) {
+    if (excess_at(moment) > kFarthest) {
       far = moment;
     } else if (far && narrow(*far, moment)) {
       return true;
@@ -223,7 +243,7 @@ NearMove NearMoves::move() {
   double periods = 2;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const bool slides = joint_of(i).type == JointType::prismatic;
-    const double most = slides ? options_.reach * 0.2 : options_.reach;
+    const double most = slides ? kReach * 0.2 : kReach;
     const double way = real_between(random_, -most, most) / unit_of(i);
     to.values[i] = kept(i, place_.values[i] + way);
     const double speed = (slides ? options_.slide : options_.turn) / unit_of(i);

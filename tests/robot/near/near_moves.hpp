@@ -17,12 +17,7 @@ namespace flashbvh::test {
 struct NearOptions {
   double turn = 1.25e-3;      ///< top speed of turning joints, in radians
   double slide = 5e-4;        ///< top speed of sliding joints and of the obstacle
-  double nearest = 0.001;     ///< the least excess of a place over a stop distance
-  double farthest = 0.008;    ///< the largest excess of a place
-  double reach = 0.05;        ///< the largest turn of a joint in a move, in radians
   bool has_obstacle = false;  ///< a moving one, at most 70 mm above the stop distance
-  double obstacle_stop = 0.005;
-  double obstacle_warn = 0.01;
 };
 
 using NearCell = WorkcellOf<kMaxJoints, kMaxLinks, 512, 4096>;
@@ -46,7 +41,7 @@ class NearScene {
   NearOracle& oracle() const { return *oracle_; }
 
  private:
-  void add_obstacle(const NearOptions& options);
+  void add_obstacle();
 
   std::unique_ptr<BakedArm> body_;
   tool::Model model_;
@@ -64,33 +59,13 @@ class NearDistances {
   bool is_beyond(std::uint32_t pair, double limit) const;
   /// Whether all pairs exceed their stop distances by more than `excess`.
   bool are_over(std::int64_t excess) const;
-  /// The least excess of a pair over its stop distance; may be negative. `counts(pair)`: whether
-  /// the pair counts.
-  template <class Counts>
-  std::int64_t excess(const Counts& counts) const {
-    std::int64_t most = INT64_MAX;
-    for_each_excess([&](std::uint32_t i, std::int64_t /*lower*/, std::int64_t upper) {
-      most = counts(i) ? std::min(most, upper) : most;
-    });
-    std::int64_t least = INT64_MAX;
-    for_each_excess([&](std::uint32_t i, std::int64_t lower, std::int64_t /*upper*/) {
-      if (lower <= most && lower < least && counts(i)) {
-        least = std::min(least, distance(i) - stop_of(i));
-      }
-    });
-    return least;
-  }
+  /// The least excess of a pair over its stop distance; may be negative. Ignores pairs of
+  /// `is_ignored` that are beyond it.
+  std::int64_t excess(const std::vector<bool>& is_ignored) const;
 
  private:
   std::int64_t distance(std::uint32_t pair) const;
   std::int64_t stop_of(std::uint32_t pair) const { return scene_->robot().pairs[pair].stop; }
-  template <class Visit>
-  void for_each_excess(const Visit& visit) const {
-    for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
-      const std::int64_t upper = bounds_[i].upper;
-      visit(i, bounds_[i].lower - stop_of(i), upper == INT64_MAX ? upper : upper - stop_of(i));
-    }
-  }
 
   const NearScene* scene_;
   std::vector<Pose> poses_;
