@@ -52,18 +52,27 @@ struct Neighbours {
   }
 };
 
-/// A hub of radius 0.1, a post at a distance of 0.4, and an arm of length 0.5 about the hub.
-Neighbours hub_and_arm(double lower, double upper) {
+/// Two links and the joint between them: it turns about z, or slides along x.
+Neighbours joined_by(JointType type, double lower, double upper, const bake::SourceMesh& base,
+                     bake::SourceMesh moving) {
+  const Transform fixed = type == JointType::prismatic ? turned(1, kPi / 2) : Transform();
+  for (Vector3& vertex : moving.vertices) {
+    vertex = placed(inverse(fixed), vertex);
+  }
   Neighbours made;
-  bake::SourceMesh hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
-  append(box({0.4, -0.005, -0.2}, {0.41, 0.005, 0.2}), hub);
-  add_link(made.model, kNoJoint, hub);
-  const std::size_t joint = add_joint(made.model, kNoJoint, {}, JointType::revolute, lower, upper);
-  bake::SourceMesh arm = prism(24, 0.11, 0, 0, -0.05, 0.05);
-  append(box({0.105, -0.01, -0.02}, {0.5, 0.01, 0.02}), arm);
-  add_link(made.model, joint, arm);
+  add_link(made.model, kNoJoint, base);
+  add_link(made.model, add_joint(made.model, kNoJoint, fixed, type, lower, upper), moving);
   made.model.neighbours = {{0, 1}};
   return made;
+}
+
+/// A hub of radius 0.1, a post at a distance of 0.4, and an arm of length 0.5 about the hub.
+Neighbours hub_and_arm(double lower, double upper) {
+  bake::SourceMesh hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
+  append(box({0.4, -0.005, -0.2}, {0.41, 0.005, 0.2}), hub);
+  bake::SourceMesh arm = prism(24, 0.11, 0, 0, -0.05, 0.05);
+  append(box({0.105, -0.01, -0.02}, {0.5, 0.01, 0.02}), arm);
+  return joined_by(JointType::revolute, lower, upper, hub, arm);
 }
 
 /// The angle at which the arm's side meets the post's corner (0.4, 0.005), seen from above.
@@ -73,22 +82,12 @@ double angle_of_contact() {
 
 /// A table with a post, and a bridge that slides along x on the table and may meet the post.
 Neighbours gantry(double reach) {
-  Neighbours made;
   bake::SourceMesh table = box({-1, -0.5, -0.05}, {1, 0.5, 0});
   append(box({0.8, -0.02, 0}, {0.84, 0.02, 0.3}), table);
-  add_link(made.model, kNoJoint, table);
-  const std::size_t joint =
-      add_joint(made.model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, 0, reach);
-  const Transform back = turned(1, -kPi / 2);
   bake::SourceMesh bridge = box({-0.05, -0.4, -0.001}, {0.05, -0.3, 0.2});
   append(box({-0.05, 0.3, -0.001}, {0.05, 0.4, 0.2}), bridge);
   append(box({-0.05, -0.4, 0.2}, {0.05, 0.4, 0.25}), bridge);
-  for (Vector3& vertex : bridge.vertices) {
-    vertex = placed(back, vertex);
-  }
-  add_link(made.model, joint, bridge);
-  made.model.neighbours = {{0, 1}};
-  return made;
+  return joined_by(JointType::prismatic, 0, reach, table, bridge);
 }
 
 /// Checks that the bodies contain all of the first link's surface outside the zone.
@@ -202,20 +201,11 @@ TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range 
 TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a millimetre") {
   // Rail and rib are one piece, the rib across the end at 0.5. The carriage's front is 0.05 ahead.
   const auto made = [](double upper) {
-    Neighbours rail;
     bake::SourceMesh ribbed = box({-0.1, -0.05, -0.05}, {0.5, 0.05, 0});
     add_fin(ribbed, corner_at(ribbed, {0.5, -0.05, 0}), corner_at(ribbed, {0.5, 0.05, 0}),
             {0.5, 0, 0.3});
-    add_link(rail.model, kNoJoint, ribbed);
-    const std::size_t joint =
-        add_joint(rail.model, kNoJoint, turned(1, kPi / 2), JointType::prismatic, 0, upper);
-    bake::SourceMesh carriage = box({-0.05, -0.04, -0.001}, {0.05, 0.04, 0.2});
-    for (Vector3& vertex : carriage.vertices) {
-      vertex = placed(turned(1, -kPi / 2), vertex);
-    }
-    add_link(rail.model, joint, carriage);
-    rail.model.neighbours = {{0, 1}};
-    return rail;
+    return joined_by(JointType::prismatic, 0, upper, ribbed,
+                     box({-0.05, -0.04, -0.001}, {0.05, 0.04, 0.2}));
   };
   const Neighbours meets = made(0.451);
   const JointZone zone = meets.zone();

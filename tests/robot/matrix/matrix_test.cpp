@@ -2,6 +2,7 @@
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/rarity.hpp"
+#include "simplify/zoo.hpp"
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"
 
@@ -72,22 +73,14 @@ TEST_CASE("a link of more triangles than 16 bits count is decided, with a witnes
   // among the last triangles.
   constexpr double kWall = 0.5;
   constexpr double kWide = 2.9 / 350;
-  bake::SourceMesh grid;
-  for (std::uint32_t i = 0; i <= 350; ++i) {
-    for (std::uint32_t k = 0; k <= 100; ++k) {
-      grid.vertices.push_back({kWide * i - 2, kWall, 0.01 * k - 0.5});
-      if (i < 350 && k < 100) {
-        const std::uint32_t p = 101 * i + k;
-        grid.triangles.push_back({p, p + 101, p + 102});
-        grid.triangles.push_back({p, p + 102, p + 1});
-      }
-    }
-  }
-  REQUIRE(grid.triangles.size() == 70'000);
+  const bake::SourceMesh wall = grid(350, 100, false, [&](double u, double v) -> Vector3 {
+    return {2.9 * u - 2, kWall, v - 0.5};
+  });
+  REQUIRE(wall.triangles.size() == 70'000);
   const auto verdict_up_to = [&](double y) {
     Model model = rod_and_wall(-1, angle_at(y), kWall);
-    model.links[0].mesh = grid;
-    const std::vector<BakedPart> parts = {bake_part(grid, kCell),
+    model.links[0].mesh = wall;
+    const std::vector<BakedPart> parts = {bake_part(wall, kCell),
                                           bake_part(model.links[1].mesh, kCell)};
     const std::vector<WholeMesh> meshes = views_of(parts);
     const PairVerdict pair =
@@ -100,9 +93,9 @@ TEST_CASE("a link of more triangles than 16 bits count is decided, with a witnes
       const double at = kWall / std::tan(pair.witness[0]);
       const double near = 0.001 / std::sin(pair.witness[0]) + 3 * kCell + kWide;
       CHECK(lit.a > UINT16_MAX);
-      for (const std::uint32_t corner : grid.triangles[lit.a]) {
-        CHECK(grid.vertices[corner][0] == Approx(at).margin(near));
-        CHECK(std::fabs(grid.vertices[corner][2]) < 0.1 + 0.01 + kCell);
+      for (const std::uint32_t corner : wall.triangles[lit.a]) {
+        CHECK(wall.vertices[corner][0] == Approx(at).margin(near));
+        CHECK(std::fabs(wall.vertices[corner][2]) < 0.1 + 0.01 + kCell);
       }
     }
     return pair.verdict;

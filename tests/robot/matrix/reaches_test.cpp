@@ -25,16 +25,6 @@ void take_distances(const Model& model, std::size_t link, const std::vector<doub
 
 constexpr double kCell = 1e-4;
 
-std::vector<double> any_point(Random& random, const PairSpace& space, double part) {
-  std::vector<double> point;
-  for (const Dimension& dimension : space.dimensions()) {
-    const double middle = (dimension.range.lower + dimension.range.upper) / 2;
-    const double half = (dimension.range.upper - dimension.range.lower) / 2 * part;
-    point.push_back(real_between(random, middle - half, middle + half));
-  }
-  return point;
-}
-
 /// A pair of links of an arm with several joints between them.
 struct Pair {
   Model model;
@@ -180,11 +170,13 @@ TEST_CASE("links come no nearer in a cell than its motion says") {
   for_rounds(rounds(10, 30), [&](Random& random, int) {
     const Pair pair(any_arm(random, 2 + random.below(4)));
     for (int i = 0; i < 10; ++i) {
-      const std::vector<double> middle = any_point(random, pair.space, 0.8);
+      std::vector<double> middle;
       std::vector<double> halves;
       for (const Dimension& dimension : pair.space.dimensions()) {
-        halves.push_back(real_between(random, 0, 0.05) *
-                         (dimension.range.upper - dimension.range.lower));
+        const Interval& range = dimension.range;
+        const double width = range.upper - range.lower;
+        middle.push_back(range.lower + real_between(random, 0.1, 0.9) * width);
+        halves.push_back(real_between(random, 0, 0.05) * width);
       }
       const double bound = pair.space.motion(middle, halves).sum + 2 * kPlacing;
       PairSpace::Hint seed;
