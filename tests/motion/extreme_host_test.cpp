@@ -62,14 +62,14 @@ TEST_CASE("motions: any numbers are refused or lead to an end") {
         axis = std::clamp(any_cells(random), -(1 << 29), 1 << 29);
       }
     }
-    std::vector<Move> moves(random.below(random.below(20) == 0 ? 70 : 4));
-    for (Move& move : moves) {
+    AnyMotion any;
+    any.from = extreme_pose(random);
+    any.to = extreme_pose(random);
+    any.moves.resize(random.below(random.below(20) == 0 ? 70 : 4));
+    for (Move& move : any.moves) {
       move = extreme_move(random, scene);
     }
-    const Pose from = extreme_pose(random);
-    const BodyMotion motion =
-        moves.empty() ? BodyMotion::between(from, extreme_pose(random))
-                      : BodyMotion(from, moves.data(), static_cast<std::uint32_t>(moves.size()));
+    const BodyMotion motion = any.motion();
     (void)motion.pose_at(random.below(kMotionEnd));
     const auto within = static_cast<std::uint32_t>(extreme(random));
     FirstContact query(a, b, motion, random.below(2) == 0 ? 0 : within % (kMaxDistance / 2 + 2));

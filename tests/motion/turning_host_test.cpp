@@ -84,33 +84,33 @@ class Checked {
     return least;
   }
 
-  /// A lower bound of the travel of the corner that moves most.
-  double moved_most(std::uint32_t from, std::uint32_t to) const {
+  /// The largest length_of(corner) of B's corners.
+  template <class LengthOf>
+  double most_of_corners(const LengthOf& length_of) const {
     double most = 0;
     for (const FloatTriangle& t : float_b_) {
-      for (const FloatVector& p : t) {
-        double moved = 0;
-        for (int i = 0; i < 4; ++i) {
-          const auto at = [&](int k) {
-            return exact_.at((from + k * ((to - from) / 4.0)) / kEnd, p);
-          };
-          moved += std::sqrt(squared(minus(at(i + 1), at(i))));
-        }
-        most = std::max(most, moved);
-      }
+      most = std::max({most, length_of(t[0]), length_of(t[1]), length_of(t[2])});
     }
     return most;
   }
 
+  /// A lower bound of the travel of the corner that moves most.
+  double moved_most(std::uint32_t from, std::uint32_t to) const {
+    return most_of_corners([&](const FloatVector& p) {
+      const auto at = [&](int k) { return exact_.at((from + k * ((to - from) / 4.0)) / kEnd, p); };
+      double moved = 0;
+      for (int i = 0; i < 4; ++i) {
+        moved += std::sqrt(squared(minus(at(i + 1), at(i))));
+      }
+      return moved;
+    });
+  }
+
   /// The distance between the end of the moves and the motion's end pose.
   double off_at_end() const {
-    double most = 0;
-    for (const FloatTriangle& t : float_b_) {
-      for (const FloatVector& p : t) {
-        most = std::max(most, squared(minus(placed(motion_.to(), p), exact_.at(1, p))));
-      }
-    }
-    return std::sqrt(most);
+    return most_of_corners([&](const FloatVector& p) {
+      return std::sqrt(squared(minus(placed(motion_.to(), p), exact_.at(1, p))));
+    });
   }
 
   Mesh a_;

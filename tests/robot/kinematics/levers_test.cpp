@@ -104,13 +104,12 @@ TEST_CASE("no links come nearer to each other than levers say, often less than r
   for_rounds(rounds(20, 600), [&](Random& random, int) {
     const FixedArm arm = any_guarded_arm(random, 3 + random.below(4), 1e-3);
     const Robot& robot = arm.robot();
-    Values from(robot.joint_count);
-    Values to(robot.joint_count);
     for (int i = 0; i < 20; ++i) {
       const Values values = arm.any_values(random);
-      REQUIRE(set_coordinates(robot, values.data(), from.data()) == Status::done);
-      if (set_coordinates(robot, near_values(arm, values, random).data(), to.data()) !=
-          Status::done) {
+      const Values from = coordinates_of(robot, values);
+      const Values to = coordinates_of(robot, near_values(arm, values, random));
+      REQUIRE_FALSE(from.empty());
+      if (to.empty()) {
         continue;  // over a turn apart
       }
       const PlacedLinks before(robot, from);

@@ -18,17 +18,14 @@ tool::Model arm(RobotFiles& files) {
 struct Given {
   RobotFiles files;
   tool::Model model = arm(files);
+  tool::Warnings warnings;  ///< of all that was read
 
-  tool::Trajectory read(const std::string& text) const {
-    tool::Warnings warnings;
-    return read(text, warnings);
-  }
-  tool::Trajectory read(const std::string& text, tool::Warnings& warnings) const {
+  tool::Trajectory read(const std::string& text) {
     files.write("way.csv", text);
     return tool::read_trajectory(files.path("way.csv"), model, warnings);
   }
   /// The refusal, from the file's name on.
-  std::string refusal(const std::string& text) const {
+  std::string refusal(const std::string& text) {
     const std::string what = refusal_of([&] { return read(text); });
     return what.substr(what.find("way.csv"));
   }
@@ -37,7 +34,7 @@ struct Given {
 }  // namespace
 
 TEST_CASE("columns in any order, comments, blanks and line ends") {
-  const Given given;
+  Given given;
   const tool::Trajectory way =
       given.read("\xEF\xBB\xBF# to the left\r\n b ,a# names\r\n\r\n +1.5e-1,\t-2\r# nothing\n3,4");
   REQUIRE(way.size() == 2);
@@ -50,7 +47,7 @@ TEST_CASE("columns in any order, comments, blanks and line ends") {
 }
 
 TEST_CASE("semicolons and tabs; columns of times and of joints that mimic") {
-  const Given given;
+  Given given;
   const char* const text =
       GENERATE("b;a;c\n 0.5; 2;-0.5\n", "b\ta\tc\n0.5 \t2\t-0.501\n", "a,b\n2,0.5\n",
                "time,b,stamp_ns,a\n0,0.5,1700000000000000000,2\n0,0.5,1700000000000000000,2\n",
@@ -91,18 +88,17 @@ std::vector<Timed> timed_files() {
 }  // namespace
 
 TEST_CASE("the first column of times names the lines") {
-  const Given given;
   for (const Timed& timed : timed_files()) {
     INFO(timed.text);
-    tool::Warnings warnings;
-    const tool::Trajectory way = given.read(timed.text, warnings);
+    Given given;
+    const tool::Trajectory way = given.read(timed.text);
     REQUIRE(way.has_times() == !timed.times.empty());
     for (std::size_t i = 0; i < timed.times.size(); ++i) {
       CHECK(way.time(i) == timed.times[i]);
     }
-    REQUIRE(warnings.all().size() == timed.warnings.size());
+    REQUIRE(given.warnings.all().size() == timed.warnings.size());
     for (std::size_t i = 0; i < timed.warnings.size(); ++i) {
-      const auto& [place, what] = warnings.all()[i];
+      const auto& [place, what] = given.warnings.all()[i];
       CHECK(place.substr(place.find("way.csv")) + ": " + what == timed.warnings[i]);
     }
   }
@@ -122,7 +118,7 @@ TEST_CASE("limits are the guard's") {
 }
 
 TEST_CASE("trajectories that are refused") {
-  const Given given;
+  Given given;
   const auto [text, said] = GENERATE(table<const char*, const char*>(
       {{"a\n1\n", "way.csv:1: has no column 'b'; the first line names all joints that move: a,b"},
        {"a,b,a\n", "way.csv:1: has two columns 'a'; leave one out"},
