@@ -54,20 +54,6 @@ std::uint64_t all_statuses() {
 std::uint64_t seen_statuses;
 std::uint32_t seen_outcomes;
 
-flashbvh_pose taken_to_c(const Pose& pose) {
-  std::int32_t rotation[9];
-  std::int32_t cells[3];
-  std::int16_t fraction[3];
-  flashbvh_pose made;
-  for (int i = 0; i < 9; ++i) {
-    rotation[i] = pose.rotation(i / 3, i % 3);
-    cells[i % 3] = pose.translation(i % 3);
-    fraction[i % 3] = static_cast<std::int16_t>(pose.fraction(i % 3));
-  }
-  (void)flashbvh_pose_rigid(rotation, cells, fraction, &made);
-  return made;
-}
-
 Object::Object(Random& random, double cell) {
   const auto source = any_mesh(random);
   auto baked = bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, source), source);
@@ -83,21 +69,8 @@ Scene::Scene(Random& from)
       b(from, from.below(9) == 0 ? 0.5 : 1),
       damaged(a.image.size() + 1),
       pose(any_pose(from)),
-      c_pose(taken_to_c(pose)),
+      c_pose(c_pose_of(pose)),
       distance(any_distance(from)) {}
-
-bool same(const flashbvh_pose& c, const Pose& pose) {
-  std::int32_t rotation[9];
-  std::int32_t cells[3];
-  std::int16_t fraction[3];
-  flashbvh_pose_values(&c, rotation, cells, fraction);
-  bool agree = same(flashbvh_pose_status(&c), pose.status());
-  for (int i = 0; agree && pose.status() == Status::done && i < 9; ++i) {
-    agree = rotation[i] == pose.rotation(i / 3, i % 3) && cells[i % 3] == pose.translation(i % 3) &&
-            fraction[i % 3] == pose.fraction(i % 3);
-  }
-  return agree;
-}
 
 bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known) {
   return same(c.status, known.status) && c.in_range == known.in_range && c.lower == known.lower &&

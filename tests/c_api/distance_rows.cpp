@@ -77,20 +77,17 @@ bool closer_agrees(Scene& s) {
          yes == answer.yes;
 }
 
-bool count_one(flashbvh_pair /*pair*/, void* context) {
-  return ++*static_cast<std::uint32_t*>(context) < 9;
-}
-
 bool nearest_agrees(Scene& s) {
   WithinQuery query(s.a.mesh, s.b.mesh, s.pose, {}, within(s.distance));
   flashbvh_within_query c;
   flashbvh_pair pair[1];
   std::uint32_t wanted = 0;
-  std::uint32_t visited = 0;
+  Kept visited = {9, 0, {}};
   (void)flashbvh_within_start(&c, &s.a.c, &s.b.c, &s.c_pose, s.distance);
   bool agree = true;
   Status status = Status::full;
-  while (agree && wanted < 9 && (status = query.run(UINT32_MAX, pair).status) == Status::full) {
+  while (agree && wanted < visited.most &&
+         (status = query.run(UINT32_MAX, pair).status) == Status::full) {
     Triangle a;
     Triangle b;
     NearestPoints last;
@@ -103,9 +100,9 @@ bool nearest_agrees(Scene& s) {
     agree = agree && same(last, nearest_points_of(a, b)) && same(again, last);
   }
   return agree &&
-         same(flashbvh_for_each_within(&s.a.c, &s.b.c, &s.c_pose, s.distance, count_one, &visited),
+         same(flashbvh_for_each_within(&s.a.c, &s.b.c, &s.c_pose, s.distance, keep, &visited),
               status) &&
-         visited == wanted;
+         visited.count == wanted;
 }
 
 bool same_hit(const flashbvh_hit& c, const RayHit<std::uint16_t>& hit) {

@@ -36,7 +36,7 @@ struct Motions {
   BodyMotion made(Scene& s) {
     if (s.random.below(2) == 0) {
       const Pose to = any_rigid_pose(s.random, 60);
-      const flashbvh_pose c_to = taken_to_c(to);
+      const flashbvh_pose c_to = c_pose_of(to);
       const BodyMotion between = BodyMotion::between(s.pose, to);
       agree = same(flashbvh_body_motion_between(&s.c_pose, &c_to, &c), between.status());
       return between;

@@ -18,7 +18,7 @@ bool in_place_agrees(Make make, const flashbvh_pose& p, const flashbvh_pose& q,
 
 bool products_agree(Scene& s) {
   const Pose other = any_rigid_pose(s.random, 20);
-  const flashbvh_pose c_other = taken_to_c(other);
+  const flashbvh_pose c_other = c_pose_of(other);
   flashbvh_pose inverse = s.c_pose;
   return same(c_other, other) &&
          in_place_agrees(flashbvh_pose_composed, s.c_pose, c_other,

@@ -7,6 +7,7 @@
 
 #include "flashbvh/clearance.h"
 #include "flashbvh/clearance.hpp"
+#include "support/c_pose.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {
@@ -55,9 +56,6 @@ std::vector<Row> shape_rows();
 std::vector<Row> motion_rows();
 std::vector<Row> self_test_rows();
 
-/// The pose in C, with equal numbers.
-flashbvh_pose taken_to_c(const Pose& pose);
-
 /// A bit for each status, and for each outcome of a first contact, that both languages returned.
 extern std::uint64_t seen_statuses;
 extern std::uint32_t seen_outcomes;
@@ -92,7 +90,20 @@ inline bool same(flashbvh_witness c, const Witness<std::uint16_t>& witness) {
   return c.a == witness.a && c.b == witness.b;
 }
 bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known);
-bool same(const flashbvh_pose& c, const Pose& pose);
+
+constexpr std::uint32_t kMostKept = 8;
+
+/// The last pairs that a visitor received, until there were `most`.
+struct Kept {
+  std::uint32_t most;
+  std::uint32_t count;
+  flashbvh_pair pairs[kMostKept];
+};
+inline bool keep(flashbvh_pair pair, void* context) {
+  Kept& kept = *static_cast<Kept*>(context);
+  kept.pairs[kept.count % kMostKept] = pair;
+  return ++kept.count < kept.most;
+}
 
 /// Overwrites a query's bytes, like a loss of power.
 template <class Struct>

@@ -46,39 +46,26 @@ class Slices {
   }
 
  private:
-  static constexpr std::uint32_t kMost = 8;
-
   bool run(RunResult& step) {
-    const std::uint32_t capacity = scene_.random.below(kMost + 1);
+    const std::uint32_t capacity = scene_.random.below(kMostKept + 1);
     if constexpr (C::kVisits) {
       if (capacity != 0 && scene_.random.below(3) == 0) {
         return visit(step, capacity);
       }
     }
     const std::uint32_t work = scene_.any_work();
-    flashbvh_pair wanted[kMost];
-    flashbvh_pair found[kMost];
+    flashbvh_pair wanted[kMostKept];
+    flashbvh_pair found[kMostKept];
     step = query_.run(work, wanted, capacity);
     return same(C::run(&c_, work, found, capacity), step) && same(found, wanted, step.count);
   }
 
-  struct Room {
-    std::uint32_t capacity;
-    std::uint32_t count;
-    flashbvh_pair pairs[kMost];
-  };
-  static bool take(flashbvh_pair pair, void* context) {
-    Room& room = *static_cast<Room*>(context);
-    room.pairs[room.count] = pair;
-    return ++room.count < room.capacity;
-  }
-
   bool visit(RunResult& step, std::uint32_t capacity) {
-    Room wanted = {capacity, 0, {}};
-    Room found = wanted;
+    Kept wanted = {capacity, 0, {}};
+    Kept found = wanted;
     const std::uint32_t work = scene_.any_work();
-    step = query_.run(work, [&](const flashbvh_pair& p) { return take(p, &wanted); });
-    return same(C::visit(&c_, work, take, &found), step) && same(found, wanted);
+    step = query_.run(work, [&](const flashbvh_pair& p) { return keep(p, &wanted); });
+    return same(C::visit(&c_, work, keep, &found), step) && same(found, wanted);
   }
 
   bool last_pair(const RunResult& step) {

@@ -10,6 +10,7 @@
 #include "flashbvh/ray.hpp"
 #include "fuzz/any_pose.hpp"
 #include "golden/golden.hpp"
+#include "support/c_pose.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -31,22 +32,6 @@ struct Meshes {
     return flashbvh_open(image.bytes, image.size, &mesh) == FLASHBVH_STATUS_DONE;
   }
 };
-
-flashbvh_pose c_pose_of(const Pose& pose) {
-  flashbvh_pose made;
-  std::int32_t rotation[9];
-  std::int32_t cells[3];
-  std::int16_t fraction[3];
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      rotation[3 * i + k] = pose.rotation(i, k);
-    }
-    cells[i] = pose.translation(i);
-    fraction[i] = static_cast<std::int16_t>(pose.fraction(i));
-  }
-  (void)flashbvh_pose_rigid(rotation, cells, fraction, &made);
-  return made;
-}
 
 constexpr std::uint32_t kRoom = 8;
 
