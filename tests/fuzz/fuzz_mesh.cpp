@@ -1,26 +1,15 @@
 // Arbitrary bytes as a mesh file: a mesh, or a message of one line, in bounded time and memory.
 //
 // The input is a line that names the format (stl, obj, off, ply), then the file.
-#include <string>
+#include <algorithm>
 
 #include "fuzz/fuzz.hpp"
-#include "mesh/mesh_builder.hpp"
-#include "text/messages.hpp"
+#include "mesh/any_format.hpp"
 
 using namespace flashbvh;
-using flashbvh::test::require;
+using namespace flashbvh::test;
 
 namespace {
-
-tool::FileMesh read(const std::string& format, const std::string& file) {
-  if (format == "stl") {
-    return tool::read_stl(file, "fuzzed");
-  }
-  if (format == "obj") {
-    return tool::read_obj(file, "fuzzed");
-  }
-  return format == "off" ? tool::read_off(file, "fuzzed") : tool::read_ply(file, "fuzzed");
-}
 
 void check(const tool::FileMesh& file) {
   const bake::SourceMesh& mesh = file.mesh;
@@ -46,14 +35,16 @@ void check(const tool::FileMesh& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string input(reinterpret_cast<const char*>(bytes), size);
-  const std::string format = input.substr(0, input.find('\n'));
+  const std::string name = input.substr(0, input.find('\n'));
   const std::string file = input.size() > 4 ? input.substr(4) : std::string();
-  // read_file() accepts no empty files.
-  if ((format != "stl" && format != "obj" && format != "off" && format != "ply") || file.empty()) {
+  const auto* const format =
+      std::find_if(kTextFormats.begin(), kTextFormats.end(),
+                   [&](const TextFormat& known) { return known.name == name; });
+  if (format == kTextFormats.end() || file.empty()) {  // read_file() accepts no empty files
     return 0;
   }
   try {
-    check(read(format, file));
+    check(format->read(file, "fuzzed"));
   } catch (const tool::UserError& error) {
     require(std::string(error.what()).find("fuzzed") == 0, "a message that does not name the file");
   }
