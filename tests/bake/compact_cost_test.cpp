@@ -3,12 +3,11 @@
 
 #include <cstdio>
 
-#include "bake/baked_tree.hpp"
-#include "bake/build_tree.hpp"
 #include "bake/image_bytes.hpp"
 #include "flashbvh/collide.hpp"
 #include "insn.hpp"
 #include "support/rotations.hpp"
+#include "support/shapes.hpp"
 #include "support/torus.hpp"
 
 using namespace flashbvh;
@@ -16,17 +15,14 @@ using namespace flashbvh::detail;
 
 namespace {
 
-using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
+using Baked = test::Baked<Layout::post_indexed>;
 
-Baked baked(const bake::LatticeMesh& mesh, std::uint32_t leaf_size, std::uint32_t arity) {
-  return bake::lay_out<std::uint16_t, Layout::post_indexed>(
-      bake::collapse(bake::build_sah(mesh, leaf_size), arity), mesh);
+Baked compact(const bake::LatticeMesh& mesh, std::uint32_t leaf_size) {
+  return test::baked(bake::collapse(bake::build_sah(mesh, leaf_size), bake::kDefaultArity), mesh);
 }
 
 struct Cost {
   std::uint32_t instructions = 0;
-  std::uint32_t pairs = 0;
-  std::uint32_t leaf_pairs = 0;
   std::uint32_t visits = 0;
 };
 
@@ -41,9 +37,7 @@ Cost cost_of(const Mesh& a, const Mesh& b, std::int32_t reach) {
     PairQuery query(a, b, pose);
     cost.instructions += port::instructions_of(
         [&] { (void)query.run(UINT32_MAX, [](const PairQuery::Pair&) { return true; }); });
-    cost.pairs += query.stats().triangle_pairs;
     cost.visits += query.stats().visits;
-    cost.leaf_pairs += query.stats().leaf_pairs;
   }
   return cost;
 }
@@ -68,8 +62,8 @@ TEST_CASE("a leaf of five keeps within the compact form's budget") {
   std::uint32_t usual = 0;
   constexpr std::uint32_t kLeafSizes[] = {1, 2, kCompact, 8};
   for (const std::uint32_t leaf_size : kLeafSizes) {
-    const Baked a = baked(mesh_a, leaf_size, bake::kDefaultArity);
-    const Baked b = baked(mesh_b, leaf_size, bake::kDefaultArity);
+    const Baked a = compact(mesh_a, leaf_size);
+    const Baked b = compact(mesh_b, leaf_size);
     const Cost cost = cost_of(a.view(), b.view(), 9000);
     usual = leaf_size == 1 ? cost.instructions : usual;
     const double bytes = bytes_per_triangle(a);

@@ -18,14 +18,6 @@ using bake::LatticeMesh;
 
 namespace {
 
-Box box_of_all(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
-  Box box = bake::box_of(mesh, triangles.at(0));
-  for (const std::uint32_t triangle : triangles) {
-    box = bake::join(box, bake::box_of(mesh, triangle));
-  }
-  return box;
-}
-
 /// Checks that every node but the root is a child once, every triangle is in one leaf, and boxes
 /// are tight.
 void check_whole(const BuildTree& tree, const LatticeMesh& mesh, std::uint32_t leaf_size,

@@ -1,12 +1,11 @@
 // Boxes under a rotation: each form against the definition in 64-bit integers.
-#include <catch2/catch.hpp>
-
 #include <stdint.h>
 
 #include "bounds/box_rotated_plain.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "support/points.hpp"
 #include "support/rotations.hpp"
+#include "support/rounds.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -58,34 +57,8 @@ PackedBox rotated_without_zeros(const SplitMatrix& matrix, const BoxTestStart* s
   return rotated;
 }
 
-bool overlap(const PackedBox& packed_a, const PackedBox& packed_b) {
-  const Box a = unpack(packed_a);
-  const Box b = unpack(packed_b);
-  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
-         b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
-}
-
-PackedBox any_box(Random& random) {
-  const auto coordinate = [&random] {
-    switch (random.below(4)) {
-      case 0:
-        return random.between(-3, 3);
-      case 1:
-        return kMost - random.between(0, 2);
-      case 2:
-        return -kMost + random.between(0, 2);
-      default:
-        return random.between(-kMost, kMost);
-    }
-  };
-  Box box{};
-  for (const auto axis : kVertexAxes) {
-    const int32_t u = coordinate();
-    const int32_t v = coordinate();
-    box.lower.*axis = static_cast<int16_t>(u < v ? u : v);
-    box.upper.*axis = static_cast<int16_t>(u < v ? v : u);
-  }
-  return pack(box);
+bool overlap(const PackedBox& a, const PackedBox& b) {
+  return test::overlap(unpack(a), unpack(b));
 }
 
 /// The whole lattice up to a side of `box`, or up to a cell before it: whether it overlaps `box`
@@ -105,6 +78,10 @@ PackedBox box_beside(Random& random, const PackedBox& box) {
   return pack(beside);
 }
 
+bool reaches(const PackedBox& box, const PackedTriple& window) {
+  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window);
+}
+
 /// A random pose with a rotation, and its transform for the largest meshes, at any distance.
 struct AnyRotation {
   Pose pose = Pose::translated(0, 0, 0);
@@ -113,7 +90,7 @@ struct AnyRotation {
   explicit AnyRotation(Random& random) {
     constexpr int32_t reaches[] = {0, 20, 16383, 50000, kMaxTranslation};
     while (pose.is_translation()) {
-      pose = any_rigid_pose(random, reaches[random.below(5)]);
+      pose = any_rigid_pose(random, random.one_of(reaches));
     }
     const PackedBox all = pack({{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}});
     const int32_t origin[3] = {0, 0, 0};
@@ -124,40 +101,29 @@ struct AnyRotation {
 }  // namespace
 
 TEST_CASE("a box rotated without the products that are zero is the rotated box") {
-  Random random = test_random();
-  for (int round = 0; round < 2000; ++round) {
+  for_rounds(2000, [&](Random& random, int) {
     const AnyRotation rotation(random);
     for (int i = 0; i < 10; ++i) {
-      CAPTURE(round, i);
-      const PackedBox box = any_box(random);
+      CAPTURE(i);
+      const PackedBox box = pack(any_box(random));
       REQUIRE(same(rotated_without_zeros(rotation.pose.matrix().rows, rotation.transform.on_a, box),
                    rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, box)));
       REQUIRE(same(rotated_without_zeros(rotation.transform.columns, rotation.transform.on_b, box),
                    rotated_box(rotation.transform.columns, rotation.transform.on_b, box)));
     }
-  }
+  });
 }
-
-namespace {
-
-bool reaches(const PackedBox& box, const PackedTriple& window) {
-  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window);
-}
-
-}  // namespace
 
 TEST_CASE("boxes reach a window exactly when they overlap the rotated box that it is of") {
-  Random random = test_random(2);
   int overlaps = 0;
   int gaps = 0;
-  for (int round = 0; round < 1000; ++round) {
-    CAPTURE(round);
+  for_rounds(1000, 2, [&](Random& random, int) {
     const AnyRotation rotation(random);
-    const PackedBox any = any_box(random);
+    const PackedBox any = pack(any_box(random));
     const PackedBox of_a = rotated_box(rotation.transform.columns, rotation.transform.on_b, any);
     const PackedBox of_b = rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, any);
     const BoxInNode kept = in_node(random, unpack(any));
-    const BoxInNode other = in_node(random, unpack(any_box(random)));
+    const BoxInNode other = in_node(random, any_box(random));
     RotatedBoxTest bound(rotation.transform);
     // A box that is not kept has a window that every box reaches.
     CHECK(reaches(other.box, bound.window_of_a(kept.box)));
@@ -172,16 +138,15 @@ TEST_CASE("boxes reach a window exactly when they overlap the rotated box that i
               expected);
       ++(expected ? overlaps : gaps);
     }
-  }
+  });
   CHECK(overlaps > 1000);
   CHECK(gaps > 1000);
 }
 
 TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, whatever was kept") {
-  Random random = test_random(1);
   int overlaps = 0;
   int gaps = 0;
-  for (int round = 0; round < 1000; ++round) {
+  for_rounds(1000, 1, [&](Random& random, int) {
     const AnyRotation rotation(random);
     const SplitMatrix& rows = rotation.pose.matrix().rows;
     const SplitMatrix& columns = rotation.transform.columns;
@@ -189,7 +154,7 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
     BoxInNode a[3];
     BoxInNode b[3];
     for (int i = 0; i < 3; ++i) {
-      const PackedBox any = any_box(random);
+      const PackedBox any = pack(any_box(random));
       const PackedBox beside = box_beside(random, rotated_box(rows, rotation.transform.on_a, any));
       const PackedBox rotated = rotated_box(columns, rotation.transform.on_b, beside);
       a[i] = in_node(random, unpack(beside));
@@ -201,22 +166,20 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
       const PackedBox& of_b = b[random.below(3)].box;
       const bool expected = overlap(of_a, rotated_box(rows, rotation.transform.on_a, of_b)) &&
                             overlap(of_b, rotated_box(columns, rotation.transform.on_b, of_a));
-      CAPTURE(round, visit);
+      CAPTURE(visit);
       REQUIRE(test(of_a, of_b) == expected);
       ++(expected ? overlaps : gaps);
     }
-  }
+  });
   CHECK(overlaps > 1000);
   CHECK(gaps > 1000);
 }
 
 TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin, is next to A's") {
   constexpr int32_t widest = 3 * kMost / 2 + 1 + kSplitOne / 2;
-  Random random = test_random(3);
   int near = 0;
   int far = 0;
-  for (int round = 0; round < 20000; ++round) {
-    CAPTURE(round);
+  for_rounds(20000, 3, [&](Random& random, int) {
     const AnyRotation rotation(random);
     const RotationMatrix& matrix = rotation.pose.matrix();
     BoxTestStart starts[3];
@@ -225,15 +188,15 @@ TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin,
       const int32_t shared = (kSplitOne - matrix.rows.row[i].sum()) * kBoundBias + widest;
       starts[i] = {shared + offset, shared - offset};
     }
-    const PackedBox b = any_box(random);
+    const PackedBox b = pack(any_box(random));
     const PackedBox rotated = rotated_box(matrix.rows, starts, b);
-    const PackedBox a = random.below(4) == 0 ? any_box(random) : box_beside(random, rotated);
+    const PackedBox a = random.below(4) == 0 ? pack(any_box(random)) : box_beside(random, rotated);
     const int32_t origin[3] = {0, 0, 0};
     RotatedTransform transform{};
     const bool expected = overlap(a, rotated);
     REQUIRE(transform.prepare(rotation.pose, origin, a, origin, b, /*may_stop=*/true) == expected);
     ++(expected ? near : far);
-  }
+  });
   CHECK(near > 2000);
   CHECK(far > 2000);
 }
@@ -241,22 +204,21 @@ TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin,
 TEST_CASE("B's origin lies where a sum of 64 bits says, near or far") {
   constexpr int32_t reaches[] = {0, 20, 32768, 32769, 100000, 1 << 29};
   constexpr int64_t most = int64_t{kMaxOffset} * kSplitOne;
-  Random random = test_random(4);
   const PackedBox all = pack({{-kMost, -kMost, -kMost}, {kMost, kMost, kMost}});
   int within = 0;
   int clamped = 0;
-  for (int round = 0; round < 5000; ++round) {
+  for_rounds(5000, 4, [&](Random& random, int) {
     Pose pose = Pose::translated(0, 0, 0);
     while (pose.is_translation()) {
-      pose = any_rigid_pose(random, reaches[random.below(6)]);
+      pose = any_rigid_pose(random, random.one_of(reaches));
     }
     // A random coordinate, or one at an end.
     const auto coordinate = [&](int32_t reach) {
       const int32_t any = random.between(-reach, reach);
       return random.below(4) != 0 ? any : any < 0 ? -reach : reach - 1;
     };
-    const int32_t reach_a = reaches[random.below(6)];
-    const int32_t reach_b = reaches[random.below(6)];
+    const int32_t reach_a = random.one_of(reaches);
+    const int32_t reach_b = random.one_of(reaches);
     const int32_t a[] = {coordinate(reach_a), coordinate(reach_a), coordinate(reach_a)};
     const int32_t b[] = {coordinate(reach_b), coordinate(reach_b), coordinate(reach_b)};
     RotatedTransform transform{};
@@ -271,13 +233,13 @@ TEST_CASE("B's origin lies where a sum of 64 bits says, near or far") {
         sum += int64_t{row[j]} * b[j];
       }
       const int64_t offset = sum >> kRestBits;
-      CAPTURE(round, i, offset);
+      CAPTURE(i, offset);
       REQUIRE(offset_of(transform.on_a[i]) == (offset < -most  ? -most
                                                : offset > most ? most
                                                                : offset));
       ++(offset < -most || offset > most ? clamped : within);
     }
-  }
+  });
   CHECK(within > 2000);
   CHECK(clamped > 2000);
 }

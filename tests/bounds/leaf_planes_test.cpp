@@ -1,8 +1,5 @@
 // Leaf planes save visits and change nothing else: answers are compared with those of boxes alone.
 #include "support/any_mesh.hpp"
-#include "support/queries.hpp"
-#include "support/rotations.hpp"
-#include "support/shapes.hpp"
 #include "support/test.hpp"
 #include "support/transformed_mesh.hpp"
 #include "support/triangle_pairs.hpp"
@@ -25,8 +22,8 @@ void compare(const typename Traversal::Tree& a, const typename Traversal::Tree& 
              Totals& totals) {
   AnyQuery<Traversal> shapes(a, b, pose);
   AnyQuery<Traversal, BoxIntersection> boxes(a, b, pose);
-  const Pairs pairs = run_to_end(shapes.query, kNoLimit, 100);
-  REQUIRE(pairs == run_to_end(boxes.query, kNoLimit, 100));
+  const Pairs pairs = run_to_end(shapes.query);
+  REQUIRE(pairs == run_to_end(boxes.query));
   const QueryStats& counts = shapes.query.stats();
   const QueryStats& of_boxes = boxes.query.stats();
   REQUIRE(counts.triangle_pairs == pairs.size());
@@ -179,12 +176,11 @@ Vertex point_of(Random& random, const bake::LatticeMesh& mesh, std::uint32_t tri
 /// A pose that places vertex `b` on `a`, or within a cell of it.
 Pose touching_pose(Random& random, const Rotation& rotation, const Vertex& a, const Vertex& b) {
   const Pose turned = Pose::rigid(rotation.entry, {0, 0, 0});
-  const std::int32_t target[3] = {a.x, a.y, a.z};
   const std::int32_t origin[3] = {0, 0, 0};
   std::int32_t cells[3];
   std::int16_t fraction[3];
   for (int axis = 0; axis < 3; ++axis) {
-    cells[axis] = target[axis] - transformed_coordinate(origin, b, turned, axis) +
+    cells[axis] = a.*kVertexAxes[axis] - transformed_coordinate(origin, b, turned, axis) +
                   (random.below(3) == 0 ? random.between(-1, 1) : 0);
     fraction[axis] = static_cast<std::int16_t>(random.between(-32768, 32767));
   }
@@ -204,19 +200,15 @@ Vertex seen_from_b(const Pose& pose, const Vertex& a) {
 }
 
 Vertex seen_from_a(const Pose& pose, const Vertex& b) {
-  const std::int32_t origin[3] = {0, 0, 0};
-  return vertex(transformed_coordinate(origin, b, pose, 0),
-                transformed_coordinate(origin, b, pose, 1),
-                transformed_coordinate(origin, b, pose, 2));
+  const Point at = transformed(bake::LatticeMesh(), b, pose);
+  return vertex(at.x, at.y, at.z);
 }
 
 /// Adds a point, or a segment or triangle of a few cells.
 void add_speck(Random& random, bake::LatticeMesh& mesh, const Vertex& at) {
   const auto near = [&] {
-    const std::int32_t most = random.below(2) == 0 ? 1 : 2;
-    const std::int32_t x = random.between(-most, most);
-    const std::int32_t y = random.between(-most, most);
-    return vertex(at.x + x, at.y + y, at.z + random.between(-most, most));
+    const Point off = any_point(random, random.below(2) == 0 ? 1 : 2);
+    return vertex(at.x + off.x, at.y + off.y, at.z + off.z);
   };
   const std::uint32_t kind = random.below(3);
   const Vertex p = kind == 0 ? at : near();
@@ -231,8 +223,8 @@ TEST_CASE("leaves as shapes give the pairs that boxes alone give, in the same or
   const auto tries = rounds(30u, 150u);
   for_rounds(tries, [&](Random& random, std::uint32_t round) {
     const std::int32_t spread = round % 3 == 0 ? 300 : round % 3 == 1 ? 40 : 3;
-    const AnyMesh a = any_mesh(random, random_mesh(random, 1 + random.below(40), spread, 25));
-    const AnyMesh b = any_mesh(random, random_mesh(random, 1 + random.below(40), spread, 25));
+    const AnyMesh a = any_mesh(random, 40, spread, 25);
+    const AnyMesh b = any_mesh(random, 40, spread, 25);
     compare_all(a, b, any_pose(random, spread), totals);
   });
   CHECK(totals.pairs > 200 * tries / 3);
@@ -244,7 +236,7 @@ TEST_CASE("one mesh may be both: its leaves are shapes on either side") {
   const auto tries = rounds(50u, 250u);
   for_rounds(tries, 1, [&](Random& random, std::uint32_t round) {
     const std::int32_t size = round % 2 == 0 ? 25 : 8;
-    const AnyMesh mesh = any_mesh(random, random_mesh(random, 1 + random.below(20), 40, size));
+    const AnyMesh mesh = any_mesh(random, 20, 40, size);
     compare_all(mesh, mesh, any_pose(random, 40), totals);
   });
   CHECK(totals.pairs > 4 * tries);
@@ -287,10 +279,9 @@ TEST_CASE("on the largest lattice, no slab of a leaf misses what lies in its tri
       const Vertex at = point_of(random, leaf, random.below(count));
       add_speck(random, specks, leaf_of_a ? seen_from_b(pose, at) : seen_from_a(pose, at));
     }
-    constexpr auto layout = Layout::post_indexed;
-    const auto a = bake::lay_out<std::uint16_t, layout>(bake::build_median(leaf, 2), leaf);
-    const auto b = bake::lay_out<std::uint16_t, layout>(bake::build_median(specks, 1), specks);
-    compare<Ranked<Mesh>>((leaf_of_a ? a : b).view(), (leaf_of_a ? b : a).view(), pose, totals);
+    const AnyMesh a(bake::build_median(leaf, 2), leaf);
+    const AnyMesh b(bake::build_median(specks, 1), specks);
+    compare<Ranked<Mesh>>(leaf_of_a ? a : b, leaf_of_a ? b : a, pose, totals);
   });
   CHECK(totals.pairs > 2 * tries / 3);
 }

@@ -1,9 +1,8 @@
 // Bounds of distances reject no pair within the limit: against exact distances, at the limit.
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
-#include "support/points.hpp"
-#include "support/rotations.hpp"
 #include "support/test.hpp"
+#include "support/vectors.hpp"
 
 using namespace flashbvh::detail;
 
@@ -14,22 +13,22 @@ AnyMesh mesh_of(const Vertex& p, const Vertex& q, const Vertex& r) {
   bake::LatticeMesh mesh;
   mesh.vertices = {p, q, r};
   mesh.triangles = {{0, 1, 2}};
-  bake::BuildTree tree = chain(mesh, true);
-  return AnyMesh(tree, mesh);
+  return AnyMesh(chain(mesh, true), mesh);
 }
 
 /// A point above the middle of a triangle, `height` off its plane, or next to its longest edge.
 Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
-  const double u[3] = {1.0 * q.x - p.x, 1.0 * q.y - p.y, 1.0 * q.z - p.z};
-  const double v[3] = {1.0 * r.x - p.x, 1.0 * r.y - p.y, 1.0 * r.z - p.z};
-  const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                       u[0] * v[1] - u[1] * v[0]};
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) + 1e-9;
-  const auto at = [&](int axis, double first) {
-    const double value = first + (u[axis] + v[axis]) / 3 + n[axis] / length * height;
-    return static_cast<std::int16_t>(std::max(-16383.0, std::min(16383.0, std::round(value))));
+  const FloatVector corner = vector_of<double>(p);
+  const FloatVector u = minus(vector_of<double>(q), corner);
+  const FloatVector v = minus(vector_of<double>(r), corner);
+  const FloatVector n = cross(u, v);
+  const FloatVector middle = plus(plus(corner, 1.0 / 3, u), 1.0 / 3, v);
+  const FloatVector point = plus(middle, height / (length_of(n) + 1e-9), n);
+  const auto at = [&](std::size_t axis) {
+    return static_cast<std::int16_t>(
+        std::lround(std::clamp<double>(point[axis], -kMaxCoordinate, kMaxCoordinate)));
   };
-  return {at(0, p.x), at(1, p.y), at(2, p.z)};
+  return {at(0), at(1), at(2)};
 }
 
 /// The pair's squared distance, rounded up: a limit that the pair is within.
@@ -102,13 +101,12 @@ void check_seen(const SeenBox& seen, const SplitMatrix& matrix, const BoxTestSta
   }
 }
 
-Box any_box(Random& random) {
+/// A random box, large or small.
+Box sized_box(Random& random) {
   const Vertex p = any_vertex(random, kMaxCoordinate);
-  const Vertex q = any_vertex(random, 1 << random.below(15));
-  const auto most = [](std::int32_t u, std::int32_t v) {
-    return static_cast<std::int16_t>(std::min(std::max(u, u + v), kMaxCoordinate));
-  };
-  return {p, {most(p.x, q.x), most(p.y, q.y), most(p.z, q.z)}};
+  const std::int32_t size = 1 << random.below(15);
+  return box_around(p, {coordinate_near(random, p.x, size), coordinate_near(random, p.y, size),
+                        coordinate_near(random, p.z, size)});
 }
 
 }  // namespace
@@ -118,11 +116,10 @@ TEST_CASE("gaps of boxes are those along each axis, however many are worked out 
   const auto tries = rounds(7000u, 20000u);
   for_rounds(tries, [&](Random& random, std::uint32_t round) {
     const GapLimit limit(std::int64_t{1} << random.below(35));
-    const PackedBox a = pack(any_box(random));
-    const PackedBox b = pack(any_box(random));
+    const PackedBox a = pack(sized_box(random));
+    const PackedBox b = pack(sized_box(random));
     const std::int32_t most = round % 2 == 0 ? kMaxOffset : 20'000;
-    const auto any = [&] { return random.between(-most, most); };
-    const Point offset = {any(), any(), any()};
+    const Point offset = any_point(random, most);
     const SeenBox seen = seen_translated(b, offset);
     REQUIRE(squared_gap(seen, a, limit) == squared_gap_by_axis(seen, a, limit));
     REQUIRE(WideGap(offset, limit).squared(a, b) == squared_gap_by_axis(seen, a, limit));
@@ -144,17 +141,15 @@ TEST_CASE("rotated boxes are the sums of products along each axis") {
   for_rounds(rounds(1500, 5000), [&](Random& random, int) {
     const AnyMesh a = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
     const AnyMesh b = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
-    const Mesh mesh_a = a.view<Mesh>();
-    const Mesh mesh_b = b.view<Mesh>();
     const Pose pose = any_rigid_pose(random, 40000);
-    Transform transform(pose, mesh_a, mesh_b, /*may_stop=*/false);
+    Transform transform(pose, a, b, /*may_stop=*/false);
     if (!transform.is_rotated()) {
       return;
     }
     const RotatedTransform& rotated = transform.rotated();
     RotatedGap gap(rotated, GapLimit(1 << 20));
-    const PackedBox& box_a = mesh_a.nodes[0].box;
-    const PackedBox& box_b = mesh_b.nodes[0].box;
+    const PackedBox& box_a = a.nodes[0].box;
+    const PackedBox& box_b = b.nodes[0].box;
     check_seen(gap.seen_of_b(box_b), rotated.matrix->rows, rotated.on_a, 0, box_b);
     check_seen(gap.seen_of_a(box_a), rotated.columns, rotated.on_b, kSplitOne - 1, box_a);
     const std::int64_t squared = RotatedGap(rotated, GapLimit(0)).squared(box_a, box_b);
@@ -213,8 +208,8 @@ TEST_CASE("leaves as shapes reject no box that is within the limit") {
                               ? mesh_of(any_vertex(random, 16000), any_vertex(random, 16000),
                                         any_vertex(random, 16000))
                               : mesh_of(point, point, point);
-    const Mesh a = (round % 2 == 0 ? triangle : other).view<Mesh>();
-    const Mesh b = (round % 2 == 0 ? other : triangle).view<Mesh>();
+    const Mesh& a = round % 2 == 0 ? triangle : other;
+    const Mesh& b = round % 2 == 0 ? other : triangle;
     const std::int32_t far = random.below(4) == 0 ? 20000 : 0;
     const std::int32_t cells[3] = {random.between(-far, far), random.between(-far, far), 0};
     check(a, b, Pose::translated(cells[0], cells[1], cells[2]), translated);

@@ -3,16 +3,17 @@
 
 #include <cstdio>
 
-#include "bake/baked_tree.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "flashbvh/query.hpp"
 #include "insn.hpp"
 #include "support/rotations.hpp"
+#include "support/shapes.hpp"
 #include "support/torus.hpp"
 #include "support/walk.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
+using namespace flashbvh::test;
 
 namespace {
 
@@ -26,10 +27,8 @@ constexpr double kMostPerVisit = 150;
 constexpr double kMostPerVisit = 120;
 #endif
 
-using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
-
-Baked baked(const bake::LatticeMesh& mesh) {
-  return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
+Baked<Layout::post_indexed> median(const bake::LatticeMesh& mesh) {
+  return baked(bake::build_median(mesh, 1), mesh);
 }
 
 struct Cost {
@@ -54,8 +53,7 @@ void add_walk(const Mesh& a, const Mesh& b, const Pose& pose, Cost& cost) {
       ++leaf_pairs;
       return true;
     };
-    counts = test::walk_from<Ranked<Mesh>>(a, b, ByReference<RotatedBoxTest>{&overlap}, cursor,
-                                           leaf_pair)
+    counts = walk_from<Ranked<Mesh>>(a, b, ByReference<RotatedBoxTest>{&overlap}, cursor, leaf_pair)
                  .counts;
   });
   cost.visits += counts.visits;
@@ -67,17 +65,17 @@ void add_walk(const Mesh& a, const Mesh& b, const Pose& pose, Cost& cost) {
 }  // namespace
 
 TEST_CASE("instructions of a visit under rotation stay within their budget") {
-  const Baked thick = baked(test::torus(20, 20, 6000, 2000));
-  const Baked thin = baked(test::torus(40, 10, 7000, 800));
+  const auto thick = median(torus(20, 20, 6000, 2000));
+  const auto thin = median(torus(40, 10, 7000, 800));
   const auto a = thick.view();
   const auto b = thin.view();
   Cost all;
   for (const std::int32_t reach : {2000, 6000, 12000, 20000}) {
-    test::Random random = test::test_random();
+    Random random = test_random();
     Cost cost;
     for (int i = 0; i < 30; ++i) {
-      add_walk(a, b, test::any_rigid_pose(random, reach), cost);
-      add_walk(b, a, test::any_rigid_pose(random, reach), cost);
+      add_walk(a, b, any_rigid_pose(random, reach), cost);
+      add_walk(b, a, any_rigid_pose(random, reach), cost);
     }
     std::printf(
         "within %5d cells: %8u visits, %2u %% overlap, %2u %% pairs of leaves, %6.2f each\n",

@@ -1,12 +1,11 @@
 // Slabs: their extent, and the test of two slabs at once.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 
 #include "flashbvh/detail/bounds/slab_simd.hpp"
 #include "support/points.hpp"
+#include "support/rounds.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -26,10 +25,8 @@ PackedVector any_direction(Random& random) {
 }
 
 Box any_box(Random& random, std::int32_t most) {
-  const Vertex u = any_vertex(random, most);
-  const Vertex v = any_vertex(random, most);
-  return {{std::min(u.x, v.x), std::min(u.y, v.y), std::min(u.z, v.z)},
-          {std::max(u.x, v.x), std::max(u.y, v.y), std::max(u.z, v.z)}};
+  const Vertex corner = any_vertex(random, most);
+  return box_around(corner, any_vertex(random, most));
 }
 
 /// The slab of a translated triangle, for boxes of the other tree.
@@ -80,11 +77,9 @@ struct AnySlab {
 }  // namespace
 
 TEST_CASE("a box touches a slab exactly when their bounds along it meet, and two as each of them") {
-  Random random = test_random();
   std::uint32_t touching = 0;
   std::uint32_t missing = 0;
-  for (int round = 0; round < 20000; ++round) {
-    CAPTURE(round);
+  for_rounds(20000, [&](Random& random, int) {
     const std::int32_t most = random.below(3) == 0 ? kMaxCoordinate : 4 << random.below(12);
     const AnySlab u(random, most);
     const AnySlab v(random, most);
@@ -94,20 +89,18 @@ TEST_CASE("a box touches a slab exactly when their bounds along it meet, and two
     const bool both = u.touches(box) && v.touches(box);
     REQUIRE(may_touch_both(u.slab, v.slab, packed) == both);
     ++(both ? touching : missing);
-  }
+    Slab all;
+    all.set_all();
+    REQUIRE(may_touch_both(all, all, packed));
+  });
   CHECK(touching > 2000);
   CHECK(missing > 2000);
-  Slab all;
-  all.set_all();
-  CHECK(may_touch_both(all, all, pack(any_box(random, kMaxCoordinate))));
 }
 
 TEST_CASE("a slab misses vertices exactly when all lie on one side of it") {
-  Random random = test_random(2);
   std::uint32_t touching = 0;
   std::uint32_t missing = 0;
-  for (int round = 0; round < 20000; ++round) {
-    CAPTURE(round);
+  for_rounds(20000, 2, [&](Random& random, int) {
     const std::int32_t most = random.below(3) == 0 ? kMaxCoordinate : 4 << random.below(12);
     const AnySlab any(random, most);
     Vertex vertices[9];
@@ -129,15 +122,13 @@ TEST_CASE("a slab misses vertices exactly when all lie on one side of it") {
     Slab all;
     all.set_all();
     REQUIRE(all.may_touch(vertices, corners, corners + count));
-  }
+  });
   CHECK(touching > 2000);
   CHECK(missing > 2000);
 }
 
 TEST_CASE("a scaled direction has 13 bits, those of the product, and its sign") {
-  Random random = test_random(1);
-  for (int round = 0; round < 20000; ++round) {
-    CAPTURE(round);
+  for_rounds(20000, 1, [&](Random& random, int) {
     const std::int32_t most = random.below(3) == 0 ? 32766 : 1 << random.below(15);
     const auto any = [&] {
       return vector(random.between(-most, most), random.between(-most, most),
@@ -165,5 +156,5 @@ TEST_CASE("a scaled direction has 13 bits, those of the product, and its sign") 
         REQUIRE(got[i] == (product[i] * (std::int64_t{1} << shift)) >> 19);
       }
     }
-  }
+  });
 }

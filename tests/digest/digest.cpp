@@ -9,11 +9,13 @@
 #include "flashbvh/solid.hpp"
 #include "small_mesh.hpp"
 #include "support/at_roots.hpp"
+#include "support/points.hpp"
 
 namespace digest {
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
+using flashbvh::test::any_point;
 using flashbvh::test::Random;
 
 namespace {
@@ -84,12 +86,6 @@ template <class Traversal, bool with_contacts = false>
   add_counts(query.stats(), hash);
   ++result.cases;
   result.pairs += query.stats().triangle_pairs;
-}
-
-Point any_point(Random& random, int32_t reach) {
-  const int32_t x = random.between(-reach, reach);
-  const int32_t y = random.between(-reach, reach);
-  return {x, y, random.between(-reach, reach)};
 }
 
 /// Moves a pose far along one axis: to about the limit from which distances place B far, or to the

@@ -1,11 +1,10 @@
 // Images opened in place on every board: written images open, damaged images are refused.
 #include <string.h>
 
-#include <catch2/catch.hpp>
-
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/most_work.hpp"
+#include "support/rounds.hpp"
 #include "support/same_view.hpp"
 #include "support/small_scene.hpp"
 
@@ -127,9 +126,7 @@ bool same(const Tree& a, const Tree& b) {
 
 TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was written", "",
                    PreMeshWithLevels, MeshWithLevels) {
-  Random random = test_random();
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, [&](Random& random, int) {
     const Baked<TestType> baked(random, digest::kMostTriangles);
     Image image;
     image.write(baked.tree.view());
@@ -140,7 +137,7 @@ TEMPLATE_TEST_CASE("small trees: an image opens in place as the tree that was wr
         same(tree, baked.tree.view()) &&
         same_view<uint16_t, TestType::kLayout>(tree, view_unchecked<Seen>(image.bytes()));
     REQUIRE(equal);
-  }
+  });
 }
 
 TEST_CASE("small trees: each way an image can be no image has its own status") {

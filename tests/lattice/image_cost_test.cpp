@@ -34,18 +34,6 @@ bake::BuildTree first_leaf_chain(const bake::LatticeMesh& mesh) {
 bake::BuildTree last_leaf_chain(const bake::LatticeMesh& mesh) {
   return chain(mesh, false);
 }
-/// A root with a leaf for each triangle.
-bake::BuildTree star(const bake::LatticeMesh& mesh) {
-  bake::BuildTree tree;
-  tree.nodes.push_back({bake::box_of(mesh, 0), {}, {}});
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    tree.nodes[0].box = bake::join(tree.nodes[0].box, bake::box_of(mesh, i));
-    tree.nodes[0].children.push_back(i + 1);
-    tree.nodes.push_back({bake::box_of(mesh, i), {}, {i}});
-  }
-  return tree;
-}
-
 struct Cost {
   std::uint32_t nodes;
   std::uint32_t check;  ///< instructions without the checksum's
@@ -56,7 +44,7 @@ struct Cost {
 
 template <Layout layout>
 Cost cost_of(const bake::BuildTree& tree, const bake::LatticeMesh& mesh) {
-  const auto words = bake::image_of(bake::lay_out<std::uint16_t, layout>(tree, mesh), true);
+  const auto words = bake::image_of(baked<layout>(tree, mesh), true);
   const auto size = static_cast<std::uint32_t>(words.size() * sizeof words[0]);
   BasicMesh<std::uint16_t, layout> opened;
   Status status = Status::image_invalid;

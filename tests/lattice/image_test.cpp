@@ -16,12 +16,9 @@ constexpr Layout kPre = Layout::pre_indexed;
 constexpr Layout kPost = Layout::post_indexed;
 
 template <Layout layout>
-using Baked = bake::BakedTree<std::uint16_t, layout>;
-
-template <Layout layout>
 Baked<layout> baked_shape(Random& random, std::uint32_t triangles) {
   const auto mesh = random_mesh(random, triangles, 100, 30);
-  return bake::lay_out<std::uint16_t, layout>(any_tree(random, mesh), mesh);
+  return baked<layout>(any_tree(random, mesh), mesh);
 }
 
 /// An image with changeable bytes.
@@ -62,26 +59,19 @@ Baked<layout> small_tree() {
   Random random(7);
   const auto mesh = random_mesh(random, 7, 1000, 300);
   bake::BuildTree tree;
-  const auto leaf_box = [&](std::initializer_list<std::uint32_t> triangles) {
-    Box box = bake::box_of(mesh, *triangles.begin());
-    for (const std::uint32_t triangle : triangles) {
-      box = bake::join(box, bake::box_of(mesh, triangle));
-    }
-    return box;
-  };
   const auto leaf = [&](std::initializer_list<std::uint32_t> triangles) {
-    tree.nodes.push_back({leaf_box(triangles), {}, triangles});
+    tree.nodes.push_back({box_of_all(mesh, triangles), {}, triangles});
   };
-  tree.nodes.push_back({leaf_box({0, 1, 2, 3, 4, 5, 6}), {1, 2, 3}, {}});
-  tree.nodes.push_back({leaf_box({0, 1, 2}), {4, 5}, {}});
+  tree.nodes.push_back({box_of_all(mesh, {0, 1, 2, 3, 4, 5, 6}), {1, 2, 3}, {}});
+  tree.nodes.push_back({box_of_all(mesh, {0, 1, 2}), {4, 5}, {}});
   leaf({3});
-  tree.nodes.push_back({leaf_box({4, 5, 6}), {6}, {}});
+  tree.nodes.push_back({box_of_all(mesh, {4, 5, 6}), {6}, {}});
   leaf({0, 1});
   leaf({2});
-  tree.nodes.push_back({leaf_box({4, 5, 6}), {7, 8}, {}});
+  tree.nodes.push_back({box_of_all(mesh, {4, 5, 6}), {7, 8}, {}});
   leaf({4, 5});
   leaf({6});
-  return bake::lay_out<std::uint16_t, layout>(tree, mesh);
+  return baked<layout>(tree, mesh);
 }
 
 /// An image whose `count` is too large by 65,536, with memory for the additional elements.
@@ -385,7 +375,7 @@ TEST_CASE("a leaf of 255 triangles is good, one of 256 is not") {
     const auto tree = bake::build_median(mesh, size);
     REQUIRE(tree.nodes.size() == 1);
     const Status wanted = size == 255 ? Status::done : Status::image_invalid;
-    CHECK(Image{image_of(bake::lay_out<std::uint16_t, kPost>(tree, mesh))}.open<Mesh>() == wanted);
+    CHECK(Image{image_of(baked(tree, mesh))}.open<Mesh>() == wanted);
     CHECK(Image{image_of(bake::lay_out<std::uint32_t, kPre>(tree, mesh))}
               .open<PreMeshWithLevels32>() == wanted);
   }

@@ -1,13 +1,12 @@
 // Poses: accepted rotations, composition, inversion, and every status.
 #include "flashbvh/pose.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
 
 #include "support/rotations.hpp"
+#include "support/rounds.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -69,8 +68,7 @@ TEST_CASE("every rotation of a cube is exact, and the identity is a translation"
 }
 
 TEST_CASE("a pose keeps what it is given, to 2^-22") {
-  Random random = test_random();
-  for (int round = 0; round < 1000; ++round) {
+  for_rounds(1000, [&](Random& random, int) {
     const Rotation rotation = rotation_of(any_quaternion(random));
     const Pose pose = Pose::rigid(rotation.entry, {1, -2, 3}, {4, -5, 32767});
     REQUIRE(pose.status() == Status::done);
@@ -81,13 +79,11 @@ TEST_CASE("a pose keeps what it is given, to 2^-22") {
     }
     CHECK(pose.translation(1) == -2);
     CHECK(pose.fraction(2) == 32767);
-  }
+  });
 }
 
 TEST_CASE("a matrix that is no rotation within the tolerance is refused, not repaired") {
-  Random random = test_random(1);
-  for (int round = 0; round < 300; ++round) {
-    CAPTURE(round);
+  for_rounds(300, 1, [&](Random& random, int) {
     const Rotation rotation = rotation_of(any_quaternion(random));
     // Scaling all entries changes a column's squared length by twice as much.
     const std::int32_t tolerated = kOne + kRotationTolerance / 2 - (kOne >> 16);
@@ -101,7 +97,7 @@ TEST_CASE("a matrix that is no rotation within the tolerance is refused, not rep
             Status::not_a_rotation);
     REQUIRE(Pose::rigid(scaled(rotation, -kOne).entry, kNowhere).status() ==
             Status::not_a_rotation);  // a mirror image
-  }
+  });
   const std::int32_t zero[3][3] = {};
   CHECK(Pose::rigid(zero, kNowhere).status() == Status::not_a_rotation);
   for (const std::int32_t extreme : {INT32_MIN, INT32_MAX}) {
@@ -148,9 +144,7 @@ TEST_CASE("a bad pose stays bad in whatever is made of it") {
 }
 
 TEST_CASE("composed does first the one, then the other") {
-  Random random = test_random(2);
-  for (int round = 0; round < 500; ++round) {
-    CAPTURE(round);
+  for_rounds(500, 2, [&](Random& random, int) {
     const Pose outer = any_rigid_pose(random, 10000);
     const Pose inner = any_rigid_pose(random, 10000);
     const Pose both = Pose::composed(outer, inner);
@@ -166,13 +160,11 @@ TEST_CASE("composed does first the one, then the other") {
       REQUIRE(std::llabs(transformed(both, p, axis) - transformed(outer, between, axis)) <
               65536 / 32);
     }
-  }
+  });
 }
 
 TEST_CASE("an inverse leads back, and to the relative pose of two objects in a world") {
-  Random random = test_random(3);
-  for (int round = 0; round < 500; ++round) {
-    CAPTURE(round);
+  for_rounds(500, 3, [&](Random& random, int) {
     const Pose a = any_rigid_pose(random, 16383);
     const Pose b = any_rigid_pose(random, 16383);
     const Pose back = Pose::composed(a.inverse(), a);
@@ -187,7 +179,7 @@ TEST_CASE("an inverse leads back, and to the relative pose of two objects in a w
     for (int i = 0; i < 3; ++i) {
       REQUIRE(std::llabs(fine_translation(relative, i) - fine_translation(b, i)) < 65536 / 16);
     }
-  }
+  });
   // Exact if there is nothing to round.
   const Pose rotation = Pose::rigid(rotation_of({1, 1, 1, 1}).entry, {1, 2, 3}, {-32768, 5, 0});
   const Pose back = Pose::composed(rotation, rotation.inverse());

@@ -1,6 +1,4 @@
 // Poses from floats: their rounding, and refusals.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -8,6 +6,7 @@
 
 #include "flashbvh/float.hpp"
 #include "support/rotations.hpp"
+#include "support/rounds.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::detail;
@@ -92,9 +91,7 @@ constexpr double kRounding = 128 + 8;
 }  // namespace
 
 TEST_CASE("a matrix of floats is the pose of the same numbers in fixed point") {
-  Random random = test_random();
-  for (int round = 0; round < 500; ++round) {
-    CAPTURE(round);
+  for_rounds(500, [&](Random& random, int) {
     const FloatMatrix floats = floats_of(rotation_of(any_quaternion(random)));
     const Pose wanted = Pose::rigid(fixed_of(floats).entry, {7, -8, 9});
     const Pose pose = pose_of(floats.entry, {7, -8, 9}, 1);
@@ -112,7 +109,7 @@ TEST_CASE("a matrix of floats is the pose of the same numbers in fixed point") {
     check_same_rotation(by_rows, wanted);
     CHECK(by_rows.translation(1) == -8);
     CHECK(by_rows.translation(2) == 9);
-  }
+  });
 }
 
 TEST_CASE("quaternions of the rotations of a cube give their matrices to the last bit") {
@@ -137,9 +134,7 @@ TEST_CASE("quaternions of the rotations of a cube give their matrices to the las
 }
 
 TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
-  Random random = test_random();
-  for (int round = 0; round < 500; ++round) {
-    CAPTURE(round);
+  for_rounds(500, [&](Random& random, int) {
     const Quaternion q = any_quaternion(random);
     // The squared length is off by 2^-10, or 9.77e-4.
     for (const double length : {1.0, 1 + 4.8e-4, 1 - 4.8e-4}) {
@@ -153,18 +148,17 @@ TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
       CAPTURE(length);
       REQUIRE(pose_of(scaled(q, length), kOrigin, 1).status() == Status::not_a_rotation);
     }
-  }
+  });
 }
 
 TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell") {
-  Random random = test_random();
-  for (int round = 0; round < 2000; ++round) {
+  for_rounds(2000, [&](Random& random, int) {
     // Any size, down to products that round to zero.
     const float length = std::ldexp(static_cast<float>(random.between(-16777215, 16777215)),
                                     random.between(-70, 10));
     const float scale =
         std::ldexp(static_cast<float>(random.between(1, 16777215)), random.between(-40, 10));
-    CAPTURE(round, length, scale);
+    CAPTURE(length, scale);
     const Pose pose = pose_of(kUnrotated, {0, length, 0}, scale);
     // 48 bits at most: exact in double.
     const double cells = static_cast<double>(length) * static_cast<double>(scale);
@@ -180,7 +174,7 @@ TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell")
       CHECK(pose.translation(0) == 0);
       CHECK(pose.fraction(2) == 0);
     }
-  }
+  });
   const Pose halves = pose_of(kUnrotated, {0.5f, -0.5f, 2.5f}, 3);
   CHECK((halves.translation(0) == 2 && halves.fraction(0) == -32768));
   CHECK((halves.translation(1) == -1 && halves.fraction(1) == -32768));

@@ -3,17 +3,14 @@
 // sanitizer detects any other read.
 #include <set>
 
-#include "bake/baked_tree.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
+#include "support/shapes.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::detail;
 
 namespace {
-
-template <Layout layout>
-using Baked = bake::BakedTree<std::uint16_t, layout>;
 
 constexpr std::uint16_t kLeaf = Node<std::uint16_t>::kLeafFlag;
 
@@ -80,7 +77,7 @@ std::vector<Baked<layout>> all_trees(std::size_t count) {
         node.triangles = {triangle++};
       }
     }
-    trees.push_back(bake::lay_out<std::uint16_t, layout>(tree, mesh_of_equal_triangles()));
+    trees.push_back(baked<layout>(tree, mesh_of_equal_triangles()));
   });
   return trees;
 }
@@ -180,7 +177,7 @@ Baked<layout> three_leaves() {
   const Box box = bake::box_of(mesh_of_equal_triangles(), 0);
   bake::BuildTree tree;
   tree.nodes = {{box, {1, 2, 3}, {}}, {box, {}, {0, 1}}, {box, {}, {2, 3}}, {box, {}, {4, 5}}};
-  auto baked = bake::lay_out<std::uint16_t, layout>(tree, mesh_of_equal_triangles());
+  auto baked = test::baked<layout>(tree, mesh_of_equal_triangles());
   REQUIRE(passes(baked));
   return baked;
 }

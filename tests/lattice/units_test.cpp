@@ -1,9 +1,8 @@
 // Lengths in the mesh's unit: exact products, rounded once.
-#include "bake/baked_tree.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/query.hpp"
-#include "support/rotations.hpp"
+#include "support/shapes.hpp"
 #include "support/test.hpp"
 #include "support/torus.hpp"
 
@@ -126,19 +125,15 @@ TEST_CASE("lengths: a contact a metre off both frames' origins, in millimetres")
     mesh_a.cell = mesh_b.cell = cell;
     mesh_a.origin = {metre, -metre, metre};
     mesh_b.origin = {-metre, metre, 0};
-    const auto baked_a =
-        bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh_a, 1), mesh_a);
-    const auto baked_b =
-        bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh_b, 1), mesh_b);
+    const auto baked_a = baked(bake::build_median(mesh_a, 1), mesh_a);
+    const auto baked_b = baked(bake::build_median(mesh_b, 1), mesh_b);
     const Mesh a = baked_a.view();
     const Mesh b = baked_b.view();
-    const Mesh at_origin_a = [&] {
-      Mesh mesh = a;
-      mesh.origin[0] = mesh.origin[1] = mesh.origin[2] = 0;
-      return mesh;
-    }();
+    Mesh at_origin_a = a;
     Mesh at_origin_b = b;
-    std::memcpy(at_origin_b.origin, at_origin_a.origin, sizeof at_origin_b.origin);
+    for (int axis = 0; axis < 3; ++axis) {
+      at_origin_a.origin[axis] = at_origin_b.origin[axis] = 0;
+    }
     // An equivalent pose: B a ring's radius from A.
     const Pose pose = Pose::translated(metre + metre + 1000, -2 * metre, metre);
     const Pose near_pose = Pose::translated(1000, 0, 0);

@@ -15,8 +15,7 @@ bake::SourceMesh mesh_between(double low, double high) {
 }  // namespace
 
 TEST_CASE("a mesh fits its finest cell, which its width fills but for what rounding takes") {
-  Random random(test_seed());
-  for (int i = 0; i < 20000; ++i) {
+  for_rounds(20000, [&](Random& random, int i) {
     // Whole and half numbers often put both ends halfway between cells.
     const double width = i % 2 == 0 ? kWidth : 100 + random.below(1000);
     const double low = (static_cast<double>(random.below(2000001)) - 1e6) / (i % 3 == 0 ? 2 : 64);
@@ -26,7 +25,7 @@ TEST_CASE("a mesh fits its finest cell, which its width fills but for what round
     REQUIRE(bake::fits(mesh, cell));
     REQUIRE(cell <= width / (kWidth - 1) * (1 + 1e-9));
     REQUIRE(cell >= width / kWidth);
-  }
+  });
 }
 
 TEST_CASE("the whole width of the lattice is used where rounding allows it") {

@@ -44,14 +44,13 @@ TEST_CASE("numbers printed by <cstdio> are those of <charconv>") {
     CAPTURE(value);
     REQUIRE(is_alike(value));
   }
-  Random random(test_seed());
-  for (int i = 0; i < rounds(5000, 1000000); ++i) {
+  for_rounds(rounds(5000, 1000000), [&](Random& random, int) {
     const auto value = number_of<double>(random.next());
     const double decimal = random.between(-99999, 99999) / std::pow(10, random.below(9));
     CAPTURE(value, decimal);
     REQUIRE((!std::isfinite(value) || is_alike(value)));
     REQUIRE(is_alike(decimal));
-  }
+  });
 }
 
 TEST_CASE("words read by <cstdio> are the numbers of <charconv>") {

@@ -105,8 +105,7 @@ TEST_CASE("a number of a text is the nearest double, in every format") {
 }
 
 TEST_CASE("any number of up to 25 digits is the nearest double, in every format") {
-  Random random(test_seed());
-  for (int i = 0; i < 3000; ++i) {
+  for_rounds(3000, [&](Random& random, int) {
     std::string word = random.below(2) == 0 ? "-" : "";
     const std::uint32_t digits = 1 + random.below(25);
     const std::uint32_t point = random.below(digits + 1);
@@ -118,13 +117,13 @@ TEST_CASE("any number of up to 25 digits is the nearest double, in every format"
     }
     const double wanted = std::strtod(word.c_str(), nullptr);
     if (!tool::is_coordinate(wanted)) {
-      continue;
+      return;
     }
     for (const TextFormat& format : kTextFormats) {
       CAPTURE(format.name, word);
       REQUIRE(reads_as(format, word, wanted));
     }
-  }
+  });
 }
 
 TEST_CASE("what is no number, or none that a float can hold, is no coordinate in any format") {

@@ -3,10 +3,9 @@
 
 #include <stdint.h>
 
-#include <catch2/catch.hpp>
 #include <initializer_list>
 
-#include "support/random.hpp"
+#include "support/rounds.hpp"
 #include "support/triangle_pairs.hpp"
 
 namespace flashbvh::test {
@@ -149,24 +148,21 @@ TEST_CASE("contact: normals are exact cross products", "[contact]") {
 }
 
 TEST_CASE("contact: the order of corners and of arguments moves no end", "[contact]") {
-  Random random = test_random();
   uint32_t intersecting = 0;
-  for (uint32_t run = 0; run < kPairs / 4; ++run) {
+  for_rounds(kPairs / 4, [&](Random& random, uint32_t) {
     const TransformedPair pair = any_pair(random);
     if (!detail::triangles_intersect(pair.a, pair.b)) {
-      continue;
+      return;
     }
     ++intersecting;
-    CAPTURE(run);
     REQUIRE(all_orders_give(contact_of(pair.a, pair.b), pair.a, pair.b));
-  }
+  });
   CHECK(intersecting > kPairs / 16);
 }
 
 TEST_CASE("contact: the order of arguments moves no point where long edges cross", "[contact]") {
-  Random random = test_random();
   uint32_t intersecting = 0;
-  for (uint32_t run = 0; run < 4 * kPairs; ++run) {
+  for_rounds(4 * kPairs, [&](Random& random, uint32_t) {
     TransformedPair pair = {triangle_within(random, kMaxContactSpan),
                             triangle_within(random, kMaxContactSpan)};
     for (Triangle* t : {&pair.a, &pair.b}) {
@@ -176,21 +172,19 @@ TEST_CASE("contact: the order of arguments moves no point where long edges cross
       }
     }
     if (!detail::triangles_intersect(pair.a, pair.b)) {
-      continue;
+      return;
     }
     ++intersecting;
-    CAPTURE(run);
     REQUIRE(same_place(contact_of(pair.a, pair.b), contact_of(pair.b, pair.a)));
-  }
+  });
   CHECK(intersecting > kPairs / 16);
 }
 
 TEST_CASE("contact: translating both triangles translates the ends alike", "[contact]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < kPairs; ++run) {
+  for_rounds(kPairs, [&](Random& random, uint32_t) {
     const TransformedPair pair = any_pair(random);
     if (!detail::triangles_intersect(pair.a, pair.b)) {
-      continue;
+      return;
     }
     const TransformedPair translated = translated_anywhere(random, pair);
     const Contact here = contact_of(pair.a, pair.b);
@@ -201,25 +195,22 @@ TEST_CASE("contact: translating both triangles translates the ends alike", "[con
       end = {end.x - int64_t{to.x - from.x} * kFineOne, end.y - int64_t{to.y - from.y} * kFineOne,
              end.z - int64_t{to.z - from.z} * kFineOne};
     }
-    CAPTURE(run);
     REQUIRE(same_place(here, there));
     REQUIRE(same(here.normal_a, there.normal_a));
     REQUIRE(same(here.normal_b, there.normal_b));
-  }
+  });
 }
 
 TEST_CASE("contact: disjoint triangles do no harm, and their normals are right", "[contact]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < kPairs; ++run) {
+  for_rounds(kPairs, [&](Random& random, uint32_t) {
     TransformedPair pair = any_pair(random);
     const TransformedPair other = any_pair(random);
     const TransformedPair far_a = translated_anywhere(random, {pair.a, pair.a});
     const TransformedPair far_b = translated_anywhere(random, {other.b, other.b});
     const Contact disjoint = contact_of(far_a.a, far_b.a);
-    CAPTURE(run);
     REQUIRE(same(disjoint.normal_a, contact_of(pair.a, pair.a).normal_a));
     REQUIRE(same(disjoint.normal_b, contact_of(other.b, other.b).normal_b));
-  }
+  });
 }
 
 }  // namespace flashbvh::test

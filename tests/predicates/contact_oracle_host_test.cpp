@@ -40,16 +40,11 @@ struct Judge {
   }
 
   bool ends_are_corners() const {
-    for (const int i : {0, 1}) {
-      bool found = false;
-      for (const Rational& corner : corners) {
-        found = found || is_near(i, corner);
-      }
-      if (!found) {
-        return false;
-      }
-    }
-    return true;
+    const auto is_corner = [&](int i) {
+      return std::any_of(corners.begin(), corners.end(),
+                         [&](const Rational& corner) { return is_near(i, corner); });
+    };
+    return is_corner(0) && is_corner(1);
   }
 
   /// The largest difference of the ends along an axis.
@@ -102,16 +97,14 @@ struct Judge {
     const WideTriangle wide_b(b, a.corner[0]);
     const WideVector of_b = wide_b.normal();
     const bool thin = of_a == WideVector{} || of_b == WideVector{};
-    const bool flat = crossed(of_a, of_b) == WideVector{} && dotted(of_a, wide_b.corner[0]) == 0;
+    const bool flat = cross(of_a, of_b) == WideVector{} && test::dot(of_a, wide_b.corner[0]) == 0;
     return contact.kind == (thin   ? ContactKind::degenerate
                             : flat ? ContactKind::coplanar
                                    : ContactKind::segment);
   }
   bool normals_are_right() const {
-    return WideVector{contact.normal_a.x, contact.normal_a.y, contact.normal_a.z} ==
-               WideTriangle(a, a.corner[0]).normal() &&
-           WideVector{contact.normal_b.x, contact.normal_b.y, contact.normal_b.z} ==
-               WideTriangle(b, a.corner[0]).normal();
+    return vector_of<Wide>(contact.normal_a) == WideTriangle(a, a.corner[0]).normal() &&
+           vector_of<Wide>(contact.normal_b) == WideTriangle(b, a.corner[0]).normal();
   }
 };
 
@@ -138,27 +131,23 @@ bool is_right(const Triangle& a, const Triangle& b) {
 }  // namespace
 
 TEST_CASE("contact: small triangles agree with exact rationals", "[contact][oracle]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < 2 * kPairs; ++run) {
+  for_rounds(2 * kPairs, [&](Random& random, uint32_t) {
     const int32_t size = random.between(1, 4);
     const TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
-    CAPTURE(run);
     REQUIRE(is_right(pair.a, pair.b));
-  }
+  });
 }
 
 TEST_CASE("contact: triangles of every kind agree with exact rationals", "[contact][oracle]") {
-  Random random = test_random();
   uint32_t intersecting[3] = {};
-  for (uint32_t run = 0; run < 3 * kPairs; ++run) {
+  for_rounds(3 * kPairs, [&](Random& random, uint32_t) {
     const TransformedPair pair = translated_anywhere(random, any_pair(random));
     if (!detail::triangles_intersect(pair.a, pair.b)) {
-      continue;
+      return;
     }
     ++intersecting[static_cast<unsigned>(contact_of(pair.a, pair.b).kind)];
-    CAPTURE(run);
     REQUIRE(is_right(pair.a, pair.b));
-  }
+  });
   CHECK(intersecting[0] > kPairs / 4);
   CHECK(intersecting[1] > kPairs / 16);
   CHECK(intersecting[2] > kPairs / 16);

@@ -2,12 +2,11 @@
 // quotients of 128-bit numbers, multiplied back by hand: equal on every core.
 #include <stdint.h>
 
-#include <catch2/catch.hpp>
-
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "predicates/long_division.hpp"
 #include "support/points.hpp"
+#include "support/rounds.hpp"
 
 namespace flashbvh::test {
 namespace {
@@ -126,10 +125,9 @@ TEST_CASE("separated triangles are detected in 32 bits as in 64, on every core")
 }
 
 TEST_CASE("quotients of 128 bits, multiplied back, are what was divided") {
-  Random random = test_random();
   constexpr Int128 most = {INT64_MAX, UINT64_MAX};
   constexpr Int128 one = {0, 1};
-  for (int round = 0; round < 4000; ++round) {
+  for_rounds(4000, [&](Random& random, int round) {
     Int128 u = round % 50 == 0 ? most : any_number(random, 64 + random.below(64));
     Int128 v = round % 70 == 0 ? most : any_number(random, 64 + random.below(64));
     if (round % 3 == 0) {
@@ -141,13 +139,12 @@ TEST_CASE("quotients of 128 bits, multiplied back, are what was divided") {
     const Int128 whole = detail::quotient(u, v);
     REQUIRE(is_quotient(whole, u, v));
     REQUIRE(detail::long_quotient(u, v) == whole);
-  }
+  });
   REQUIRE(detail::is_zero(detail::long_quotient({0, 0}, most)));
 }
 
 TEST_CASE("roots of 128 bits are the largest whose squares are not above") {
-  Random random = test_random();
-  for (int round = 0; round < 4000; ++round) {
+  for_rounds(4000, [&](Random& random, int round) {
     Int128 u = any_number(random, 1 + random.below(127));
     // A square, and its neighbours.
     const uint64_t own = detail::square_root(u);
@@ -164,7 +161,7 @@ TEST_CASE("roots of 128 bits are the largest whose squares are not above") {
     REQUIRE((root == 0 || whole.high > 0 || whole.low >= root));
     const Int128 next = detail::quotient(u, {0, root + 1});
     REQUIRE((next.high == 0 && next.low < root + 1));
-  }
+  });
 }
 
 }  // namespace flashbvh::test

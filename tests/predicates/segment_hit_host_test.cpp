@@ -19,19 +19,10 @@ mpq_class rational(const SegmentShare& share) {
 /// 1 if the triangle's corners run counter-clockwise, seen from the segment's start, -1 if
 /// clockwise, 0 if the segment lies in the plane or there is none.
 int side_met(const Segment& segment, const Triangle& t) {
-  const auto at = [](const Point& p, unsigned axis) {
-    return number(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
-  };
-  const Point& o = t.corner[0];
-  mpz_class slope = 0;
-  for (unsigned i = 0; i < 3; ++i) {
-    const unsigned j = (i + 1) % 3;
-    const unsigned k = (i + 2) % 3;
-    const mpz_class normal = (at(t.corner[1], j) - at(o, j)) * (at(t.corner[2], k) - at(o, k)) -
-                             (at(t.corner[1], k) - at(o, k)) * (at(t.corner[2], j) - at(o, j));
-    slope += normal * (at(segment.to, i) - at(segment.from, i));
-  }
-  return -sgn(slope);
+  const auto at = [](const Point& p) { return vector_of<mpz_class>(p); };
+  const Vector<mpz_class> o = at(t.corner[0]);
+  const Vector<mpz_class> normal = cross(minus(at(t.corner[1]), o), minus(at(t.corner[2]), o));
+  return -sgn(dot(normal, minus(at(segment.to), at(segment.from))));
 }
 
 /// The kinds of results so far, to check that all occur.
@@ -59,16 +50,11 @@ void check_segment(const Segment& segment, const Triangle& t, Seen& seen) {
   REQUIRE(along.below > 0);
   REQUIRE(rational(along) == truth.first());
   REQUIRE(side == side_met(segment, t));
-  // Any order of corners, and the reversed triangle.
-  for (unsigned i = 0; i < 3; ++i) {
-    const Triangle same = {{t.corner[i], t.corner[(i + 1) % 3], t.corner[(i + 2) % 3]}};
-    const Triangle turned = {{t.corner[i], t.corner[(i + 2) % 3], t.corner[(i + 1) % 3]}};
+  for (int i = 0; i < 6; ++i) {  // the last three orders reverse the triangle
     SegmentShare other = {0, 1};
     std::int8_t other_side = 2;
-    REQUIRE(detail::first_meeting(segment, same, other, other_side));
-    REQUIRE((order_along(along, other) == 0 && other_side == side));
-    REQUIRE(detail::first_meeting(segment, turned, other, other_side));
-    REQUIRE((order_along(along, other) == 0 && other_side == -side));
+    REQUIRE(detail::first_meeting(segment, ordered(t, i), other, other_side));
+    REQUIRE((order_along(along, other) == 0 && other_side == (i < 3 ? side : -side)));
   }
 }
 
@@ -78,24 +64,21 @@ Point point_between(const Point& u, const Point& v, std::int32_t share) {
 
 /// Whether the part of a segment from its start to `end`, a share of it, meets a box.
 bool meets_box(const Segment& segment, const mpq_class& end, const Box& box) {
-  const std::int32_t from[3] = {segment.from.x, segment.from.y, segment.from.z};
-  const std::int32_t to[3] = {segment.to.x, segment.to.y, segment.to.z};
-  const Vertex& lower = box.lower;
-  const Vertex& upper = box.upper;
-  const std::int32_t least[3] = {lower.x, lower.y, lower.z};
-  const std::int32_t most[3] = {upper.x, upper.y, upper.z};
   mpq_class first = 0;
   mpq_class last = end;
   for (int i = 0; i < 3; ++i) {
-    if (from[i] == to[i]) {
-      if (from[i] < least[i] || from[i] > most[i]) {
+    const std::int32_t from = segment.from.*kPointAxes[i];
+    const std::int32_t way = segment.to.*kPointAxes[i] - from;
+    const std::int32_t least = box.lower.*kVertexAxes[i];
+    const std::int32_t most = box.upper.*kVertexAxes[i];
+    if (way == 0) {
+      if (from < least || from > most) {
         return false;
       }
       continue;
     }
-    const mpq_class way = to[i] - from[i];
-    const mpq_class at_least = (least[i] - from[i]) / way;
-    const mpq_class at_most = (most[i] - from[i]) / way;
+    const mpq_class at_least = mpq_class(least - from) / way;
+    const mpq_class at_most = mpq_class(most - from) / way;
     first = std::max(first, std::min(at_least, at_most));
     last = std::min(last, std::max(at_least, at_most));
   }
@@ -112,15 +95,13 @@ TEST_CASE("a segment meets exactly the boxes that it has a point of, and no part
     const std::int32_t reach = round % 2 == 0 ? 4 : 40;
     const Segment segment = {any_point(random, reach), any_point(random, reach)};
     const Point near = any_point(random, 4);  // offset from the segment's middle
-    const Point p = {(segment.from.x + segment.to.x) / 2 + near.x,
-                     (segment.from.y + segment.to.y) / 2 + near.y,
-                     (segment.from.z + segment.to.z) / 2 + near.z};
-    const auto sized = [&](std::int32_t at) {
-      return static_cast<std::int16_t>(at + static_cast<std::int32_t>(random.below(6)));
-    };
-    const Box box = {{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y),
-                      static_cast<std::int16_t>(p.z)},
-                     {sized(p.x), sized(p.y), sized(p.z)}};
+    Box box{};
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = kPointAxes[i];
+      const std::int32_t at = (segment.from.*axis + segment.to.*axis) / 2 + near.*axis;
+      box.lower.*kVertexAxes[i] = static_cast<std::int16_t>(at);
+      box.upper.*kVertexAxes[i] = static_cast<std::int16_t>(at + random.between(0, 5));
+    }
     detail::SegmentInBoxes boxes(segment);
     const bool meets = meets_box(segment, 1, box);
     REQUIRE(boxes.may_meet(pack(box)) == meets);
@@ -157,8 +138,8 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
     const Triangle t = any_triangle(random, reach);
     const Point from = any_point(random, round % 2 == 0 ? reach : kMaxRayCoordinate / 2 - 40'000);
     // Through a corner, or the middle of an edge; twice as far, exactly there, or just short of it.
-    const Point& u = t.corner[random.below(3)];
-    const Point& v = t.corner[random.below(3)];
+    const Point& u = random.one_of(t.corner);
+    const Point& v = random.one_of(t.corner);
     const Point to = {u.x + v.x - from.x, u.y + v.y - from.y, u.z + v.z - from.z};
     check_segment({from, to}, t, seen);
     check_segment({to, from}, t, seen);
@@ -180,18 +161,18 @@ TEST_CASE("a segment meets corners and edges of large triangles, from far off") 
 }
 
 TEST_CASE("at the ends of the range nothing overflows") {
-  Random random = test_random();
   Seen seen;
-  const auto far = [&] { return random.below(2) == 0 ? kMaxRayCoordinate : -kMaxRayCoordinate; };
-  const auto corner = [&] { return random.below(2) == 0 ? kMaxCoordinate : -kMaxCoordinate; };
-  for (int round = 0; round < rounds(1500, 5'000); ++round) {
-    const Triangle t = {{{corner(), corner(), corner()},
-                         {corner(), corner(), corner()},
-                         {corner(), corner(), corner()}}};
-    const Point from = {far(), far(), far()};
-    check_segment({from, {far(), far(), far()}}, t, seen);
+  for_rounds(rounds(1500, 5'000), [&](Random& random, int) {
+    const auto at_ends = [&](std::int32_t most) {
+      const auto end = [&] { return random.below(2) == 0 ? most : -most; };
+      return Point{end(), end(), end()};
+    };
+    const Triangle t = {
+        {at_ends(kMaxCoordinate), at_ends(kMaxCoordinate), at_ends(kMaxCoordinate)}};
+    const Point from = at_ends(kMaxRayCoordinate);
+    check_segment({from, at_ends(kMaxRayCoordinate)}, t, seen);
     check_segment({from, {-from.x, -from.y, -from.z + 1}}, t, seen);
-  }
+  });
   CHECK((seen.hits > 300 && seen.misses > 300));
 }
 

@@ -5,10 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <catch2/catch.hpp>
 #include <initializer_list>
 
 #include "support/oracles/triangle.hpp"
+#include "support/rounds.hpp"
 #include "support/triangle_pairs.hpp"
 
 namespace flashbvh::test {
@@ -149,7 +149,7 @@ constexpr int32_t kSizes[] = {1, 2, 3, 5, 24, 1000, 32767, 32768, 65535, detail:
 
 /// A pair of any kind; `touching`: whether it has a common point by construction.
 TransformedPair random_pair(Random& random, bool& touching) {
-  const int32_t size = kSizes[random.below(sizeof kSizes / sizeof kSizes[0])];
+  const int32_t size = random.one_of(kSizes);
   const uint32_t kind = random.below(6);
   TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
   touching = kind >= 1 && kind <= 3;
@@ -202,37 +202,32 @@ TEST_CASE("segments and points are tested as what they are", "[triangle]") {
 }
 
 TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < kSymmetryPairs; ++run) {
+  for_rounds(kSymmetryPairs, [&](Random& random, uint32_t) {
     bool touching = false;
     const TransformedPair pair = random_pair(random, touching);
-    CAPTURE(run);
     REQUIRE(all_orders_answer(detail::triangles_intersect(pair.a, pair.b), pair.a, pair.b));
-  }
+  });
 }
 
 TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
+  for_rounds(4 * kSymmetryPairs, [&](Random& random, uint32_t) {
     bool touching = false;
     const TransformedPair pair = random_pair(random, touching);
     const bool here = detail::triangles_intersect(pair.a, pair.b);
     for (const bool up : {false, true}) {
       const TransformedPair there = at_the_end(pair, up);
-      CAPTURE(run, up);
+      CAPTURE(up);
       REQUIRE(detail::triangles_intersect(there.a, there.b) == here);
     }
-  }
+  });
 }
 
 TEST_CASE("triangles with a common point by construction intersect", "[triangle]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < 4 * kSymmetryPairs; ++run) {
+  for_rounds(4 * kSymmetryPairs, [&](Random& random, uint32_t) {
     bool touching = false;
     const TransformedPair pair = random_pair(random, touching);
-    CAPTURE(run);
     REQUIRE((!touching || detail::triangles_intersect(pair.a, pair.b)));
-  }
+  });
 }
 
 #if defined(__SIZEOF_INT128__)
@@ -265,27 +260,23 @@ TEST_CASE("every pair of triangles in the unit cube agrees with the oracle", "[t
 }
 
 TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
+  for_rounds(rounds(60000u, 400000u), [&](Random& random, uint32_t) {
     const int32_t size = random.between(2, 3);
     const TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
-    CAPTURE(run);
     REQUIRE(agrees(pair.a, pair.b));
-  }
+  });
 }
 
 TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][oracle]") {
-  Random random = test_random();
-  for (uint32_t run = 0; run < rounds(60000u, 400000u); ++run) {
+  for_rounds(rounds(60000u, 400000u), [&](Random& random, uint32_t) {
     bool touching = false;
     TransformedPair pair = random_pair(random, touching);
     // A shift of every other pair by one cell makes touching pairs nearly touching.
     int32_t Point::*const axis = random.below(2) != 0 ? &Point::x : &Point::z;
     Point& corner = pair.b.corner[random.below(3)];
     corner.*axis -= random.below(2) != 0 && corner.*axis > 0 ? 1 : 0;
-    CAPTURE(run);
     REQUIRE(agrees(pair.a, pair.b));
-  }
+  });
 }
 
 #endif  // __SIZEOF_INT128__

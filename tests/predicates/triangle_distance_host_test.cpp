@@ -1,5 +1,4 @@
 // Distances of triangles against exact rationals.
-#include <cmath>
 #include <set>
 
 #include "flashbvh/detail/predicates/triangle.hpp"
@@ -39,10 +38,8 @@ RationalVector point_at(const Triangle& t, const PlaceInTriangle& place) {
   const mpq_class s = rational(place.first, place.below);
   const mpq_class u = rational(place.second, place.below);
   CHECK((s >= 0 && u >= 0 && s + u <= 1));
-  const auto at = [&](int from, int to, int other) -> mpq_class {
-    return from + s * (to - from) + u * (other - from);
-  };
-  return {at(p.x, q.x, r.x), at(p.y, q.y, r.y), at(p.z, q.z, r.z)};
+  const auto at = [](const Point& corner) { return vector_of<mpq_class>(corner); };
+  return plus(plus(at(p), s, minus(at(q), at(p))), u, minus(at(r), at(p)));
 }
 
 /// A squared distance, accurate to one part in 2^40.
@@ -105,17 +102,18 @@ long check_planes(Random& random, const Triangle& a, const Triangle& b, const Fe
   if (is_far) {
     own.widen();
   }
-  const double n[3] = {apart[0].get_d(), apart[1].get_d(), apart[2].get_d()};
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  const FloatVector n = {apart[0].get_d(), apart[1].get_d(), apart[2].get_d()};
+  const double length = length_of(n);
   long close = 0;
   for (int i = 0; i < 32; ++i) {
     const Point to = any_point(random, 400);
-    const double along = (to.x * n[0] + to.y * n[1] + to.z * n[2]) / (length * length);
-    const auto rounded = [&](int from, int axis) {
-      return static_cast<std::int32_t>(std::lround(from - along * n[axis]));
+    const FloatVector way = vector_of<double>(to);
+    const FloatVector across = plus(way, -test::dot(way, n) / (length * length), n);
+    const auto rounded = [&](std::size_t axis) {
+      return static_cast<std::int32_t>(std::lround(across[axis]));
     };
-    const Point step = {rounded(to.x, 0), rounded(to.y, 1), rounded(to.z, 2)};
-    const mpq_class nearer = -(apart[0] * step.x + apart[1] * step.y + apart[2] * step.z);
+    const Point step = {rounded(0), rounded(1), rounded(2)};
+    const mpq_class nearer = -test::dot(apart, vector_of<mpq_class>(step));
     CAPTURE(step.x, step.y, step.z);
     REQUIRE(own.separates(a, shifted(b, step)) == (nearer <= 0));
     close += nearer > 0 && nearer.get_d() < 1e-3 * length ? 1 : 0;
@@ -149,9 +147,7 @@ RationalVector check_places(const Triangle& a, const Triangle& b, const Features
   PlaceInTriangle of_a{};
   PlaceInTriangle of_b{};
   nearest_places(a, b, features, of_a, of_b);
-  const RationalVector p = point_at(a, of_a);
-  const RationalVector q = point_at(b, of_b);
-  const RationalVector apart = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  const RationalVector apart = minus(point_at(b, of_b), point_at(a, of_a));
   REQUIRE(test::dot(apart, apart) == truth);
   return apart;
 }
@@ -216,16 +212,13 @@ void adapt(Random& random, unsigned kind, Triangle& a, Triangle& b) {
       }
       break;
     case 6:  // a common corner
-      b.corner[random.below(3)] = a.corner[random.below(3)];
+      b.corner[random.below(3)] = random.one_of(a.corner);
       break;
     case 7:  // parallel edges
-      b.corner[1] = {b.corner[0].x + a.corner[1].x - a.corner[0].x,
-                     b.corner[0].y + a.corner[1].y - a.corner[0].y,
-                     b.corner[0].z + a.corner[1].z - a.corner[0].z};
+      b.corner[1] = sum(b.corner[0], sum(a.corner[1], scaled(-1, a.corner[0])));
       break;
     case 8:  // on one line
-      a.corner[2] = {2 * a.corner[1].x - a.corner[0].x, 2 * a.corner[1].y - a.corner[0].y,
-                     2 * a.corner[1].z - a.corner[0].z};
+      a.corner[2] = sum(scaled(2, a.corner[1]), scaled(-1, a.corner[0]));
       break;
     default:
       break;
@@ -241,8 +234,8 @@ TEST_CASE("distances of triangles are those of exact rationals") {
   const std::int32_t offsets[] = {0, 2, 50, 1500, 8000, 30000, 60000};
   const auto tries = rounds(800u, 4000u);
   for_rounds(tries, [&](Random& random, std::uint32_t) {
-    const std::int32_t reach = reaches[random.below(7)];
-    const std::int32_t offset = offsets[random.below(7)];
+    const std::int32_t reach = random.one_of(reaches);
+    const std::int32_t offset = random.one_of(offsets);
     Triangle a = any_triangle(random, reach);
     Triangle b = any_triangle(random, reach);
     adapt(random, random.below(12), a, b);
@@ -258,9 +251,7 @@ TEST_CASE("distances of triangles are those of exact rationals") {
 }
 
 TEST_CASE("no order of corners changes a distance") {
-  Random random = test_random();
-  for (unsigned round = 0; round < 300; ++round) {
-    CAPTURE(round);
+  for_rounds(300, [&](Random& random, int) {
     Triangle a = any_triangle(random, 40);
     Triangle b = any_triangle(random, 40);
     adapt(random, random.below(12), a, b);
@@ -273,7 +264,7 @@ TEST_CASE("no order of corners changes a distance") {
         REQUIRE(squared_distance(ordered(b, j), ordered(a, i), features) == truth);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("every small pair of triangles in a plane and next to it") {
@@ -325,8 +316,8 @@ TEST_CASE("distances of meshes' triangles are exact up to kMaxFarApart") {
   for_rounds(rounds(300u, 3000u), [&](Random& random, std::uint32_t round) {
     const std::int32_t reaches[] = {2, 40, 1000, 9000, 16383};
     constexpr std::int32_t most = 1 << 20;
-    Triangle a = any_triangle(random, reaches[random.below(5)]);
-    Triangle b = any_triangle(random, reaches[random.below(5)]);
+    Triangle a = any_triangle(random, random.one_of(reaches));
+    Triangle b = any_triangle(random, random.one_of(reaches));
     if (round % 8 == 0) {
       constexpr std::int32_t m = 16383;
       constexpr std::int32_t n = 28377;

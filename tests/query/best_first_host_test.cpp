@@ -2,7 +2,6 @@
 // boxes first, by equal bounds. It visits no pair farther than the answer.
 #include <queue>
 
-#include "bake/build_tree.hpp"
 #include "flashbvh/clearance.hpp"
 #include "support/record.hpp"
 #include "support/rotations.hpp"
@@ -29,14 +28,11 @@ struct Pairs {
     transform.bring_near();
     transform.prepare(b);
   }
-  void get(std::uint32_t i, std::uint32_t j, Triangle& of_a, Triangle& of_b) const {
-    translate_triangle(a, i, kNoOffset, of_a);
-    transform_triangle(b, j, transform, of_b);
-  }
   void take(std::uint32_t i, std::uint32_t j, BoxNearest& nearest) const {
     Triangle of_a;
     Triangle of_b;
-    get(i, j, of_a, of_b);
+    translate_triangle(a, i, kNoOffset, of_a);
+    transform_triangle(b, j, transform, of_b);
     if (nearest.take(of_a, of_b)) {
       nearest.nearest_a = static_cast<std::uint16_t>(i);
       nearest.nearest_b = static_cast<std::uint16_t>(j);
@@ -63,7 +59,7 @@ std::uint32_t visits_from(const Pairs& pairs, const Pose& pose, Witness<std::uin
 }
 
 template <class Gap>
-std::uint32_t best_first(const Pairs& pairs, const Gap& make_gap, Fraction& least,
+std::uint32_t best_first(const Pairs& pairs, Gap gap, Fraction& least,
                          Witness<std::uint16_t>& witness) {
   struct Entry {
     std::uint32_t bound;
@@ -76,7 +72,6 @@ std::uint32_t best_first(const Pairs& pairs, const Gap& make_gap, Fraction& leas
   nearest.so_far = &so_far;
   std::priority_queue<Entry> heap;
   std::uint32_t visits = 0;
-  auto gap = make_gap();
   const auto visit = [&](std::uint16_t a, std::uint16_t b) {
     ++visits;
     heap.push({gap.nearest(pairs.a.nodes[a].box, pairs.b.nodes[b].box), a, b});
@@ -133,16 +128,11 @@ struct RotatedNearest {
 std::uint32_t best_first(const Pairs& pairs, Fraction& least, Witness<std::uint16_t>& witness) {
   const GapLimit limit((std::int64_t{1} << 30) - 1);  // in whole cells
   if (pairs.transform.is_rotated()) {
-    return best_first(
-        pairs,
-        [&] {
-          return RotatedNearest{RotatedGap(pairs.transform.rotated(), limit), limit};
-        },
-        least, witness);
+    const RotatedGap gap(pairs.transform.rotated(), limit);
+    return best_first(pairs, RotatedNearest{gap, limit}, least, witness);
   }
-  return best_first(
-      pairs, [&] { return TranslatedNearest{WideGap(pairs.transform.translated().offset, limit)}; },
-      least, witness);
+  const WideGap gap(pairs.transform.translated().offset, limit);
+  return best_first(pairs, TranslatedNearest{gap}, least, witness);
 }
 
 /// The end of the descent of a query without a hint, and its visits.
@@ -164,13 +154,11 @@ struct Ratio {
 }  // namespace
 
 TEST_CASE("a seeded query visits what the best order visits, and a cold one little more") {
-  const bake::LatticeMesh mesh_a = torus(40, 20, 9000, 3000);
-  const bake::LatticeMesh mesh_b = torus(60, 12, 6000, 1500);
-  const auto bake_tree = [](const bake::LatticeMesh& mesh) {
-    return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_default(mesh), mesh);
+  const auto bake_ring = [](const bake::LatticeMesh& mesh) {
+    return baked(bake::build_default(mesh), mesh);
   };
-  const auto a = bake_tree(mesh_a);
-  const auto b = bake_tree(mesh_b);
+  const auto a = bake_ring(torus(40, 20, 9000, 3000));
+  const auto b = bake_ring(torus(60, 12, 6000, 1500));
   Random random = test_random();
   Ratio seeded;
   Ratio cold;

@@ -1,8 +1,8 @@
 // Distances against brute force, on trees that fit every board.
-#include <catch2/catch.hpp>
 #include <initializer_list>
 
 #include "flashbvh/clearance.hpp"
+#include "support/rounds.hpp"
 #include "support/small_scene.hpp"
 #include "support/transformed_vertex.hpp"
 
@@ -37,11 +37,6 @@ Fraction least_distance(const Scene& scene) {
   return least;
 }
 
-/// 256 times the square root, rounded down.
-uint32_t lower_of(const Fraction& squared) {
-  return static_cast<uint32_t>(square_root(quotient(shifted_up(squared.above, 16), squared.below)));
-}
-
 PairSet brute_force_within(const Scene& scene, uint32_t distance) {
   PairSet pairs;
   const ShortFraction limit = {uint64_t{distance} * distance, 1 << 16};
@@ -56,13 +51,11 @@ PairSet brute_force_within(const Scene& scene, uint32_t distance) {
 }  // namespace
 
 TEST_CASE("small trees: the distance is that of the nearest triangles, however it is cut") {
-  Random random = test_random();
   int apart = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, [&](Random& random, int) {
     const Scene scene(random);
     if (!is_in_range(scene)) {
-      continue;
+      return;
     }
     const Fraction least = least_distance(scene);
     Witness<uint16_t> begin;
@@ -84,35 +77,23 @@ TEST_CASE("small trees: the distance is that of the nearest triangles, however i
       begin = found.witness;
     }
     apart += is_zero(least.above) ? 0 : 1;
-  }
+  });
   CHECK(apart > kRounds / 10);
 }
 
 TEST_CASE("small trees: within a distance are the pairs that brute force finds") {
-  Random random = test_random();
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, [&](Random& random, int) {
     const Scene scene(random);
     if (!is_in_range(scene)) {
-      continue;
+      return;
     }
     const uint32_t lower = lower_of(least_distance(scene));
     for (const uint32_t more : {uint32_t{0}, uint32_t{1}, random.below(1 << 16)}) {
       const uint32_t reach = lower + more < kMaxDistance ? lower + more : kMaxDistance;
       WithinQuery query(scene.a.view(), scene.b.view(), scene.pose, {}, within(reach));
-      PairSet found;
-      bool twice = false;
-      const auto add = [&](const Pair& pair) {
-        twice = !found.add(pair.a, pair.b) || twice;
-        return true;
-      };
-      const uint32_t work = 1 + random.below(100);
-      while (query.run(work, add).status == Status::suspended) {
-      }
-      REQUIRE(query.status() == Status::done);
-      REQUIRE_FALSE(twice);
-      const bool exact = found == brute_force_within(scene, reach);
+      const bool exact =
+          all_pairs(query, 1 + random.below(100)) == brute_force_within(scene, reach);
       REQUIRE(exact);
     }
-  }
+  });
 }

@@ -1,19 +1,11 @@
 // Distances of meshes against brute force over all pairs of triangles.
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
 #include "support/check_clearance.hpp"
-#include "support/points.hpp"
+#include "support/test.hpp"
 
-using namespace flashbvh;
 using namespace flashbvh::detail;
-using namespace flashbvh::test;
 
 namespace {
 
@@ -88,40 +80,25 @@ void check_band(const std::vector<Pairwise>& all, const Mesh& a, const Mesh& b, 
   check_pairs_within(all, is_within, a, b, pose, reach, {1, 50, kNoLimit});
 }
 
-Mesh view_of(const AnyMesh& mesh) {
-  return mesh.view<Mesh>();
-}
-
 }  // namespace
 
 TEST_CASE("the distance of two meshes is that of their nearest triangles") {
-  Random random = test_random();
-  for (int round = 0; round < rounds(80, 250); ++round) {
-    CAPTURE(round);
+  for_rounds(rounds(80, 250), [&](Random& random, int) {
     const std::int32_t spreads[] = {5, 60, 1000, 16000};
-    const std::int32_t spread = spreads[random.below(4)];
-    const auto mesh = [&] {
-      return any_mesh(random, random_mesh(random, 1 + random.below(20), spread, 1 + spread / 4));
-    };
-    const AnyMesh any_a = mesh();
-    const AnyMesh any_b = mesh();
-    const Mesh a = view_of(any_a);
-    const Mesh b = view_of(any_b);
+    const std::int32_t spread = random.one_of(spreads);
+    const AnyMesh a = any_mesh(random, 20, spread, 1 + spread / 4);
+    const AnyMesh b = any_mesh(random, 20, spread, 1 + spread / 4);
     const Pose pose = any_pose(random, spread > 6000 ? 23000 : spread * random.between(1, 4));
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     check_result(all, distance(a, b, pose));
     // Every hint gives the exact distance, and a good hint is kept.
     for (int i = 0; i < 4; ++i) {
-      const Pairwise& pair =
-          i == 0 ? least_of(all) : all[random.below(static_cast<std::uint32_t>(all.size()))];
-      const Witness<std::uint16_t> seed = {static_cast<std::uint16_t>(pair.of_a),
-                                           static_cast<std::uint16_t>(pair.of_b)};
-      check_result(all, distance(a, b, pose, seed));
+      const Pairwise& pair = i == 0 ? least_of(all) : random.one_of(all);
+      check_result(all, distance(a, b, pose, {pair.of_a, pair.of_b}));
     }
     check_slices(random, a, b, pose, {});
-    const Pairwise& any = all[random.below(static_cast<std::uint32_t>(all.size()))];
-    check_slices(random, a, b, pose,
-                 {static_cast<std::uint16_t>(any.of_a), static_cast<std::uint16_t>(any.of_b)});
+    const Pairwise& any = random.one_of(all);
+    check_slices(random, a, b, pose, {any.of_a, any.of_b});
     const std::uint32_t lower = lower_of(least_of(all).squared);
     for (const std::uint32_t reach : {lower, lower + 1, lower == 0 ? 0 : lower - 1, 2 * lower,
                                       lower + 256 * static_cast<std::uint32_t>(spread)}) {
@@ -131,51 +108,35 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
     }
     // Swapped arguments give equal points, if nothing is rotated.
     if (pose.is_translation()) {
-      const std::int32_t back[3] = {-pose.translation(0), -pose.translation(1),
-                                    -pose.translation(2)};
-      const Pose other = Pose::translated(back[0], back[1], back[2]);
-      REQUIRE(distance(b, a, other).lower == lower);
-      REQUIRE(distance(b, a, other).upper == distance(a, b, pose).upper);
+      const Clearance<std::uint16_t> back = distance(b, a, pose.inverse());
+      REQUIRE((back.lower == lower && back.upper == distance(a, b, pose).upper));
     }
-  }
+  });
 }
 
 TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") {
-  Random random = test_random();
-  for (int round = 0; round < rounds(20, 60); ++round) {
-    CAPTURE(round);
-    const auto mesh = [&] {
-      return any_mesh(random, random_mesh(random, 20 + random.below(20), 800, 400));
-    };
-    const AnyMesh any_a = mesh();
-    const AnyMesh any_b = mesh();
-    const Mesh a = view_of(any_a);
-    const Mesh b = view_of(any_b);
+  for_rounds(rounds(20, 60), [&](Random& random, int round) {
+    const AnyMesh a = any_mesh(random, 40, 800, 400);
+    const AnyMesh b = any_mesh(random, 40, 800, 400);
     const auto far = [&] { return (random.below(2) == 0 ? 1 : -1) * random.between(20000, 23000); };
-    const std::int32_t x = far();
-    const std::int32_t y = far();
-    const std::int32_t cells[3] = {x, y, far()};
+    const std::int32_t cells[3] = {far(), far(), far()};
     const Pose pose = round % 4 == 0
                           ? Pose::translated(cells[0], cells[1], cells[2])
                           : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     check_result(all, distance(a, b, pose));
     for (int i = 0; i < 8; ++i) {
-      const Pairwise& pair = all[random.below(static_cast<std::uint32_t>(all.size()))];
-      check_result(all, distance(a, b, pose,
-                                 {static_cast<std::uint16_t>(pair.of_a),
-                                  static_cast<std::uint16_t>(pair.of_b)}));
+      const Pairwise& pair = random.one_of(all);
+      check_result(all, distance(a, b, pose, {pair.of_a, pair.of_b}));
     }
-  }
+  });
 }
 
 TEST_CASE("distances beyond the range are reported as such") {
   Random random = test_random();
   const bake::LatticeMesh mesh = random_mesh(random, 12, 16000, 4000);
-  const AnyMesh any_a = any_mesh(random, mesh);
-  const AnyMesh any_b = any_mesh(random, mesh);
-  const Mesh a = view_of(any_a);
-  const Mesh b = view_of(any_b);
+  const AnyMesh a = any_mesh(random, mesh);
+  const AnyMesh b = any_mesh(random, mesh);
   const auto rotated = [&](std::int32_t x) {
     const std::int32_t cells[3] = {x, -x, x};
     return Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
@@ -211,10 +172,8 @@ TEST_CASE("distances beyond the range are reported as such") {
 
 TEST_CASE("seeds and positions that are none are refused") {
   Random random = test_random();
-  const AnyMesh any_a = any_mesh(random, random_mesh(random, 20, 100, 20));
-  const AnyMesh any_b = any_mesh(random, random_mesh(random, 15, 100, 20));
-  const Mesh a = view_of(any_a);
-  const Mesh b = view_of(any_b);
+  const AnyMesh a = any_mesh(random, random_mesh(random, 20, 100, 20));
+  const AnyMesh b = any_mesh(random, random_mesh(random, 15, 100, 20));
   const Pose pose = Pose::translated(500, 0, 0);
   CHECK(distance(a, b, pose, Witness<std::uint16_t>{20, 0}).status == Status::hint_invalid);
   CHECK(distance(a, b, pose, Witness<std::uint16_t>{0, 15}).status == Status::hint_invalid);
@@ -250,33 +209,26 @@ TEST_CASE("seeds and positions that are none are refused") {
 TEST_CASE("a hint that is far is dropped, and the nearest pair never") {
   int dropped = 0;
   int kept = 0;
-  Random random = test_random();
-  for (int round = 0; round < rounds(200, 1000); ++round) {
-    CAPTURE(round);
-    const auto mesh = [&] { return any_mesh(random, random_mesh(random, 12, 2000, 400)); };
-    const AnyMesh any_a = mesh();
-    const AnyMesh any_b = mesh();
-    const Mesh a = view_of(any_a);
-    const Mesh b = view_of(any_b);
+  for_rounds(rounds(200, 1000), [&](Random& random, int round) {
+    const AnyMesh a = any_mesh(random, random_mesh(random, 12, 2000, 400));
+    const AnyMesh b = any_mesh(random, random_mesh(random, 12, 2000, 400));
     const Pose pose = any_pose(random, 2000 + 2000 * (round % 3));
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     const auto query = [&](const Pairwise& pair) {
-      return ClearanceQuery(a, b, pose,
-                            Witness<std::uint16_t>{static_cast<std::uint16_t>(pair.of_a),
-                                                   static_cast<std::uint16_t>(pair.of_b)});
+      return ClearanceQuery(a, b, pose, Witness<std::uint16_t>{pair.of_a, pair.of_b});
     };
     REQUIRE(query(least_of(all)).result().upper != UINT32_MAX);
-    ClearanceQuery far = query(all[random.below(static_cast<std::uint32_t>(all.size()))]);
+    ClearanceQuery far = query(random.one_of(all));
     if (far.result().upper != UINT32_MAX) {
       ++kept;
-      continue;
+      return;
     }
     ++dropped;
     ClearanceQuery cold(a, b, pose);
     REQUIRE(far.run(kNoLimit).status == Status::done);
     REQUIRE(cold.run(kNoLimit).status == Status::done);
     REQUIRE(same(far.stats(), cold.stats()));
-  }
+  });
   CAPTURE(dropped, kept);
   CHECK(dropped > 20);
   CHECK(kept > 20);

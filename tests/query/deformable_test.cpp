@@ -1,19 +1,15 @@
 // Deformable meshes: boxes against boxes computed from the triangles below, queries against brute
 // force and rebaked meshes, and refusals during changes of a mesh.
-#include <catch2/catch.hpp>
-
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/ray.hpp"
 #include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
 #include "support/bending.hpp"
-#include "support/points.hpp"
+#include "support/test.hpp"
 #include "support/torus.hpp"
 #include "support/transformed_mesh.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/vectors.hpp"
 
 namespace {
 
@@ -33,11 +29,10 @@ void add_vertices(const Mesh& mesh, std::uint32_t node, Box& box) {
   const std::uint32_t leaf = mesh.nodes[node].leaf();
   for (std::uint32_t i = mesh.first_triangle(leaf); i < mesh.end_triangle(leaf); ++i) {
     for (const std::uint32_t corner : mesh.triangles[i].corner) {
-      const Vertex& v = mesh.vertices[corner];
-      box.lower = {std::min(box.lower.x, v.x), std::min(box.lower.y, v.y),
-                   std::min(box.lower.z, v.z)};
-      box.upper = {std::max(box.upper.x, v.x), std::max(box.upper.y, v.y),
-                   std::max(box.upper.z, v.z)};
+      for (const auto axis : kVertexAxes) {
+        box.lower.*axis = std::min(box.lower.*axis, mesh.vertices[corner].*axis);
+        box.upper.*axis = std::max(box.upper.*axis, mesh.vertices[corner].*axis);
+      }
     }
   }
 }
@@ -85,12 +80,11 @@ void check_refits(Random& random, int rounds) {
       }
       for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
         for (int side = 0; side < 3; ++side) {
-          const Vertex& u = mesh.vertices[mesh.triangles[i].corner[side]];
-          const Vertex& v = mesh.vertices[mesh.triangles[i].corner[(side + 1) % 3]];
-          const std::int64_t x = u.x - v.x;
-          const std::int64_t y = u.y - v.y;
-          const std::int64_t z = u.z - v.z;
-          longest = std::max(longest, x * x + y * y + z * z);
+          const auto at = [&](int corner) {
+            return vector_of<std::int64_t>(mesh.vertices[mesh.triangles[i].corner[corner]]);
+          };
+          const Vector<std::int64_t> edge = minus(at(side), at((side + 1) % 3));
+          longest = std::max(longest, dot(edge, edge));
         }
       }
       REQUIRE(std::int64_t{mesh.longest_edge} * mesh.longest_edge >= longest);
@@ -100,17 +94,12 @@ void check_refits(Random& random, int rounds) {
   }
 }
 
-Pairs sorted(Pairs pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
 /// Tests every traversal that supports these meshes.
 template <class Mesh>
 void check_pairs(const Mesh& a, const Mesh& b, const Pose& pose, const Pairs& expected) {
   for_each_query(a, b, pose, [&](const char* name, auto& query) {
     CAPTURE(name);
-    REQUIRE(sorted(run_to_end(query, kNoLimit, 5000)) == expected);
+    REQUIRE(sorted(run_to_end(query)) == expected);
   });
 }
 
@@ -153,10 +142,8 @@ TEST_CASE("every traversal takes a mesh that bends, on either side and against i
 }
 
 TEST_CASE("distances, rays and insides are those of the same mesh baked as it is now") {
-  Random random = test_random(2);
   const bake::LatticeMesh ring = torus(6, 4, 60, 20);
-  for (int round = 0; round < 40 / kShare; ++round) {
-    CAPTURE(round);
+  for_rounds(40 / kShare, 2, [&](Random& random, int) {
     Bending<Mesh> bent(any_tree(random, ring), ring);
     move_some(random, 8, bent.vertices.data(), bent.vertices.size());
     bent.mesh.set_origin({random.between(-50, 50), 7, -3});
@@ -180,7 +167,7 @@ TEST_CASE("distances, rays and insides are those of the same mesh baked as it is
     const auto expected_hit = nearest_hit(same, ray);
     REQUIRE(hit.yes == expected_hit.yes);
     REQUIRE((!hit.yes || hit.hit.triangle == expected_hit.hit.triangle));
-  }
+  });
 }
 
 TEST_CASE(
@@ -189,8 +176,7 @@ TEST_CASE(
   const bake::LatticeMesh lattice = grid(3, 2, false);
   Bending<Mesh> bent(bake::build_default(lattice), lattice);
   const auto coordinate = [&](std::size_t v, int axis) -> std::int16_t& {
-    Vertex& at = bent.vertices[v];
-    return axis == 0 ? at.x : axis == 1 ? at.y : at.z;
+    return bent.vertices[v].*kVertexAxes[axis];
   };
   const Mesh& mesh = bent.mesh.mesh();
   const Mesh rigid = bent.baked.view();

@@ -1,7 +1,4 @@
 // Distances of meshes far apart, against exact rationals over all pairs of triangles.
-#include <algorithm>
-#include <vector>
-
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
 #include "support/check_clearance.hpp"
@@ -78,7 +75,7 @@ void check_band(Random& random, const std::vector<TruePair>& all, const Mesh& a,
 std::int32_t any_offset(Random& random) {
   constexpr std::int32_t at[] = {1 << 15, 40000,   kNear,          1 << 16,
                                  1 << 17, 1 << 18, (1 << 19) + 77, kFar - 1};
-  const std::int32_t offset = std::min(at[random.below(8)] + random.between(-1, 1), kFar - 1);
+  const std::int32_t offset = std::min(random.one_of(at) + random.between(-1, 1), kFar - 1);
   return random.below(2) == 0 ? offset : -offset;
 }
 
@@ -105,7 +102,7 @@ Pose any_far_pose(Random& random) {
 
 AnyMesh any_small_mesh(Random& random) {
   const std::int32_t spreads[] = {5, 60, 1000, 15000};
-  const std::int32_t spread = spreads[random.below(4)];
+  const std::int32_t spread = random.one_of(spreads);
   bake::LatticeMesh mesh = random_mesh(random, 1 + random.below(9), spread, 1 + spread / 12);
   return any_mesh(random, mesh);
 }
@@ -130,10 +127,8 @@ Pose any_pose_just_far(Random& random) {
 TEST_CASE("far apart the distance is that of exact rationals, from any hint, in any slices") {
   int far = 0;
   for_rounds(rounds(60, 800), [&](Random& random, int) {
-    const AnyMesh any_a = any_small_mesh(random);
-    const AnyMesh any_b = any_small_mesh(random);
-    const Mesh a = any_a.view<Mesh>();
-    const Mesh b = any_b.view<Mesh>();
+    const AnyMesh a = any_small_mesh(random);
+    const AnyMesh b = any_small_mesh(random);
     const Pose pose = any_far_pose(random);
     CAPTURE(pose.translation(0), pose.translation(1), pose.translation(2), pose.is_translation());
     const std::vector<TruePair> all = true_distances(a, b, pose);
@@ -144,7 +139,7 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
     check_distance(all, cold);
     far += detail::Transform(pose, a, b, false).is_near() ? 0 : 1;
     for (int i = 0; i < 3; ++i) {
-      const TruePair& pair = all[random.below(static_cast<std::uint32_t>(all.size()))];
+      const TruePair& pair = random.one_of(all);
       check_distance(all, distance(a, b, pose, Witness<std::uint16_t>{pair.of_a, pair.of_b}));
     }
     ClearanceQuery cut(a, b, pose);
@@ -165,8 +160,7 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
     check_distance(all, cut.result());
     // Swapped arguments, if nothing is rotated.
     if (pose.is_translation()) {
-      const Clearance<std::uint16_t> back = distance(
-          b, a, Pose::translated(-pose.translation(0), -pose.translation(1), -pose.translation(2)));
+      const Clearance<std::uint16_t> back = distance(b, a, pose.inverse());
       REQUIRE((back.lower == cold.lower && back.upper == cold.upper));
     }
     // With a tolerance.
@@ -185,15 +179,13 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
 TEST_CASE("far apart what is within a distance is what exact rationals say") {
   for_rounds(rounds(60, 800), [&](Random& random, int round) {
     const bool is_large = round % 3 == 0;
-    const AnyMesh any_a = is_large ? any_large_mesh(random) : any_small_mesh(random);
-    const AnyMesh any_b = is_large ? any_large_mesh(random) : any_small_mesh(random);
-    const Mesh a = any_a.view<Mesh>();
-    const Mesh b = any_b.view<Mesh>();
+    const AnyMesh a = is_large ? any_large_mesh(random) : any_small_mesh(random);
+    const AnyMesh b = is_large ? any_large_mesh(random) : any_small_mesh(random);
     const Pose pose = is_large ? any_pose_just_far(random) : any_far_pose(random);
     const std::vector<TruePair> all = true_distances(a, b, pose);
     bool exact = false;
     const std::uint32_t lower = fine_root(least_of(all), exact);
-    const TruePair& any = all[random.below(static_cast<std::uint32_t>(all.size()))];
+    const TruePair& any = random.one_of(all);
     for (const std::uint32_t reach :
          {lower - 1, lower, lower + 1, fine_root(any.squared, exact) + 1, lower + random.below(999),
           256u * 32767, 256u * 32767 + 1, 256u << 16, kMaxDistance}) {
@@ -211,14 +203,12 @@ TEST_CASE("far apart meshes with 32-bit indices give the same, and a pose that t
     const bake::LatticeMesh lattice_b = random_mesh(random, 1 + random.below(40), 3000, 300);
     const bake::BuildTree tree_a = any_tree(random, lattice_a);
     const bake::BuildTree tree_b = any_tree(random, lattice_b);
-    const AnyMesh any_a(tree_a, lattice_a);
-    const AnyMesh any_b(tree_b, lattice_b);
+    const AnyMesh a(tree_a, lattice_a);
+    const AnyMesh b(tree_b, lattice_b);
     const auto wide_a = bake::lay_out<std::uint32_t, Layout::post_indexed>(tree_a, lattice_a);
     const auto wide_b = bake::lay_out<std::uint32_t, Layout::post_indexed>(tree_b, lattice_b);
     const Mesh32 a32 = wide_a.view();
     const Mesh32 b32 = wide_b.view();
-    const Mesh a = any_a.view<Mesh>();
-    const Mesh b = any_b.view<Mesh>();
     const Pose pose = any_far_pose(random);
     const Clearance<std::uint16_t> found = distance(a, b, pose);
     const Clearance<std::uint32_t> wide = distance(a32, b32, pose);
@@ -243,8 +233,7 @@ TEST_CASE("far apart meshes with 32-bit indices give the same, and a pose that t
 
 TEST_CASE("where the range ends: in range to the last offset, bounds from there on") {
   Random random = test_random();
-  const AnyMesh any = any_mesh(random, random_mesh(random, 6, 1000, 300));
-  const Mesh mesh = any.view<Mesh>();
+  const AnyMesh mesh = any_mesh(random, random_mesh(random, 6, 1000, 300));
   const std::int32_t one = kRotationOne;
   const std::int32_t turn[3][3] = {{0, -one, 0}, {one, 0, 0}, {0, 0, one}};
   for (const std::int32_t x : {kNear - 1, kNear, kNear + 1, kFar - 1, kFar, kFar + 1}) {

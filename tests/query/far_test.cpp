@@ -20,8 +20,7 @@ bake::LatticeMesh largest_box() {
 
 bake::LatticeMesh doubled(bake::LatticeMesh mesh) {
   for (Vertex& v : mesh.vertices) {
-    v = {static_cast<std::int16_t>(2 * v.x), static_cast<std::int16_t>(2 * v.y),
-         static_cast<std::int16_t>(2 * v.z)};
+    v = vertex_of({2 * v.x, 2 * v.y, 2 * v.z});
   }
   return mesh;
 }
@@ -48,8 +47,7 @@ void check_bounds(const Found& found, double truth, double rounded) {
 
 TEST_CASE("of two hollow boxes of the largest size, half their size apart, both bounds hold") {
   Random random = test_random();
-  const AnyMesh any = any_mesh(random, largest_box());
-  const Mesh mesh = any.view<Mesh>();
+  const AnyMesh mesh = any_mesh(random, largest_box());
   for (const std::int32_t x : {kRange, kRange + 1, kRange + 60000, kRange + (1 << 22)}) {
     // Face to face, edge to edge, corner to corner.
     for (const int axes : {1, 2, 3}) {
@@ -71,10 +69,10 @@ TEST_CASE(
   for_rounds(rounds(60, 300), [&](Random& random, int round) {
     const bake::LatticeMesh half_a = random_mesh(random, 12, 6000, 2000);
     const bake::LatticeMesh half_b = random_mesh(random, 12, 6000, 2000);
-    AnyMesh small_a = any_mesh(random, half_a);
-    AnyMesh small_b = any_mesh(random, half_b);
-    AnyMesh large_a = any_mesh(random, doubled(half_a));
-    AnyMesh large_b = any_mesh(random, doubled(half_b));
+    const AnyMesh small_a = any_mesh(random, half_a);
+    const AnyMesh small_b = any_mesh(random, half_b);
+    const AnyMesh a = any_mesh(random, doubled(half_a));
+    const AnyMesh b = any_mesh(random, doubled(half_b));
     std::int32_t cells[3];
     for (std::int32_t& along : cells) {
       along = (random.below(2) == 0 ? 1 : -1) * random.between(kRange / 2 + 1, kRange / 2 + 20000);
@@ -86,13 +84,9 @@ TEST_CASE(
       return rotated ? Pose::rigid(rotation.entry, at) : Pose::translated(at[0], at[1], at[2]);
     };
     const double truth =
-        2 *
-        length_of(least_of(all_distances(small_a.view<Mesh>(), small_b.view<Mesh>(), pose(cells)))
-                      .squared);
+        2 * length_of(least_of(all_distances(small_a, small_b, pose(cells))).squared);
     // Rotated vertices are rounded; the halves' vertices by up to two cells.
     const double rounded = rotated ? 3 : 1e-6;
-    const Mesh a = large_a.view<Mesh>();
-    const Mesh b = large_b.view<Mesh>();
     const Pose far = pose(twice);
     check_bounds(distance(a, b, far), truth, rounded);
     const auto any = [&] { return static_cast<std::uint16_t>(random.below(12)); };
@@ -114,10 +108,8 @@ TEST_CASE("beyond the range the meshes' own origins count") {
   bake::LatticeMesh at_b = at_a;
   at_a.origin = {100000, -200000, 300000};
   at_b.origin = {-400000, 500000, 600000};
-  const AnyMesh any_a = any_mesh(random, at_a);
-  const AnyMesh any_b = any_mesh(random, at_b);
-  const Mesh a = any_a.view<Mesh>();
-  const Mesh b = any_b.view<Mesh>();
+  const AnyMesh a = any_mesh(random, at_a);
+  const AnyMesh b = any_mesh(random, at_b);
   // Turned by 90 degrees about z: B's origin goes to (-500,000, -400,000, 600,000).
   const std::int32_t one = kRotationOne;
   const std::int32_t turn[3][3] = {{0, -one, 0}, {one, 0, 0}, {0, 0, one}};

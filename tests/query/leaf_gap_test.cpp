@@ -6,23 +6,16 @@
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
 #include "support/test.hpp"
+#include "support/vectors.hpp"
 
 using namespace flashbvh::detail;
 
 namespace {
 
-struct AnyScene {
-  AnyMesh a;
-  AnyMesh b;
-  Pose pose;
-};
-
-AnyScene any_scene(Random& random, int round) {
+Scene any_scene(Random& random, int round) {
   // Few cells or many, with distances about the meshes' size.
   const std::int32_t spread = round % 3 == 0 ? 5000 : 10 + 20 * (round % 7);
-  const auto mesh = [&] {
-    return any_mesh(random, random_mesh(random, 1 + random.below(14), spread, 1 + spread / 4));
-  };
+  const auto mesh = [&] { return any_mesh(random, 14, spread, 1 + spread / 4); };
   return {mesh(), mesh(), any_pose(random, 3 * spread)};
 }
 
@@ -52,18 +45,18 @@ std::vector<std::uint32_t> leaf_nodes(const Mesh& mesh) {
 }
 
 /// Triangles about a corner, in one leaf, nearly in the plane across `up` there.
-AnyMesh fan(Random& random, const double (&up)[3], std::int32_t reach) {
+AnyMesh fan(Random& random, const FloatVector& up, std::int32_t reach) {
   bake::LatticeMesh mesh;
   const auto add = [&](double at, double height) {
-    double corner[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      corner[axis] = at * (random.between(-1000, 1000) / 1000.0);
+    FloatVector corner;
+    for (double& along : corner) {
+      along = at * (random.between(-1000, 1000) / 1000.0);
     }
-    const double along = corner[0] * up[0] + corner[1] * up[1] + corner[2] * up[2];
-    const auto on_plane = [&](int axis) {
-      return static_cast<std::int16_t>(std::lround(corner[axis] + (height - along) * up[axis]));
+    const FloatVector on_plane = plus(corner, height - dot(corner, up), up);
+    const auto rounded = [&](std::size_t axis) {
+      return static_cast<std::int16_t>(std::lround(on_plane[axis]));
     };
-    mesh.vertices.push_back({on_plane(0), on_plane(1), on_plane(2)});
+    mesh.vertices.push_back({rounded(0), rounded(1), rounded(2)});
   };
   add(0, 0);
   for (std::uint32_t i = 1; i < 7; i += 2) {
@@ -86,9 +79,9 @@ TEST_CASE(
   long boxes = 0;
   long leaves = 0;
   for_rounds(rounds(200, 2000), [&](Random& random, int round) {
-    const AnyScene scene = any_scene(random, round);
-    const Mesh a = scene.a.view<Mesh>();
-    const Mesh b = scene.b.view<Mesh>();
+    const Scene scene = any_scene(random, round);
+    const Mesh& a = scene.a;
+    const Mesh& b = scene.b;
     const std::vector<Pairwise> all = all_distances(a, b, scene.pose);
     Transform transform(scene.pose, a, b, /*may_stop=*/false);
     transform.bring_near();
@@ -97,7 +90,7 @@ TEST_CASE(
     const std::vector<std::uint32_t> node_b = leaf_nodes(b);
     for (int i = 0; i < 8; ++i) {
       // The limit is the distance of some pair, rounded down to whole cells.
-      const Pairwise& near = all[random.below(static_cast<std::uint32_t>(all.size()))];
+      const Pairwise& near = random.one_of(all);
       const auto cells = static_cast<std::int64_t>(length_of(near.squared));
       const std::int64_t limit = cells * cells;
       const ShortFraction within_limit = {static_cast<std::uint64_t>(limit), 1};
@@ -148,18 +141,15 @@ TEST_CASE("leaves that have nothing but ties have no triangles that are nearer")
   for_rounds(rounds(3000u, 30000u), [&](Random& random, int) {
     const Pose turn = any_pose(random, 0);
     const std::int32_t reach = 40 << random.below(9);
-    const double apart[3] = {1.0 * random.between(-1000, 1000), 1.0 * random.between(-1000, 1000),
-                             1.0 * random.between(1, 1000)};
-    const double length = std::hypot(apart[0], apart[1], apart[2]);
-    const double up[3] = {apart[0] / length, apart[1] / length, apart[2] / length};
-    double down[3] = {0, 0, 0};  // in B's lattice
-    for (int i = 0; i < 9; ++i) {
-      down[i % 3] -= up[i / 3] * turn.rotation(i / 3, i % 3) / kRotationOne;
+    const FloatVector apart = {1.0 * random.between(-1000, 1000), 1.0 * random.between(-1000, 1000),
+                               1.0 * random.between(1, 1000)};
+    const FloatVector up = times(1 / length_of(apart), apart);
+    FloatVector down = {0, 0, 0};  // in B's lattice
+    for (unsigned i = 0; i < 9; ++i) {
+      down[i % 3] -= up[i / 3] * turn.rotation(int(i / 3), int(i % 3)) / kRotationOne;
     }
-    const AnyMesh fan_a = fan(random, up, reach);
-    const AnyMesh fan_b = fan(random, down, reach);
-    const Mesh a = fan_a.view<Mesh>();
-    const Mesh b = fan_b.view<Mesh>();
+    const AnyMesh a = fan(random, up, reach);
+    const AnyMesh b = fan(random, down, reach);
     const double far = random.between(reach / 40 + 2, reach);
     const std::int32_t cells[3] = {static_cast<std::int32_t>(std::lround(up[0] * far)),
                                    static_cast<std::int32_t>(std::lround(up[1] * far)),
@@ -177,8 +167,8 @@ TEST_CASE("leaves that have nothing but ties have no triangles that are nearer")
     translate_triangle(a, all[0].of_a, kNoOffset, of_a);
     transform_triangle(b, all[0].of_b, transform, of_b);
     REQUIRE(nearest.take(of_a, of_b));
-    nearest.nearest_a = static_cast<std::uint16_t>(all[0].of_a);
-    nearest.nearest_b = static_cast<std::uint16_t>(all[0].of_b);
+    nearest.nearest_a = all[0].of_a;
+    nearest.nearest_b = all[0].of_b;
     if (nearest.intersect) {
       return;
     }
@@ -243,33 +233,18 @@ TEST_CASE("slivers that cross are separated along the normal of their edges") {
 
 TEST_CASE("along a direction the same pairs are found as without, however the query is cut") {
   for_rounds(rounds(100, 1000), [&](Random& random, int round) {
-    const AnyScene scene = any_scene(random, round);
-    const Mesh a = scene.a.view<Mesh>();
-    const Mesh b = scene.b.view<Mesh>();
+    const Scene scene = any_scene(random, round);
+    const Mesh& a = scene.a;
+    const Mesh& b = scene.b;
     const std::vector<Pairwise> all = all_distances(a, b, scene.pose);
-    const std::uint32_t distance =
-        lower_of(all[random.below(static_cast<std::uint32_t>(all.size()))].squared) + 1;
-    const auto found_by = [&](auto&& query, std::uint32_t work) {
-      std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-      Status status = Status::suspended;
-      while (status == Status::suspended) {
-        status = query
-                     .run(work,
-                          [&](const TrianglePair<std::uint16_t>& pair) {
-                            found.emplace_back(pair.a, pair.b);
-                            return true;
-                          })
-                     .status;
-      }
-      REQUIRE(status == Status::done);
-      return found;
-    };
-    const auto expected = found_by(WithinQuery(a, b, scene.pose, {}, within(distance)), UINT32_MAX);
+    const std::uint32_t distance = lower_of(random.one_of(all).squared) + 1;
+    WithinQuery reference(a, b, scene.pose, {}, within(distance));
+    const Pairs expected = run_to_end(reference);
     constexpr std::uint32_t budgets[] = {1, 7, 100, UINT32_MAX};
     for (const std::uint32_t work : budgets) {
       CAPTURE(distance, work);
       Query<Ranked<Mesh>, WithinAlong> query(a, b, scene.pose, {}, WithinAlong(within(distance)));
-      REQUIRE(found_by(query, work) == expected);
+      REQUIRE(run_to_end(query, work) == expected);
     }
   });
 }

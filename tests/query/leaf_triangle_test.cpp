@@ -48,23 +48,17 @@ TEST_CASE("a box and a triangle overlap where their bounds do") {
   const auto tries = rounds(12000u, 60000u);
   for_rounds(tries, 9, [&](Random& random, std::uint32_t round) {
     const int size = round % 3 == 0 ? 3 : round % 3 == 1 ? 300 : kMaxCoordinate;
-    const auto at = [&] { return static_cast<std::int16_t>(random.between(-size, size)); };
-    Box box;
-    Triangle t;
+    const Vertex u = any_vertex(random, size);
+    const Box box = box_around(u, any_vertex(random, size));
+    Point shift = {0, 0, 0};
+    for (const auto axis : kPointAxes) {
+      shift.*axis = random.below(4) == 0 ? random.between(-80000, 80000) : 0;
+    }
+    const Triangle t = shifted(any_triangle(random, size), shift);
     bool expected = true;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::int16_t u = at();
-      const std::int16_t v = at();
-      box.lower.*kVertexAxes[axis] = std::min(u, v);
-      box.upper.*kVertexAxes[axis] = std::max(u, v);
-      std::int32_t least = INT32_MAX;
-      std::int32_t most = INT32_MIN;
-      const std::int32_t shift = random.below(4) == 0 ? random.between(-80000, 80000) : 0;
-      for (Point& corner : t.corner) {
-        corner.*kPointAxes[axis] = at() + shift;
-        least = std::min(least, corner.*kPointAxes[axis]);
-        most = std::max(most, corner.*kPointAxes[axis]);
-      }
+      const auto at = [&](int corner) { return t.corner[corner].*kPointAxes[axis]; };
+      const auto [least, most] = std::minmax({at(0), at(1), at(2)});
       expected =
           expected && least <= box.upper.*kVertexAxes[axis] && most >= box.lower.*kVertexAxes[axis];
     }

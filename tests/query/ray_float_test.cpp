@@ -1,6 +1,7 @@
 // Rays given in floats: their ends against double precision, and invalid rays.
 #include "flashbvh/float.hpp"
 #include "support/test.hpp"
+#include "support/vectors.hpp"
 
 namespace {
 
@@ -20,24 +21,23 @@ TEST_CASE("a ray of floats ends within half a cell of where it should") {
                                 random.below(4) == 0 ? 0 : any_float(random, scale)};
     const float reach = std::fabs(any_float(random, round % 2 == 0 ? 3e5f : 30));
     const MadeSegment made = segment_of(origin, direction, reach, cells);
-    const auto x = static_cast<double>(direction[0]);
-    const auto y = static_cast<double>(direction[1]);
-    const auto z = static_cast<double>(direction[2]);
-    const double length = std::sqrt(x * x + y * y + z * z);
+    const auto wide = [](float value) { return static_cast<double>(value); };
+    const FloatVector along = {wide(direction[0]), wide(direction[1]), wide(direction[2])};
+    const double length = length_of(along);
     if (length == 0) {
       REQUIRE(made.status == Status::ray_out_of_range);
       return;
     }
-    CAPTURE(origin[0], origin[1], origin[2], x, y, z, reach, cells);
+    CAPTURE(origin[0], origin[1], origin[2], along[0], along[1], along[2], reach, cells);
     REQUIRE(made.status == Status::done);
-    const auto scaling = static_cast<double>(cells);
-    const double way[3] = {x / length, y / length, z / length};
-    const std::int32_t from[3] = {made.segment.from.x, made.segment.from.y, made.segment.from.z};
-    const std::int32_t to[3] = {made.segment.to.x, made.segment.to.y, made.segment.to.z};
-    for (int i = 0; i < 3; ++i) {
-      const double start = static_cast<double>(origin[i]) * scaling;
+    const double scaling = wide(cells);
+    const auto from = vector_of<double>(made.segment.from);
+    const auto to = vector_of<double>(made.segment.to);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double start = wide(origin[i]) * scaling;
+      const double end = start + wide(reach) * scaling * along[i] / length;
       REQUIRE(std::fabs(from[i] - start) <= 0.50001);
-      REQUIRE(std::fabs(to[i] - (start + static_cast<double>(reach) * scaling * way[i])) <= 0.51);
+      REQUIRE(std::fabs(to[i] - end) <= 0.51);
     }
   });
 }
@@ -59,26 +59,25 @@ TEST_CASE("axes and lengths are exact, whatever the direction's length") {
 TEST_CASE("what is no ray is refused") {
   const float infinite = std::numeric_limits<float>::infinity();
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto status = [](float x, float direction, float reach, float cells) {
-    return segment_of({x, 0, 0}, {direction, 0, 0}, reach, cells).status;
+  // A coordinate, the direction, the length, cells per unit.
+  const auto status = [](const float(&row)[4]) {
+    return segment_of({row[0], 0, 0}, {row[1], 0, 0}, row[2], row[3]).status;
   };
-  CHECK(status(1, 1, 1, 1) == Status::done);
-  CHECK(status(1, 0, 1, 1) == Status::ray_out_of_range);
-  CHECK(status(1, -0.0f, 1, 1) == Status::ray_out_of_range);
-  CHECK(status(1, 1, -1, 1) == Status::ray_out_of_range);
-  CHECK(status(1, 1, -1e-9f, 1) == Status::ray_out_of_range);
-  CHECK(status(1, 1, -0.0f, 1) == Status::done);
+  CHECK(status({1, 1, 1, 1}) == Status::done);
+  CHECK(status({1, 1, -0.0f, 1}) == Status::done);
+  const float refused[][4] = {{1, 0, 1, 1},      {1, -0.0f, 1, 1},  {1, 1, -1, 1},
+                              {1, 1, -1e-9f, 1}, {1, 1, 1.1e6f, 1}, {6e8f, 1, 1, 1},
+                              {-6e8f, 1, 1, 1},  {1, 1, 1, 0},      {1, 1, 1, -1}};
+  for (const auto& row : refused) {
+    CHECK(status(row) == Status::ray_out_of_range);
+  }
+  for (const float bad : {infinite, -infinite, nan}) {
+    for (int i = 0; i < 4; ++i) {
+      float row[4] = {1, 1, 1, 1};
+      row[i] = bad;
+      CHECK(status(row) == Status::ray_out_of_range);
+    }
+  }
   CHECK(fine_distance(-1e-9f, 1) == UINT32_MAX);
   CHECK(fine_distance(-0.0f, 1) == 0);
-  CHECK(status(1, 1, 1.1e6f, 1) == Status::ray_out_of_range);
-  CHECK(status(6e8f, 1, 1, 1) == Status::ray_out_of_range);
-  CHECK(status(-6e8f, 1, 1, 1) == Status::ray_out_of_range);
-  CHECK(status(1, 1, 1, 0) == Status::ray_out_of_range);
-  CHECK(status(1, 1, 1, -1) == Status::ray_out_of_range);
-  for (const float bad : {infinite, -infinite, nan}) {
-    CHECK(status(bad, 1, 1, 1) == Status::ray_out_of_range);
-    CHECK(status(1, bad, 1, 1) == Status::ray_out_of_range);
-    CHECK(status(1, 1, bad, 1) == Status::ray_out_of_range);
-    CHECK(status(1, 1, 1, bad) == Status::ray_out_of_range);
-  }
 }

@@ -2,7 +2,6 @@
 // corners of closed meshes.
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
-#include "query/aimed_rays.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
 #include "support/points.hpp"
@@ -78,19 +77,6 @@ void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   REQUIRE(visited == 1);
 }
 
-/// The winding number of a point; `on_surface`: whether it is on the surface.
-long truth_of(const Mesh& mesh, const Point& p, bool& on_surface) {
-  double sum = 0;
-  on_surface = false;
-  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-    Triangle t;
-    detail::translate_triangle(mesh, i, detail::kNoOffset, t);
-    on_surface = on_surface || detail::triangles_intersect(t, {{p, p, p}});
-    sum += on_surface ? 0 : solid_angle(t, p);
-  }
-  return winding_of(sum);
-}
-
 }  // namespace
 
 TEST_CASE("a ray hits what it hits of each triangle") {
@@ -99,8 +85,7 @@ TEST_CASE("a ray hits what it hits of each triangle") {
     for (std::int32_t& origin : lattice.origin) {
       origin = random.between(-(1 << 29), 1 << 29);
     }
-    const AnyMesh any = any_mesh(random, lattice);
-    const Mesh mesh = any.view<Mesh>();
+    const AnyMesh mesh = any_mesh(random, lattice);
     for (int i = 0; i < 20; ++i) {
       const Point from = moved(any_point(random, 25), mesh.origin);
       const Point to = moved(any_point(random, i % 4 == 0 ? 100'000 : 25), mesh.origin);
@@ -112,8 +97,7 @@ TEST_CASE("a ray hits what it hits of each triangle") {
 TEST_CASE("of several hits in one place that of the least triangle id is reported") {
   std::uint32_t shared = 0;
   for_rounds(200 / kShare, [&](Random& random, int) {
-    const AnyMesh any = any_mesh(random, boxes(random));
-    const Mesh mesh = any.view<Mesh>();
+    const AnyMesh mesh = any_mesh(random, boxes(random));
     for (int i = 0; i < 30; ++i) {
       // Through a corner, usually of several triangles.
       const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
@@ -140,28 +124,25 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
   for_rounds(200 / kShare, [&](Random& random, int) {
     bake::LatticeMesh lattice = boxes(random);
     for (Vertex& v : lattice.vertices) {  // makes all middles lattice points
-      v = {static_cast<std::int16_t>(2 * v.x), static_cast<std::int16_t>(2 * v.y),
-           static_cast<std::int16_t>(2 * v.z)};
+      v = vertex_of({2 * v.x, 2 * v.y, 2 * v.z});
     }
-    const AnyMesh any = any_mesh(random, lattice);
-    const Mesh mesh = any.view<Mesh>();
+    const AnyMesh mesh = any_mesh(random, lattice);
     for (int i = 0; i < 50; ++i) {
-      const Vertex& u = lattice.vertices[random.below(mesh.vertex_count)];
-      const Vertex& v = lattice.vertices[random.below(mesh.vertex_count)];
+      const Vertex& u = random.one_of(lattice.vertices);
+      const Vertex& v = random.one_of(lattice.vertices);
       const Point middle = {(u.x + v.x) / 2, (u.y + v.y) / 2, (u.z + v.z) / 2};
       const Segment segment = {middle, any_point(random, 20)};
-      bool on_surface[2];
-      const long from = truth_of(mesh, segment.from, on_surface[0]);
-      const long to = truth_of(mesh, segment.to, on_surface[1]);
+      const Winding from = winding_about(mesh, segment.from);
+      const Winding to = winding_about(mesh, segment.to);
       const CrossingCount found = signed_crossings(mesh, segment);
       REQUIRE(found.status == Status::done);
       // For the whole segment, not only up to a hit.
       const auto any_of_it = any_hit(mesh, segment);
       REQUIRE((any_of_it.yes ? found.visits >= any_of_it.visits && found.visits <= mesh.node_count
                              : found.visits == any_of_it.visits));
-      if (!on_surface[0] && !on_surface[1]) {
-        REQUIRE(found.outwards == from - to);
-        changes += from != to ? 1 : 0;
+      if (!from.on_surface && !to.on_surface) {
+        REQUIRE(found.outwards == from.number - to.number);
+        changes += from.number != to.number ? 1 : 0;
       }
       // Around a triangle of random points; a point on the surface counts equally each time.
       const Point third = any_point(random, 20);
@@ -174,18 +155,10 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
   CHECK(changes > 1000 / kShare);
 }
 
-TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
-  const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
-  const AnyMesh any(bake::build_default(lattice), lattice);
-  const AimedRays rays(any.view<Mesh>());
-  for_rounds(3000 / kShare, [&](Random& random, int) { REQUIRE(rays.is_right(random)); });
-}
-
 TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
   Random random = test_random();
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
-  const AnyMesh any(bake::build_default(lattice), lattice);
-  const Mesh mesh = any.view<Mesh>();
+  const AnyMesh mesh(bake::build_default(lattice), lattice);
   std::uint32_t all = 0;
   std::uint32_t nearest = 0;
   std::uint32_t seeded = 0;
@@ -217,7 +190,7 @@ TEST_CASE("where a hit is, and how far off") {
     };
     REQUIRE((is_near(at.x, from.x, to.x) && is_near(at.y, from.y, to.y) &&
              is_near(at.z, from.z, to.z)));
-    const double way[3] = {1.0 * to.x - from.x, 1.0 * to.y - from.y, 1.0 * to.z - from.z};
+    const FloatVector way = minus(vector_of<double>(to), vector_of<double>(from));
     const double wanted = 256 * share * length_of(way);
     REQUIRE(std::fabs(distance_along({from, to}, {above, below}) - wanted) <= 3);
   });
@@ -232,8 +205,7 @@ TEST_CASE("what no ray can be is refused, and may hit") {
   Random random = test_random();
   bake::LatticeMesh lattice = random_mesh(random, 5, 20, 20);
   lattice.origin = {1000, -(1 << 29), 1 << 29};
-  const AnyMesh any = any_mesh(random, lattice);
-  Mesh mesh = any.view<Mesh>();
+  AnyMesh mesh = any_mesh(random, lattice);
   const auto at = [&](std::int32_t x, std::int32_t y, std::int32_t z) -> Point {
     return {mesh.origin[0] + x, mesh.origin[1] + y, mesh.origin[2] + z};
   };

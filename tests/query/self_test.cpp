@@ -1,14 +1,11 @@
 // A mesh against itself: each unordered pair once, against brute force; slices, cursors, frames.
-#include <catch2/catch.hpp>
-
 #include <set>
 
 #include "flashbvh/self.hpp"
 #include "support/bending.hpp"
 #include "support/queries.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::test;
+#include "support/test.hpp"
+#include "support/transformed_mesh.hpp"
 
 namespace {
 
@@ -19,8 +16,7 @@ Pairs unordered(Pairs pairs) {
   for (auto& pair : pairs) {
     pair = {std::min(pair.first, pair.second), std::max(pair.first, pair.second)};
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  return sorted(std::move(pairs));
 }
 
 /// The intersecting pairs of triangles that share no vertex.
@@ -28,25 +24,20 @@ template <class Test>
 Pairs brute_force(const bake::LatticeMesh& mesh, const Test& test) {
   Pairs pairs;
   const auto triangle = [&](std::uint32_t i) {
-    Triangle t;
-    for (int corner = 0; corner < 3; ++corner) {
-      const Vertex& v = mesh.vertices[mesh.triangles[i][corner]];
-      t.corner[corner] = {v.x, v.y, v.z};
-    }
-    return t;
+    return transformed(mesh, i, Pose::translated(0, 0, 0));
   };
   for (std::uint32_t j = 0; j < mesh.triangles.size(); ++j) {
-    const std::set<std::uint32_t> of_j(mesh.triangles[j].begin(), mesh.triangles[j].end());
     for (std::uint32_t i = 0; i < j; ++i) {
       const auto& of_i = mesh.triangles[i];
-      const bool shares = std::any_of(of_i.begin(), of_i.end(),
-                                      [&](std::uint32_t v) { return of_j.count(v) != 0; });
+      const auto& of_j = mesh.triangles[j];
+      const bool shares =
+          std::find_first_of(of_i.begin(), of_i.end(), of_j.begin(), of_j.end()) != of_i.end();
       if (!shares && test(triangle(i), triangle(j))) {
         pairs.emplace_back(i, j);
       }
     }
   }
-  return unordered(std::move(pairs));
+  return sorted(std::move(pairs));
 }
 Pairs intersecting(const bake::LatticeMesh& mesh) {
   return brute_force(
@@ -82,7 +73,7 @@ Pairs run_by_cursors(Random& random, const Make& make, std::uint32_t& visits) {
 template <class Query, class Make>
 void check(Random& random, const Make& make, const Pairs& expected) {
   Query whole = make();
-  const Pairs in_order = run_to_end(whole, kNoLimit, 5000);
+  const Pairs in_order = run_to_end(whole);
   REQUIRE(unordered(in_order) == expected);
   Query cut = make();
   REQUIRE(run_to_end(cut, 1 + random.below(200), 1 + random.below(9)) == in_order);
@@ -145,14 +136,12 @@ TEST_CASE("over thousands of frames of one sheet the pairs are those of brute fo
     move_some(random, 3, bent.vertices.data(), bent.vertices.size());
     REQUIRE(bent.mesh.refit().status == Status::done);
     SelfQuery query(bent.mesh.mesh());
-    REQUIRE(unordered(run_to_end(query, kNoLimit, 400)) == intersecting(bent.now()));
+    REQUIRE(unordered(run_to_end(query)) == intersecting(bent.now()));
   }
 }
 
 TEST_CASE("a position is taken if and only if a walk on which all boxes overlap comes by") {
-  Random random = test_random(2);
-  for (int round = 0; round < 60 / kShare; ++round) {
-    CAPTURE(round);
+  for_rounds(60 / kShare, 2, [&](Random& random, int) {
     // All boxes overlap and all triangles share a vertex: no answer ends a run.
     bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(10), 0, 0);
     for (auto& triangle : lattice.triangles) {
@@ -181,7 +170,7 @@ TEST_CASE("a position is taken if and only if a walk on which all boxes overlap 
         }
       }
     }
-  }
+  });
 }
 
 TEST_CASE("a bending tube's digest is the same on every core") {

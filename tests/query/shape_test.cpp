@@ -13,22 +13,17 @@ namespace {
 /// The shape's triangles, baked.
 AnyMesh baked(const Mesh& shape) {
   bake::LatticeMesh mesh;
-  for (std::uint32_t i = 0; i < shape.vertex_count; ++i) {
-    mesh.vertices.push_back(shape.vertices[i]);
-  }
+  mesh.vertices.assign(shape.vertices, shape.vertices + shape.vertex_count);
   for (std::uint32_t i = 0; i < shape.triangle_count; ++i) {
     const auto& corner = shape.triangles[i].corner;
     mesh.triangles.push_back({corner[0], corner[1], corner[2]});
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    mesh.origin[i] = shape.origin[i];
-  }
+  std::copy(shape.origin, shape.origin + 3, mesh.origin.begin());
   return AnyMesh(bake::build_median(mesh, 1), mesh);
 }
 
 void compare(const Mesh& mesh, const Mesh& shape, const Pose& pose) {
-  const AnyMesh other = baked(shape);
-  const Mesh same = other.view<Mesh>();
+  const AnyMesh same = baked(shape);
   CHECK(shape.longest_edge >= same.longest_edge);
   CHECK((shape.is_closed == (shape.triangle_count > 1) && (!shape.is_closed || same.is_closed)));
   CHECK(count_pairs(mesh, shape, pose).count == count_pairs(mesh, same, pose).count);
@@ -45,8 +40,7 @@ void compare(const Mesh& mesh, const Mesh& shape, const Pose& pose) {
 
 TEST_CASE("shapes are queried like the same triangles, baked") {
   for_rounds(60, [&](Random& random, int) {
-    const AnyMesh any = any_mesh(random, random_mesh(random, 1 + random.below(30), 200, 60));
-    const Mesh mesh = any.view<Mesh>();
+    const AnyMesh mesh = any_mesh(random, 30, 200, 60);
     const Pose pose = any_pose(random, 150);
     const Point p = any_point(random, 300);
     const Point q = any_point(random, 300);
@@ -71,8 +65,7 @@ TEST_CASE("shapes are queried like the same triangles, baked") {
 
 TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
   Random random = test_random();
-  const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
-  const Mesh like = any.view<Mesh>();
+  const AnyMesh like = any_mesh(random, random_mesh(random, 1, 10, 10));
   const PointShape origin(like, {0, 0, 0});
   const Pose still = Pose::translated(0, 0, 0);
   PointShape point(like, {0, 0, 0});
@@ -80,11 +73,11 @@ TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
   for (int round = 0; round < 200; ++round) {
     const Point p = any_point(random, 12000);
     point.set(p);
-    const double apart = 256 * std::sqrt(1.0 * p.x * p.x + 1.0 * p.y * p.y + 1.0 * p.z * p.z);
+    const double apart = 256 * length_of(vector_of<double>(p));
     CHECK(distance(origin.mesh(), point.mesh(), still).lower == static_cast<std::uint32_t>(apart));
     // A segment along x, past the origin.
     segment.set({-16000, p.y, p.z}, {16000, p.y, p.z});
-    const double beside = 256 * std::sqrt(1.0 * p.y * p.y + 1.0 * p.z * p.z);
+    const double beside = 256 * std::hypot(p.y, p.z);
     CHECK(distance(origin.mesh(), segment.mesh(), still).lower ==
           static_cast<std::uint32_t>(beside));
   }
@@ -92,30 +85,29 @@ TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
 
 TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
   Random random = test_random();
-  const AnyMesh any = any_mesh(random, random_mesh(random, 1, 10, 10));
-  const Mesh like = any.view<Mesh>();
+  const AnyMesh like = any_mesh(random, random_mesh(random, 1, 10, 10));
   SegmentShape segment(like, {1 << 29, 0, 0}, {(1 << 29) - 32766, 5, 5});
   CHECK(segment.status() == Status::done);
   CHECK(segment.mesh().origin[0] == (1 << 29) - 16383);
   segment.set({0, 0, 0}, {32767, 0, 0});
   CHECK(segment.status() == Status::shape_too_large);
   CHECK(segment.mesh().origin[0] == (1 << 29) - 16383);
-  segment.set({INT32_MAX, 0, 0}, {INT32_MAX, 0, 0});
-  CHECK(segment.status() == Status::shape_too_large);
-  segment.set({0, INT32_MIN, 0}, {0, INT32_MIN, 1});
-  CHECK(segment.status() == Status::shape_too_large);
-  segment.set({0, 0, INT32_MIN}, {0, 0, INT32_MAX});
-  CHECK(segment.status() == Status::shape_too_large);
-  segment.set({1 << 29, 1 << 29, 1 << 29}, {1 << 29, 1 << 29, 1 << 29});
-  CHECK(segment.status() == Status::done);
-  segment.set({(1 << 29) + 1, 0, 0}, {(1 << 29) + 1, 0, 0});
-  CHECK(segment.status() == Status::shape_too_large);
-  segment.set({-(1 << 29), -(1 << 29), -(1 << 29)}, {-(1 << 29), -(1 << 29), -(1 << 29)});
-  CHECK(segment.status() == Status::done);
-  segment.set({0, -(1 << 29) - 1, 0}, {0, -(1 << 29) - 1, 0});
-  CHECK(segment.status() == Status::shape_too_large);
-  segment.set({0, 0, 0}, {0, 0, 1});
-  CHECK(segment.status() == Status::done);
+  constexpr std::int32_t most = 1 << 29;
+  const struct {
+    Point from, to;
+    Status status;
+  } rows[] = {{{INT32_MAX, 0, 0}, {INT32_MAX, 0, 0}, Status::shape_too_large},
+              {{0, INT32_MIN, 0}, {0, INT32_MIN, 1}, Status::shape_too_large},
+              {{0, 0, INT32_MIN}, {0, 0, INT32_MAX}, Status::shape_too_large},
+              {{most, most, most}, {most, most, most}, Status::done},
+              {{most + 1, 0, 0}, {most + 1, 0, 0}, Status::shape_too_large},
+              {{-most, -most, -most}, {-most, -most, -most}, Status::done},
+              {{0, -most - 1, 0}, {0, -most - 1, 0}, Status::shape_too_large},
+              {{0, 0, 0}, {0, 0, 1}, Status::done}};
+  for (const auto& row : rows) {
+    segment.set(row.from, row.to);
+    CHECK(segment.status() == row.status);
+  }
   CHECK(segment.mesh().longest_edge >= 1);
 }
 
@@ -123,8 +115,7 @@ TEST_CASE("queries of a shape that was never set are refused, until it is") {
   Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
-  const AnyMesh any = any_mesh(random, box);
-  const Mesh mesh = any.view<Mesh>();
+  const AnyMesh mesh = any_mesh(random, box);
   const Pose still = Pose::translated(0, 0, 0);
   constexpr Point far = {INT32_MAX, INT32_MAX, INT32_MAX};
   const auto is_refused = [&](const Mesh& shape) {

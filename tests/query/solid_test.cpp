@@ -4,7 +4,6 @@
 #include "support/boxes.hpp"
 #include "support/test.hpp"
 #include "support/torus.hpp"
-#include "support/transformed_vertex.hpp"
 
 namespace {
 
@@ -13,26 +12,24 @@ constexpr int kShare = share_on_board(30);
 
 /// The side of a point in A's lattice, by solid angles.
 PointSide truth_of(const Mesh& mesh, const detail::Transform* transform, const Point& p) {
-  double sum = 0;
-  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-    Triangle t;
-    if (transform == nullptr) {
-      detail::translate_triangle(mesh, i, detail::kNoOffset, t);
-    } else {
-      detail::transform_triangle(mesh, i, *transform, t);
-    }
-    if (detail::triangles_intersect(t, {{p, p, p}})) {
-      return PointSide::on_surface;
-    }
-    sum += solid_angle(t, p);
-  }
-  return winding_of(sum) != 0 ? PointSide::inside : PointSide::outside;
+  const Winding winding = winding_about(mesh, p, transform);
+  return winding.on_surface    ? PointSide::on_surface
+         : winding.number != 0 ? PointSide::inside
+                               : PointSide::outside;
 }
 
-Mesh closed(const AnyMesh& mesh) {
-  Mesh view = mesh.view<Mesh>();
-  REQUIRE(view.is_closed);
-  return view;
+/// A mesh that must be closed.
+AnyMesh closed(Random& random, const bake::LatticeMesh& lattice) {
+  AnyMesh mesh = any_mesh(random, lattice);
+  REQUIRE(mesh.is_closed);
+  return mesh;
+}
+
+/// A closed box about the origin.
+bake::LatticeMesh small_box() {
+  bake::LatticeMesh box;
+  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  return box;
 }
 
 }  // namespace
@@ -46,8 +43,7 @@ TEST_CASE(
     for (std::int32_t& origin : lattice.origin) {
       origin = random.between(-1000, 1000);
     }
-    const AnyMesh any = any_mesh(random, lattice);
-    const Mesh mesh = closed(any);
+    const AnyMesh mesh = closed(random, lattice);
     for (std::int32_t x = -5; x <= 9; ++x) {
       for (std::int32_t y = -5; y <= 9; ++y) {
         for (std::int32_t z = -5; z <= 9; z += 1 + static_cast<std::int32_t>(random.below(2))) {
@@ -69,8 +65,7 @@ TEST_CASE(
 
 TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
-  const AnyMesh any(bake::build_default(lattice), lattice);
-  const Mesh mesh = closed(any);
+  const AnyMesh mesh(bake::build_default(lattice), lattice);
   std::uint32_t within = 0;
   for_rounds(1500 / kShare, [&](Random& random, int round) {
     // Just below a corner, or below the middle of an edge.
@@ -110,10 +105,8 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     if (random.below(3) == 0) {
       add_box(inner, {40, 0, 0}, {5, 5, 5}, false);
     }
-    const AnyMesh any_a = any_mesh(random, outer);
-    const AnyMesh any_b = any_mesh(random, inner);
-    const Mesh a = closed(any_a);
-    const Mesh b = closed(any_b);
+    const AnyMesh a = closed(random, outer);
+    const AnyMesh b = closed(random, inner);
     const Pose pose = any_pose(random, 90);
     detail::Transform transform(pose, a, b, /*may_stop=*/false);
     bool truth = intersects(a, b, pose).yes;
@@ -147,14 +140,11 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
 
 TEST_CASE("bodies at the ends of the range have nothing in common") {
   Random random = test_random();
-  bake::LatticeMesh box;
-  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
+  bake::LatticeMesh box = small_box();
   box.origin = {1 << 29, -(1 << 29), 1 << 29};
-  const AnyMesh any_a = any_mesh(random, box);
+  const AnyMesh a = closed(random, box);
   box.origin = {-(1 << 29), 1 << 29, -(1 << 29)};
-  const AnyMesh any_b = any_mesh(random, box);
-  const Mesh a = closed(any_a);
-  const Mesh b = closed(any_b);
+  const AnyMesh b = closed(random, box);
   const std::int32_t most = kMaxTranslation;
   const Pose poses[] = {Pose::translated(0, 0, 0), Pose::translated(-most, most, -most),
                         any_pose(random, most), any_pose(random, 10)};
@@ -168,13 +158,10 @@ TEST_CASE("bodies at the ends of the range have nothing in common") {
 
 TEST_CASE("an open mesh has no inside") {
   Random random = test_random();
-  bake::LatticeMesh box;
-  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
-  const AnyMesh whole = any_mesh(random, box);
+  bake::LatticeMesh box = small_box();
+  const AnyMesh b = closed(random, box);
   box.triangles.pop_back();
-  const AnyMesh open = any_mesh(random, box);
-  const Mesh a = open.view<Mesh>();
-  const Mesh b = closed(whole);
+  const AnyMesh a = any_mesh(random, box);
   CHECK(inside(a, {0, 0, 0}).status == Status::not_closed);
   CHECK(inside(a, {0, 0, 0}).side == PointSide::inside);
   const Pose apart = Pose::translated(100, 0, 0);
@@ -190,10 +177,7 @@ TEST_CASE("an open mesh has no inside") {
 
 TEST_CASE("calls after a query refuse what the query refuses") {
   Random random = test_random();
-  bake::LatticeMesh box;
-  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
-  const AnyMesh any = any_mesh(random, box);
-  const Mesh a = closed(any);
+  const AnyMesh a = closed(random, small_box());
   Mesh other_cell = a;
   other_cell.cell_bits ^= 1;
   const Pose apart = Pose::translated(100, 0, 0);

@@ -36,21 +36,16 @@ TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
   for_rounds(rounds(120, 600), [&](Random& random, int round) {
     // Distances of a few cells and of many.
     const std::int32_t spread = round % 3 == 0 ? 400 : 4 + round % 7;
-    const auto mesh = [&] {
-      return any_mesh(random, random_mesh(random, 1 + random.below(14), spread, 1 + spread / 4));
-    };
-    const AnyMesh any_a = mesh();
-    const AnyMesh any_b = mesh();
-    const Mesh a = any_a.view<Mesh>();
-    const Mesh b = any_b.view<Mesh>();
+    const AnyMesh a = any_mesh(random, 14, spread, 1 + spread / 4);
+    const AnyMesh b = any_mesh(random, 14, spread, 1 + spread / 4);
     const Pose pose = any_pose(random, 3 * spread);
     const std::vector<Pairwise> all = all_distances(a, b, pose);
     for (const unsigned tolerance : {0u, 1u, 655u, 32768u, 65535u}) {
       for (int i = 0; i < 4; ++i) {
-        const Pairwise& any = all[random.below(static_cast<std::uint32_t>(all.size()))];
+        const Pairwise& any = random.one_of(all);
         Witness<std::uint16_t> begin;
         if (i != 0) {
-          begin = {static_cast<std::uint16_t>(any.of_a), static_cast<std::uint16_t>(any.of_b)};
+          begin = {any.of_a, any.of_b};
         }
         const auto allowed = static_cast<std::uint16_t>(tolerance);
         ClearanceQuery query(a, b, pose, {begin, allowed});
@@ -69,10 +64,8 @@ TEST_CASE(
   bake::LatticeMesh point;
   point.vertices.push_back({0, 0, 0});
   point.triangles.push_back({0, 0, 0});
-  const AnyMesh any_a = any_mesh(random, box);
-  const AnyMesh any_b = any_mesh(random, point);
-  const Mesh a = any_a.view<Mesh>();
-  const Mesh b = any_b.view<Mesh>();
+  const AnyMesh a = any_mesh(random, box);
+  const AnyMesh b = any_mesh(random, point);
   for (std::int32_t along = 0; along <= 11; ++along) {
     const Pose pose = Pose::translated(11, along, 0);
     const std::vector<Pairwise> all = all_distances(a, b, pose);

@@ -3,11 +3,10 @@
 #include "flashbvh/collide.hpp"
 #include "self_test/known_answers.hpp"
 #include "support/all_distances.hpp"
+#include "support/record.hpp"
 #include "support/test.hpp"
 
 namespace {
-
-using Ids = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 const Mesh kMesh = detail::known_mesh();
 
@@ -26,19 +25,17 @@ TEST_CASE("known pairs: the pairs of triangles that intersect") {
   std::size_t translated = 0;
   detail::for_each_known_pose(1, [&](const Pose& pose) {
     REQUIRE(pose.status() == Status::done);
-    Ids truth;
+    NodePairs truth;
     brute_force(kMesh, kMesh.triangle_count, kMesh, kMesh.triangle_count, pose,
                 [&](std::uint32_t i, std::uint32_t j) {
                   truth.emplace_back(kMesh.triangle_ids[i], kMesh.triangle_ids[j]);
                 });
-    Ids found;
+    NodePairs found;
     REQUIRE(for_each_pair(kMesh, kMesh, pose, [&](const PairQuery::Pair& pair) {
               found.emplace_back(pair.a, pair.b);
               return true;
             }) == Status::done);
-    std::sort(truth.begin(), truth.end());
-    std::sort(found.begin(), found.end());
-    CHECK(found == truth);
+    CHECK(sorted(found) == sorted(truth));
     (pose.is_translation() ? translated : rotated) += found.size();
   });
   CHECK(translated > 50);

@@ -17,8 +17,8 @@ namespace flashbvh::test {
 
 struct Pairwise {
   detail::Fraction squared;
-  std::uint32_t of_a;  ///< slots
-  std::uint32_t of_b;
+  std::uint16_t of_a;  ///< slots
+  std::uint16_t of_b;
   std::uint32_t id_a;
   std::uint32_t id_b;
 };
@@ -27,13 +27,15 @@ struct Pairwise {
 inline std::vector<Pairwise> all_distances(const Mesh& a, const Mesh& b, const Pose& pose) {
   const detail::Transform transform = transform_of_any(pose, a, b);
   std::vector<Pairwise> all;
-  for_all_pairs(a, b, transform,
-                [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
-                  detail::Fraction squared = detail::kInfinite;
-                  detail::Features features{};
-                  REQUIRE(detail::is_nearer(of_a, of_b, squared, features));
-                  all.push_back({squared, i, j, a.triangle_ids[i], b.triangle_ids[j]});
-                });
+  for_all_pairs(
+      a, b, transform,
+      [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
+        detail::Fraction squared = detail::kInfinite;
+        detail::Features features{};
+        REQUIRE(detail::is_nearer(of_a, of_b, squared, features));
+        all.push_back({squared, static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j),
+                       a.triangle_ids[i], b.triangle_ids[j]});
+      });
   return all;
 }
 
@@ -41,12 +43,6 @@ inline const Pairwise& least_of(const std::vector<Pairwise>& all) {
   return *std::min_element(all.begin(), all.end(), [](const Pairwise& p, const Pairwise& q) {
     return detail::compare(p.squared, q.squared) < 0;
   });
-}
-
-/// 256 times the square root, rounded down.
-inline std::uint32_t lower_of(const detail::Fraction& squared) {
-  return static_cast<std::uint32_t>(
-      detail::square_root(detail::quotient(detail::shifted_up(squared.above, 16), squared.below)));
 }
 
 /// The square root, in cells, to the last bits of a double.

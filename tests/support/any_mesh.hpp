@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
@@ -12,17 +10,19 @@
 
 namespace flashbvh::test {
 
-/// A mesh in both layouts.
-struct AnyMesh {
-  std::tuple<Baked<Layout::pre_indexed>, Baked<Layout::post_indexed>> baked;
+/// A mesh in both layouts; it is a view of the post-indexed one.
+struct AnyMesh : Mesh {
+  std::tuple<Baked<Layout::pre_indexed>, Baked<Layout::post_indexed>> trees;
 
   AnyMesh(const bake::BuildTree& tree, const bake::LatticeMesh& mesh)
-      : baked(bake::lay_out<std::uint16_t, Layout::pre_indexed>(tree, mesh),
-              bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh)) {}
+      : trees(baked<Layout::pre_indexed>(tree, mesh), baked<Layout::post_indexed>(tree, mesh)) {
+    static_cast<Mesh&>(*this) = view<Mesh>();
+  }
+  AnyMesh(AnyMesh&&) = default;  // the arrays stay where they are
 
   template <class Tree>
   Tree view() const {
-    return std::get<static_cast<std::size_t>(Tree::kLayout)>(baked).view();
+    return std::get<static_cast<std::size_t>(Tree::kLayout)>(trees).view();
   }
 };
 
@@ -30,29 +30,28 @@ inline AnyMesh any_mesh(Random& random, const bake::LatticeMesh& mesh) {
   return AnyMesh(any_tree(random, mesh), mesh);
 }
 
+/// Of up to `most` triangles, as random_mesh() makes them.
+inline AnyMesh any_mesh(Random& random, std::uint32_t most, std::int32_t spread,
+                        std::int32_t size) {
+  return any_mesh(random, random_mesh(random, 1 + random.below(most), spread, size));
+}
+
 inline Pose any_pose(Random& random, std::int32_t reach) {
-  const auto cells = [&] { return random.between(-reach, reach); };
   if (random.below(2) == 0) {
     return any_rigid_pose(random, reach);
   }
-  const std::int32_t x = cells();
-  const std::int32_t y = cells();
-  return Pose::translated(x, y, cells());
+  const Point by = any_point(random, reach);
+  return Pose::translated(by.x, by.y, by.z);
 }
 
-/// Meshes with leaves of one triangle and of several, many of which intersect.
 struct Scene {
   AnyMesh a, b;
   Pose pose;
 };
 
+/// Meshes with leaves of one triangle and of several, many of which intersect.
 inline Scene any_scene(Random& random) {
-  const auto mesh = [&] {
-    return any_mesh(random, random_mesh(random, 1 + random.below(16), 25, 25));
-  };
-  AnyMesh a = mesh();
-  AnyMesh b = mesh();
-  return {std::move(a), std::move(b), any_pose(random, 15)};
+  return {any_mesh(random, 16, 25, 25), any_mesh(random, 16, 25, 25), any_pose(random, 15)};
 }
 
 }  // namespace flashbvh::test

@@ -56,7 +56,7 @@ inline Move any_move(Random& random, int32_t far, int32_t size) {
   const double length = std::hypot(q.x, q.y, q.z) * (1 + 1e-6 * random.between(-60, 60));
   const int32_t parts[] = {q.x, q.y, q.z};
   const int32_t turns[] = {kFullTurn / 100, kFullTurn / 4, kFullTurn / 2, kFullTurn, 7 * kFullTurn};
-  const int32_t most = turns[random.below(5)];
+  const int32_t most = random.one_of(turns);
   move.turn = length == 0 ? 0 : random.below(2) == 0 ? random.between(-most, most) : most;
   const bool is_screw = random.below(3) == 0;
   const int32_t pitch = random.between(-size, size) * kFrameCell;
@@ -89,13 +89,13 @@ inline AnyMotion any_motion(Random& random, const MotionScene& scene) {
   const int32_t fars[] = {0, scene.size, 10 * scene.size, 1000, 50'000};
   const uint32_t most = random.below(16) == 0 ? 20 : 4;
   for (uint32_t i = kind > 1 ? 1 + random.below(most) : 0; i-- > 0;) {
-    any.moves.push_back(any_move(random, fars[random.below(5)], scene.size));
+    any.moves.push_back(any_move(random, random.one_of(fars), scene.size));
   }
-  const auto meeting = [](const Point& p) { return FloatVector{1.0 * p.x, 1.0 * p.y, 1.0 * p.z}; };
   const BodyMotion motion = any.motion();
   const double time = random.below(9) / 8.0;
-  const FloatVector at = ExactMotion(motion).at(time, meeting(scene.b.any_corner(random)));
-  const FloatVector off = minus(meeting(scene.a.any_corner(random)), at);
+  const FloatVector at =
+      ExactMotion(motion).at(time, vector_of<double>(scene.b.any_corner(random)));
+  const FloatVector off = minus(vector_of<double>(scene.a.any_corner(random)), at);
   const int32_t beside = random.below(3) == 0 ? 3 * scene.size : 1;
   any.shift(sum(
       any_point(random, beside),

@@ -1,12 +1,11 @@
 // Deformable meshes for tests: soups, sheets and tubes, and ways to move their vertices.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
-#include "bake/baked_tree.hpp"
 #include "flashbvh/deformable.hpp"
+#include "support/points.hpp"
 #include "support/shapes.hpp"
 
 namespace flashbvh::test {
@@ -26,11 +25,6 @@ inline bake::LatticeMesh grid(std::uint32_t columns, std::uint32_t rows, bool ro
   return mesh;
 }
 
-inline std::int16_t near(Random& random, std::int32_t at, std::int32_t by) {
-  return static_cast<std::int16_t>(
-      std::clamp(at + random.between(-by, by), -kMaxCoordinate, kMaxCoordinate));
-}
-
 /// Lays out the vertices of a grid in rows of `width`, `pitch` cells apart, in folds 2 * `fold`
 /// cells high, and moves each by up to `noise`.
 inline void lay(Random& random, std::uint32_t width, std::int32_t pitch, std::int32_t fold,
@@ -39,8 +33,9 @@ inline void lay(Random& random, std::uint32_t width, std::int32_t pitch, std::in
     const auto i = static_cast<std::int32_t>(v % width);
     const auto j = static_cast<std::int32_t>(v / width);
     const std::int32_t up = i % 4 < 2 ? i % 4 : 4 - i % 4;
-    vertices[v] = {near(random, i * pitch, noise), near(random, j * pitch, noise),
-                   near(random, up * fold, noise)};
+    vertices[v] = {coordinate_near(random, i * pitch, noise),
+                   coordinate_near(random, j * pitch, noise),
+                   coordinate_near(random, up * fold, noise)};
   }
 }
 
@@ -51,8 +46,8 @@ inline void move_some(Random& random, std::int32_t by, Vertex* vertices, std::si
   for (std::size_t v = 0; v < count; ++v) {
     if (random.below(one_in) == 0) {
       Vertex& at = vertices[v];
-      at = {near(random, at.x, by), near(random, at.y, by),
-            kind == 0 ? std::int16_t{0} : near(random, at.z, by)};
+      at = {coordinate_near(random, at.x, by), coordinate_near(random, at.y, by),
+            kind == 0 ? std::int16_t{0} : coordinate_near(random, at.z, by)};
       at = kind == 1 ? vertices[0] : at;
     }
   }

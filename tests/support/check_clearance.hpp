@@ -3,34 +3,28 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
+#include "support/vectors.hpp"
 
 namespace flashbvh::test {
 
 /// Checks that the points are as far apart as reported, but for their rounding, and that the
 /// direction leads from one to the other.
 inline void check_points(const Clearance<std::uint16_t>& found) {
-  const double x = static_cast<double>(found.point_b.x - found.point_a.x);
-  const double y = static_cast<double>(found.point_b.y - found.point_a.y);
-  const double z = static_cast<double>(found.point_b.z - found.point_a.z);
-  const double apart = std::sqrt(x * x + y * y + z * z);
+  const FloatVector way = minus(vector_of<double>(found.point_b), vector_of<double>(found.point_a));
+  const double apart = length_of(way);
   REQUIRE(apart <= found.upper + 1.8);
   REQUIRE(apart >= found.lower - 1.8);
   if (found.lower != 0) {
-    const double scale = 1.0 / kUnitOne;
-    const double length = std::sqrt(scale * found.direction.x * scale * found.direction.x +
-                                    scale * found.direction.y * scale * found.direction.y +
-                                    scale * found.direction.z * scale * found.direction.z);
-    REQUIRE(std::abs(length - 1) < 4e-9);
-    REQUIRE(std::abs(found.direction.x * scale * apart - x) <= 2);
-    REQUIRE(std::abs(found.direction.y * scale * apart - y) <= 2);
-    REQUIRE(std::abs(found.direction.z * scale * apart - z) <= 2);
+    const FloatVector direction = times(1.0 / kUnitOne, vector_of<double>(found.direction));
+    REQUIRE(std::abs(length_of(direction) - 1) < 4e-9);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      REQUIRE(std::abs(direction[axis] * apart - way[axis]) <= 2);
+    }
   } else {
     REQUIRE((found.upper != 0 || (found.direction.x | found.direction.y | found.direction.z) == 0));
   }
@@ -49,12 +43,10 @@ void check_pairs_within(const std::vector<KnownPair>& all, const IsWithin& is_wi
       truth.emplace_back(pair.id_a, pair.id_b);
     }
   }
-  std::sort(truth.begin(), truth.end());
+  truth = sorted(truth);
   for (const std::uint32_t work : works) {
     WithinQuery query(a, b, pose, {}, within(reach));
-    Pairs pairs = run_to_end(query, work, 5);
-    std::sort(pairs.begin(), pairs.end());
-    REQUIRE(pairs == truth);
+    REQUIRE(sorted(run_to_end(query, work, 5)) == truth);
   }
   const Answer answer = closer_than(a, b, pose, reach);
   REQUIRE(answer.status == Status::done);

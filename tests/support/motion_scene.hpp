@@ -18,13 +18,11 @@ struct Body {
   Baked<Layout::post_indexed> baked;
 
   Body(Random& random, const bake::LatticeMesh& mesh)
-      : source(mesh),
-        tree(any_tree(random, mesh)),
-        baked(bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh)) {}
+      : source(mesh), tree(any_tree(random, mesh)), baked(test::baked(tree, mesh)) {}
 
   /// A random corner, in cells of the body's frame.
   Point any_corner(Random& random) const {
-    const Vertex& v = source.vertices[random.below(static_cast<uint32_t>(source.vertices.size()))];
+    const Vertex& v = random.one_of(source.vertices);
     return {v.x + source.origin[0], v.y + source.origin[1], v.z + source.origin[2]};
   }
 };
@@ -32,8 +30,7 @@ struct Body {
 inline bake::LatticeMesh mesh_of(const Triangle& t) {
   bake::LatticeMesh mesh;
   for (const Point& p : t.corner) {
-    mesh.vertices.push_back({static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y),
-                             static_cast<std::int16_t>(p.z)});
+    mesh.vertices.push_back(vertex_of(p));
   }
   mesh.triangles = {{0, 1, 2}};
   return mesh;
@@ -84,7 +81,7 @@ struct MotionScene {
 
   static MotionScene any(Random& random) {
     const int32_t sizes[] = {1, 2, 3, 5, 24, 24, 255, random.between(1000, 14'000)};
-    const int32_t size = sizes[random.below(8)];
+    const int32_t size = random.one_of(sizes);
     auto meshes = any_meshes(random, size);
     for (bake::LatticeMesh* mesh : {&meshes.first, &meshes.second}) {
       for (std::int32_t& axis : mesh->origin) {
@@ -134,7 +131,7 @@ inline Translation any_translation(Random& random, const MotionScene& scene) {
   const int32_t count = random.between(1, 8);
   const int32_t after = random.between(0, count + 1);
   const int32_t beside[] = {0, 0, 1, 2, 3 * scene.size};
-  const Point off = any_point(random, beside[random.below(5)]);
+  const Point off = any_point(random, random.one_of(beside));
   const Point corner = sum(scene.a.any_corner(random), off);
   const Point at = sum(corner, scaled(-1, scene.b.any_corner(random)));
   return {sum(at, scaled(-after, step)), scaled(count, step)};

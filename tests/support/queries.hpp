@@ -14,13 +14,13 @@
 namespace flashbvh::test {
 
 /// Pairs of triangles of A and B, by their numbers in the source.
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using Pairs = NodePairs;
 
 constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
 
 /// All pairs in the order of reporting, from runs of `work` into an array of `capacity`.
 template <class Query>
-Pairs run_to_end(Query& query, std::uint32_t work, std::uint32_t capacity) {
+Pairs run_to_end(Query& query, std::uint32_t work = kNoLimit, std::uint32_t capacity = 1000) {
   std::vector<typename Query::Pair> found(capacity);
   Pairs pairs;
   pairs.reserve(10000);

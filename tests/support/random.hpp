@@ -1,6 +1,7 @@
 // Reproducible randomness for tests: the same numbers on every host and core.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -28,6 +29,16 @@ class Random {
   int32_t between(int32_t lo, int32_t hi) {
     const uint32_t count = static_cast<uint32_t>(hi) - static_cast<uint32_t>(lo) + 1;
     return static_cast<int32_t>(static_cast<int64_t>(lo) + below(count));
+  }
+
+  /// A random element.
+  template <class Element, size_t count>
+  const Element& one_of(const Element (&list)[count]) {
+    return list[below(count)];
+  }
+  template <class List>
+  const auto& one_of(const List& list) {
+    return list[below(static_cast<uint32_t>(list.size()))];
   }
 
  private:

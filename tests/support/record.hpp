@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "bake/baked_tree.hpp"
 #include "flashbvh/detail/bounds/box.hpp"
 #include "support/at_roots.hpp"
+#include "support/points.hpp"
+#include "support/shapes.hpp"
 #include "support/walk.hpp"
 
 namespace flashbvh::test {
@@ -17,17 +18,16 @@ namespace flashbvh::test {
 using NodePair = std::pair<std::uint32_t, std::uint32_t>;
 using NodePairs = std::vector<NodePair>;
 
+inline NodePairs sorted(NodePairs pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 struct Record {
   NodePairs visits;
   NodePairs leaf_pairs;
   std::uint32_t overlaps = 0;
   bool ended = false;
-
-  NodePairs sorted_leaf_pairs() const {
-    NodePairs sorted = leaf_pairs;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
-  }
 };
 
 /// A pair of trees in one layout.
@@ -42,13 +42,9 @@ struct BakedPair {
 };
 
 template <Layout layout>
-using Baked = bake::BakedTree<std::uint16_t, layout>;
-
-template <Layout layout>
 BakedPair<Baked<layout>> bake_pair(const bake::BuildTree& a, const bake::LatticeMesh& mesh_a,
                                    const bake::BuildTree& b, const bake::LatticeMesh& mesh_b) {
-  return {bake::lay_out<std::uint16_t, layout>(a, mesh_a),
-          bake::lay_out<std::uint16_t, layout>(b, mesh_b)};
+  return {baked<layout>(a, mesh_a), baked<layout>(b, mesh_b)};
 }
 
 /// An overlap test that identifies the tested nodes by their boxes' addresses.
@@ -104,20 +100,13 @@ Record record(const BakedPair<Baked>& pair, const detail::TranslatedBoxTest& tes
 }
 
 /// All pairs of leaves whose boxes overlap, in order.
-inline NodePairs brute_force(const bake::BuildTree& a, const bake::BuildTree& b, std::int32_t x,
-                             std::int32_t y, std::int32_t z) {
-  const auto disjoint = [](std::int32_t low_a, std::int32_t high_a, std::int32_t low_b,
-                           std::int32_t high_b,
-                           std::int32_t t) { return high_a < low_b + t || high_b + t < low_a; };
+inline NodePairs brute_force(const bake::BuildTree& a, const bake::BuildTree& b,
+                             const Point& translation) {
   NodePairs pairs;
   for (std::uint32_t i = 0; i < a.nodes.size(); ++i) {
     for (std::uint32_t j = 0; j < b.nodes.size(); ++j) {
-      const Box& p = a.nodes[i].box;
-      const Box& q = b.nodes[j].box;
       if (a.nodes[i].is_leaf() && b.nodes[j].is_leaf() &&
-          !disjoint(p.lower.x, p.upper.x, q.lower.x, q.upper.x, x) &&
-          !disjoint(p.lower.y, p.upper.y, q.lower.y, q.upper.y, y) &&
-          !disjoint(p.lower.z, p.upper.z, q.lower.z, q.upper.z, z)) {
+          overlap(a.nodes[i].box, b.nodes[j].box, translation)) {
         pairs.emplace_back(i, j);
       }
     }

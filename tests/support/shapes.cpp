@@ -4,25 +4,14 @@
 #include <numeric>
 #include <utility>
 
+#include "support/points.hpp"
+
 namespace flashbvh::test {
 namespace {
 
-std::int16_t clamped(std::int32_t value) {
-  return static_cast<std::int16_t>(std::clamp(value, -kMaxCoordinate, kMaxCoordinate));
-}
-
 Vertex random_vertex(Random& random, const Vertex& centre, std::int32_t reach) {
-  return {clamped(centre.x + random.between(-reach, reach)),
-          clamped(centre.y + random.between(-reach, reach)),
-          clamped(centre.z + random.between(-reach, reach))};
-}
-
-Box box_of_all(const bake::LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
-  Box box = bake::box_of(mesh, triangles.front());
-  for (const std::uint32_t triangle : triangles) {
-    box = bake::join(box, bake::box_of(mesh, triangle));
-  }
-  return box;
+  return {coordinate_near(random, centre.x, reach), coordinate_near(random, centre.y, reach),
+          coordinate_near(random, centre.z, reach)};
 }
 
 std::vector<std::uint32_t> all_triangles(const bake::LatticeMesh& mesh) {
@@ -59,6 +48,14 @@ std::vector<std::vector<std::uint32_t>> random_parts(Random& random,
 }
 
 }  // namespace
+
+Box box_of_all(const bake::LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  Box box = bake::box_of(mesh, triangles.at(0));
+  for (const std::uint32_t triangle : triangles) {
+    box = bake::join(box, bake::box_of(mesh, triangle));
+  }
+  return box;
+}
 
 bake::LatticeMesh random_mesh(Random& random, std::uint32_t count, std::int32_t spread,
                               std::int32_t size) {
@@ -103,6 +100,16 @@ bake::BuildTree chain(const bake::LatticeMesh& mesh, bool leaf_first) {
     }
     node = tree.nodes[node].children[leaf_first ? 1 : 0];
   }
+  return tree;
+}
+
+bake::BuildTree star(const bake::LatticeMesh& mesh) {
+  bake::BuildTree tree = single_leaf(mesh, all_triangles(mesh));
+  std::vector<std::vector<std::uint32_t>> parts;
+  for (const std::uint32_t triangle : tree.nodes[0].triangles) {
+    parts.push_back({triangle});
+  }
+  split(tree, 0, mesh, parts);
   return tree;
 }
 

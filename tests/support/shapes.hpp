@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bake/baked_tree.hpp"
 #include "bake/build_tree.hpp"
 #include "bake/mesh.hpp"
 #include "support/random.hpp"
@@ -13,6 +14,9 @@ namespace flashbvh::test {
 /// `count` triangles with corners at most `size` apart, within +-`spread` on each axis.
 bake::LatticeMesh random_mesh(Random& random, std::uint32_t count, std::int32_t spread,
                               std::int32_t size);
+
+/// The box of some triangles, at least one.
+Box box_of_all(const bake::LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles);
 
 /// Options of a random tree.
 struct Shape {
@@ -27,10 +31,21 @@ bake::BuildTree random_tree(Random& random, const bake::LatticeMesh& mesh, const
 /// A binary tree in which each internal node has a leaf as its first (`leaf_first`) or last child.
 bake::BuildTree chain(const bake::LatticeMesh& mesh, bool leaf_first);
 
+/// A root with a leaf for each triangle.
+bake::BuildTree star(const bake::LatticeMesh& mesh);
+
 /// A full binary tree of `depth` over 2^depth triangles of `mesh`, in their order.
 bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth);
 
 /// One of the trees above, at random, over all triangles of `mesh`.
 bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh);
+
+template <Layout layout>
+using Baked = bake::BakedTree<std::uint16_t, layout>;
+
+template <Layout layout = Layout::post_indexed>
+Baked<layout> baked(const bake::BuildTree& tree, const bake::LatticeMesh& mesh) {
+  return bake::lay_out<std::uint16_t, layout>(tree, mesh);
+}
 
 }  // namespace flashbvh::test

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <stdint.h>
+#include <string.h>
+
+#include <catch2/catch.hpp>
 
 #include "digest/digest.hpp"
 #include "digest/small_mesh.hpp"
@@ -24,8 +27,7 @@ struct SmallScene {
   Pose pose;
 
   explicit SmallScene(Random& random) : pose(Pose::translated(0, 0, 0)) {
-    const digest::Scale& scale =
-        digest::kScales[random.below(sizeof digest::kScales / sizeof digest::kScales[0])];
+    const digest::Scale& scale = random.one_of(digest::kScales);
     make(random, scale, mesh_a, a);
     make(random, scale, mesh_b, b);
     pose = digest::any_pose(random, scale);
@@ -49,13 +51,9 @@ class PairSet {
     rows_[a] |= 1u << b;
     return rows_[a] != before;
   }
+  bool has(uint32_t a, uint32_t b) const { return (rows_[a] >> b & 1u) != 0; }
   friend bool operator==(const PairSet& p, const PairSet& q) {
-    for (uint32_t a = 0; a < digest::kMostTriangles; ++a) {
-      if (p.rows_[a] != q.rows_[a]) {
-        return false;
-      }
-    }
-    return true;
+    return memcmp(p.rows_, q.rows_, sizeof p.rows_) == 0;
   }
 
  private:
@@ -68,6 +66,22 @@ PairSet brute_force(const SmallScene<layout>& scene) {
   PairSet pairs;
   brute_force(scene.mesh_a, scene.mesh_a.triangle_count, scene.mesh_b, scene.mesh_b.triangle_count,
               scene.pose, [&pairs](uint32_t i, uint32_t j) { (void)pairs.add(i, j); });
+  return pairs;
+}
+
+/// All pairs of a query, from runs of `work`; each is reported once.
+template <class Query>
+PairSet all_pairs(Query& query, uint32_t work = kNoLimit) {
+  PairSet pairs;
+  bool twice = false;
+  const auto add = [&](const Pair& pair) {
+    twice = !pairs.add(pair.a, pair.b) || twice;
+    return true;
+  };
+  while (query.run(work, add).status == Status::suspended) {
+  }
+  REQUIRE(query.status() == Status::done);
+  REQUIRE_FALSE(twice);
   return pairs;
 }
 

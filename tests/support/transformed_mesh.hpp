@@ -1,4 +1,4 @@
-// The functions of transformed_vertex.hpp for meshes before baking.
+// brute_force() of transformed_vertex.hpp for meshes before baking.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,6 @@
 #include "support/transformed_vertex.hpp"
 
 namespace flashbvh::test {
-
-/// Coordinate `axis` of a vertex of B in A's frame.
-inline std::int32_t transformed_coordinate(const bake::LatticeMesh& mesh, const Vertex& v,
-                                           const Pose& pose, int axis) {
-  return transformed_coordinate(mesh.origin.data(), v, pose, axis);
-}
 
 /// All pairs of triangles that intersect, in order.
 inline std::vector<std::pair<std::uint32_t, std::uint32_t>> brute_force(const bake::LatticeMesh& a,

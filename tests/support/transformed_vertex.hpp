@@ -1,9 +1,10 @@
-// The pairs of triangles that intersect under a pose, by brute force.
+// Triangles under a pose: the pairs that intersect, by brute force, and distances.
 #pragma once
 
 #include <stdint.h>
 
 #include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
@@ -21,17 +22,20 @@ constexpr uint32_t corner_of(const Array& triangle, uint32_t i) {
   return triangle[i];
 }
 
+/// A vertex of B in A's frame. Mesh: has an origin.
+template <class Mesh>
+Point transformed(const Mesh& mesh, const Vertex& v, const Pose& pose) {
+  const auto at = [&](int axis) { return transformed_coordinate(&mesh.origin[0], v, pose, axis); };
+  return {at(0), at(1), at(2)};
+}
+
 /// A triangle of B in A's frame. Mesh: has an origin, vertices and triangles.
 template <class Mesh>
 Triangle transformed(const Mesh& mesh, uint32_t triangle, const Pose& pose) {
-  Triangle transformed{};
-  for (uint32_t i = 0; i < 3; ++i) {
-    const Vertex& v = mesh.vertices[corner_of(mesh.triangles[triangle], i)];
-    transformed.corner[i] = {transformed_coordinate(&mesh.origin[0], v, pose, 0),
-                             transformed_coordinate(&mesh.origin[0], v, pose, 1),
-                             transformed_coordinate(&mesh.origin[0], v, pose, 2)};
-  }
-  return transformed;
+  const auto at = [&](uint32_t i) {
+    return transformed(mesh, mesh.vertices[corner_of(mesh.triangles[triangle], i)], pose);
+  };
+  return {{at(0), at(1), at(2)}};
 }
 
 /// Calls found(i, j) for each intersecting pair of the first `count_a` and `count_b` triangles.
@@ -47,6 +51,12 @@ void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_
       }
     }
   }
+}
+
+/// A distance in 1/256 cell, rounded down.
+inline uint32_t lower_of(const detail::Fraction& squared) {
+  return static_cast<uint32_t>(
+      detail::square_root(detail::quotient(detail::shifted_up(squared.above, 16), squared.below)));
 }
 
 /// The transform by which distance queries place B.

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/predicates/triangle.hpp"
-#include "support/random.hpp"
+#include "support/points.hpp"
 
 namespace flashbvh::test {
 
@@ -44,15 +44,9 @@ inline constexpr TriangleKind kTriangleKinds[] = {kBoxesDisjoint, kGeneral, kCop
 
 inline void set_random_pair(Random& random, const TriangleKind& kind, Triangle& a, Triangle& b) {
   constexpr int32_t kReach = 8000;  // differences below 2^15
-  const auto coordinate = [&random] { return random.between(-kReach, kReach); };
-  const auto set_corner = [&coordinate](Point& corner) {
-    corner.x = coordinate();
-    corner.y = coordinate();
-    corner.z = coordinate();
-  };
   for (int i = 0; i < 3; ++i) {
-    set_corner(a.corner[i]);
-    set_corner(b.corner[i]);
+    a.corner[i] = any_point(random, kReach);
+    b.corner[i] = any_point(random, kReach);
   }
   kind.adapt(a, b);
 }

@@ -78,7 +78,7 @@ inline TransformedPair touching_pair(Random& random, int32_t size) {
 /// multiples of 1/512, the rounded result depends on the edge from which it starts.
 inline TransformedPair crossing_edges_pair(Random& random) {
   constexpr int32_t parts[] = {2, 3, 512, 512, 1536};
-  const int32_t n = parts[random.below(5)];
+  const int32_t n = random.one_of(parts);
   const int32_t k = random.between(1, n - 1);
   const Point p = point_within(random, 100);
   const Point w = point_within(random, 20000);
@@ -107,7 +107,7 @@ inline TransformedPair neighbours(Random& random, int32_t size) {
 /// A pair of any kind, with a size and coordinates in the range of contact_of().
 inline TransformedPair any_pair(Random& random) {
   constexpr int32_t sizes[] = {1, 2, 3, 5, 24, 255, 1000, 20000, kMaxContactSpan};
-  const int32_t size = sizes[random.below(sizeof sizes / sizeof sizes[0])];
+  const int32_t size = random.one_of(sizes);
   switch (random.below(8)) {
     case 0:
       return coplanar_pair(random, size);

@@ -1,19 +1,10 @@
 // The paper's definitions on baked trees of every form. For the paper's figures:
 // definitions_board_test.cpp.
-#include "bake/baked_tree.hpp"
 #include "support/record.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
 
-using namespace flashbvh::detail;
-
 namespace {
-
-constexpr Layout kPre = Layout::pre_indexed;
-constexpr Layout kPost = Layout::post_indexed;
-
-template <Layout layout>
-using Baked = bake::BakedTree<std::uint16_t, layout>;
 
 /// A mesh of `count` triangles; the definitions do not depend on their coordinates.
 bake::LatticeMesh any_mesh(std::uint32_t count) {
@@ -67,8 +58,8 @@ void check_definitions(const bake::BuildTree& build, const Baked<layout>& baked)
 }
 
 void check_both_layouts(const bake::BuildTree& build, const bake::LatticeMesh& mesh) {
-  check_definitions(build, bake::lay_out<std::uint16_t, kPre>(build, mesh));
-  check_definitions(build, bake::lay_out<std::uint16_t, kPost>(build, mesh));
+  check_definitions(build, baked<Layout::pre_indexed>(build, mesh));
+  check_definitions(build, baked<Layout::post_indexed>(build, mesh));
 }
 
 // The eight cases of sections 6.3 and 7.1, and the extensions of section 8.1, on figure 1's tree:
@@ -186,14 +177,7 @@ TEST_CASE("section 8.2: a single child is a last child") {
 
 TEST_CASE("figure 24: all but the last of many children are left children") {
   const auto mesh = any_mesh(6);
-  bake::BuildTree build;
-  build.nodes.push_back({bake::box_of(mesh, 0), {1, 2, 3, 4, 5, 6}, {}});
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    const Box box = bake::box_of(mesh, i);
-    build.nodes[0].box = bake::join(build.nodes[0].box, box);
-    build.nodes.push_back({box, {}, {i}});
-  }
-  check_both_layouts(build, mesh);
+  check_both_layouts(star(mesh), mesh);
 }
 
 TEST_CASE("the definitions hold on random trees of every shape") {

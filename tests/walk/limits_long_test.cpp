@@ -41,9 +41,7 @@ void check_pairs(const Tree& a, const Tree& b, const Pairs& truth) {
   const Pose pose = Pose::translated(0, 0, 0);
   for_each_query(a, b, pose, [&truth](const char* name, auto& query) {
     CAPTURE(name);
-    Pairs pairs = run_to_end(query, kNoLimit, 10000);
-    std::sort(pairs.begin(), pairs.end());
-    CHECK(pairs == truth);
+    CHECK(sorted(run_to_end(query)) == truth);
   });
 }
 
@@ -58,12 +56,12 @@ TEST_CASE("index 65,534 of nodes, triangles and vertices is as good as any") {
   const Pairs truth = brute_force(mesh, small, Pose::translated(0, 0, 0));
   REQUIRE(truth.back().first == kMost - 1);
 
-  const auto post_a = bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, mesh);
-  const auto pre_a = bake::lay_out<std::uint16_t, Layout::pre_indexed>(tree, mesh);
   const bake::BuildTree small_tree = bake::build_median(small, 1);
-  const auto post_b = bake::lay_out<std::uint16_t, Layout::post_indexed>(small_tree, small);
-  const auto pre_b = bake::lay_out<std::uint16_t, Layout::pre_indexed>(small_tree, small);
+  const auto post_a = baked(tree, mesh);
+  const auto post_b = baked(small_tree, small);
   check_pairs(post_a.view(), post_b.view(), truth);
+  const auto pre_a = baked<Layout::pre_indexed>(tree, mesh);
+  const auto pre_b = baked<Layout::pre_indexed>(small_tree, small);
   check_pairs(pre_a.view(), pre_b.view(), truth);
 
   const auto image = bake::image_of(post_a, true);

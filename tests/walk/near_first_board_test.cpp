@@ -1,9 +1,8 @@
 // The traversal of a search for one pair, and the searches that use it: against brute force, on
 // trees that fit every board, many of them chains deeper than the stored levels.
-#include <catch2/catch.hpp>
-
 #include "flashbvh/collide.hpp"
 #include "flashbvh/detail/walk/near_first.hpp"
+#include "support/rounds.hpp"
 #include "support/small_scene.hpp"
 
 using namespace flashbvh;
@@ -15,50 +14,33 @@ const int kRounds = rounds(300, 2000);
 
 using Near = Query<detail::NearFirst<Mesh>>;
 using Hint = Witness<uint16_t>;
+using Scene = SmallScene<Layout::post_indexed>;
 
-/// All pairs, in runs of `work`; fails if a pair is reported twice.
-PairSet all_pairs(Near& query, uint32_t work) {
-  PairSet found;
-  bool twice = false;
-  while (query.status() == Status::suspended) {
-    (void)query.run(work, [&](const Pair& pair) {
-      twice = !found.add(pair.a, pair.b) || twice;
-      return true;
-    });
-  }
-  REQUIRE_FALSE(twice);
-  return found;
-}
-
-bool holds(const SmallScene<Layout::post_indexed>& scene, const Hint& hint) {
-  PairSet all = brute_force(scene);
-  return !all.add(scene.a.view().triangle_ids[hint.a], scene.b.view().triangle_ids[hint.b]);
+bool holds(const Scene& scene, const Hint& hint) {
+  return brute_force(scene).has(scene.a.view().triangle_ids[hint.a],
+                                scene.b.view().triangle_ids[hint.b]);
 }
 
 }  // namespace
 
 TEST_CASE("small trees: nearest first, a query finds exactly the pairs that brute force finds") {
-  Random random = test_random();
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
-    const SmallScene<Layout::post_indexed> scene(random);
+  for_rounds(kRounds, [&](Random& random, int) {
+    const Scene scene(random);
     const PairSet truth = brute_force(scene);
     Near whole(scene.a.view(), scene.b.view(), scene.pose);
-    REQUIRE((all_pairs(whole, kNoLimit) == truth));
+    REQUIRE((all_pairs(whole) == truth));
     Near cut(scene.a.view(), scene.b.view(), scene.pose);
     REQUIRE((all_pairs(cut, 1 + random.below(60)) == truth));
     REQUIRE(whole.stats().visits == cut.stats().visits);
     REQUIRE(whole.stats().leaf_pairs == cut.stats().leaf_pairs);
-  }
+  });
 }
 
 TEST_CASE("small trees: a first pair is one that intersects, if any does") {
-  Random random = test_random(1);
   int found_some = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
-    const SmallScene<Layout::post_indexed> scene(random);
-    PairSet truth = brute_force(scene);
+  for_rounds(kRounds, 1, [&](Random& random, int) {
+    const Scene scene(random);
+    const PairSet truth = brute_force(scene);
     const bool expected = !(truth == PairSet());
     Pair found = {0xABCD, 0xDCBA};
     const Answer answer = first_pair<uint16_t>(scene.a.view(), scene.b.view(), scene.pose, found);
@@ -66,23 +48,21 @@ TEST_CASE("small trees: a first pair is one that intersects, if any does") {
     REQUIRE(answer.yes == expected);
     REQUIRE(intersects<uint16_t>(scene.a.view(), scene.b.view(), scene.pose).yes == expected);
     if (expected) {
-      REQUIRE_FALSE(truth.add(found.a, found.b));
+      REQUIRE(truth.has(found.a, found.b));
       ++found_some;
     } else {
       REQUIRE(found.a == 0xABCD);
       REQUIRE(found.b == 0xDCBA);
     }
-  }
+  });
   CHECK(found_some > kRounds / 10);
 }
 
 TEST_CASE("small trees: a hint never changes the answer, and is the pair that was found") {
-  Random random = test_random(2);
   int kept = 0;
   int lost = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
-    const SmallScene<Layout::post_indexed> scene(random);
+  for_rounds(kRounds, 2, [&](Random& random, int) {
+    const Scene scene(random);
     const Mesh& a = scene.a.view();
     const Mesh& b = scene.b.view();
     const bool expected = intersects(a, b, scene.pose).yes;
@@ -103,14 +83,14 @@ TEST_CASE("small trees: a hint never changes the answer, and is the pair that wa
     REQUIRE((!expected || holds(scene, hint)));
     REQUIRE((!held || (hint.a == before.a && hint.b == before.b)));
     ++(held ? kept : lost);
-  }
+  });
   CHECK(kept > kRounds / 20);
   CHECK(lost > kRounds / 10);
 }
 
 TEST_CASE("small trees: a hint that is no pair of triangles is refused, as errors are") {
   Random random = test_random(3);
-  const SmallScene<Layout::post_indexed> scene(random);
+  const Scene scene(random);
   const Mesh& a = scene.a.view();
   const Mesh& b = scene.b.view();
   const auto refused = [&](Hint hint) {
@@ -124,8 +104,7 @@ TEST_CASE("small trees: a hint that is no pair of triangles is refused, as error
   CHECK(refused({0, UINT16_MAX}));
   CHECK(refused({UINT16_MAX, 0}));
 
-  const int32_t far[3] = {kMaxTranslation + 1, 0, 0};
-  const Pose wrong = Pose::translated(far[0], far[1], far[2]);
+  const Pose wrong = Pose::translated(kMaxTranslation + 1, 0, 0);
   Hint hint = {0, 0};
   const Answer answer = intersects(a, b, wrong, hint);
   CHECK(answer.status == Status::translation_out_of_range);

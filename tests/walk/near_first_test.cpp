@@ -8,94 +8,68 @@
 namespace {
 
 using Near = Query<detail::NearFirst<Mesh>>;
-using Near32 = Query<detail::NearFirst<Mesh32>>;
 
-template <class Query, class MeshType>
-Pairs sorted_pairs(const MeshType& a, const MeshType& b, const Pose& pose, std::uint32_t work,
-                   std::uint32_t capacity) {
-  Query query(a, b, pose);
-  Pairs pairs = run_to_end(query, work, capacity);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+/// The number of pairs, which are those of ranked, whole and cut into runs.
+template <class MeshType>
+std::size_t check_pairs(Random& random, const MeshType& a, const MeshType& b, const Pose& pose) {
+  const auto pairs_of = [&](auto&& query, std::uint32_t work, std::uint32_t capacity) {
+    return sorted(run_to_end(query, work, capacity));
+  };
+  using NearQuery = Query<detail::NearFirst<MeshType>>;
+  const Pairs pairs = pairs_of(Query<Ranked<MeshType>>(a, b, pose), kNoLimit, 1000);
+  REQUIRE(pairs_of(NearQuery(a, b, pose), kNoLimit, 1000) == pairs);
+  REQUIRE(pairs_of(NearQuery(a, b, pose), 1 + random.below(3000), 1 + random.below(7)) == pairs);
+  return pairs.size();
 }
 
 }  // namespace
 
 TEST_CASE("nearest first, a query has the pairs of ranked, on trees of any shape") {
-  Random random = test_random();
   std::size_t total = 0;
-  for (int round = 0; round < 400; ++round) {
-    CAPTURE(round);
+  for_rounds(400, [&](Random& random, int) {
     const Scene scene = any_scene(random);
-    const Mesh a = scene.a.view<Mesh>();
-    const Mesh b = scene.b.view<Mesh>();
-    const Pairs pairs = sorted_pairs<PairQuery>(a, b, scene.pose, kNoLimit, 100);
-    REQUIRE(sorted_pairs<Near>(a, b, scene.pose, kNoLimit, 100) == pairs);
-    REQUIRE(sorted_pairs<Near>(a, b, scene.pose, 1 + random.below(80), 1 + random.below(3)) ==
-            pairs);
-    total += pairs.size();
-  }
+    total += check_pairs<Mesh>(random, scene.a, scene.b, scene.pose);
+  });
   CHECK(total > 1000);
 }
 
 TEST_CASE("nearest first, a query has the pairs of ranked where nodes have 2 to 9 children") {
-  Random random = test_random(1);
   const bake::LatticeMesh ring = torus(24, 12, 900, 300);
-  for (std::uint32_t arity = 2; arity < 10; ++arity) {
-    CAPTURE(arity);
-    const bake::BuildTree tree = bake::collapse(bake::build_sah(ring, 2), arity);
-    const auto baked = bake::lay_out<std::uint16_t, Layout::post_indexed>(tree, ring);
+  for_rounds(8u, 1, [&](Random& random, std::uint32_t round) {
+    const bake::BuildTree tree = bake::collapse(bake::build_sah(ring, 2), 2 + round);
+    const auto narrow = baked(tree, ring);
     const auto wide = bake::lay_out<std::uint32_t, Layout::post_indexed>(tree, ring);
     for (int i = 0; i < 6; ++i) {
       const Pose pose = any_rigid_pose(random, 700);
-      const Pairs pairs =
-          sorted_pairs<PairQuery>(Mesh(baked.view()), Mesh(baked.view()), pose, kNoLimit, 5000);
-      REQUIRE(sorted_pairs<Near>(Mesh(baked.view()), Mesh(baked.view()), pose, kNoLimit, 5000) ==
-              pairs);
-      REQUIRE(sorted_pairs<Near32>(Mesh32(wide.view()), Mesh32(wide.view()), pose, 1000, 7) ==
-              pairs);
+      REQUIRE(check_pairs<Mesh>(random, narrow.view(), narrow.view(), pose) ==
+              check_pairs<Mesh32>(random, wide.view(), wide.view(), pose));
     }
-  }
+  });
 }
 
 TEST_CASE("nearest first, a query has the pairs of ranked on chains of hundreds of levels") {
-  Random random = test_random(3);
-  for (const bool leaf_first : {false, true}) {
-    CAPTURE(leaf_first);
-    const bake::LatticeMesh ring = torus(16, 10, 900, 300);
-    const auto baked =
-        bake::lay_out<std::uint16_t, Layout::post_indexed>(chain(ring, leaf_first), ring);
-    const Mesh mesh = baked.view();
-    for (int i = 0; i < 4; ++i) {
-      const Pose pose = any_rigid_pose(random, 500);
-      const Pairs pairs = sorted_pairs<PairQuery>(mesh, mesh, pose, kNoLimit, 5000);
-      REQUIRE(sorted_pairs<Near>(mesh, mesh, pose, kNoLimit, 5000) == pairs);
-      REQUIRE(sorted_pairs<Near>(mesh, mesh, pose, 3000, 5) == pairs);
-      REQUIRE_FALSE(pairs.empty());
-    }
-  }
+  const bake::LatticeMesh ring = torus(16, 10, 900, 300);
+  for_rounds(8, 3, [&](Random& random, int round) {
+    const auto deep = baked(chain(ring, round % 2 != 0), ring);
+    const Pose pose = any_rigid_pose(random, 500);
+    REQUIRE(check_pairs<Mesh>(random, deep.view(), deep.view(), pose) != 0);
+  });
 }
 
 TEST_CASE("as ranked, a walk is ranked's") {
-  Random random = test_random(4);
-  for (int round = 0; round < 200; ++round) {
-    CAPTURE(round);
+  for_rounds(200, 4, [&](Random& random, int) {
     const Scene scene = any_scene(random);
-    const Mesh a = scene.a.view<Mesh>();
-    const Mesh b = scene.b.view<Mesh>();
-    PairQuery ranked(a, b, scene.pose);
-    Near near(a, b, scene.pose, detail::NearFirst<Mesh>::as_ranked());
-    REQUIRE(run_to_end(near, kNoLimit, 100) == run_to_end(ranked, kNoLimit, 100));
+    PairQuery ranked(scene.a, scene.b, scene.pose);
+    Near near(scene.a, scene.b, scene.pose, detail::NearFirst<Mesh>::as_ranked());
+    REQUIRE(run_to_end(near) == run_to_end(ranked));
     REQUIRE(near.stats().visits == ranked.stats().visits);
-  }
+  });
 }
 
 TEST_CASE("nearest first, a rotated pair is found after half of the visits") {
   Random random = test_random(2);
   const bake::LatticeMesh ring = torus(40, 20, 900, 300);
-  const auto baked =
-      bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_default(ring), ring);
-  const Mesh mesh = baked.view();
+  const AnyMesh mesh(bake::build_default(ring), ring);
   std::uint64_t near_visits = 0;
   std::uint64_t ranked_visits = 0;
   for (int i = 0; i < 200; ++i) {

@@ -1,11 +1,11 @@
 // Every traversal against brute force, translated and rotated, on trees that fit every board.
-#include <catch2/catch.hpp>
 #include <initializer_list>
 
 #include "flashbvh/contact.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/points.hpp"
+#include "support/rounds.hpp"
 #include "support/small_scene.hpp"
 
 using namespace flashbvh;
@@ -15,9 +15,6 @@ using namespace flashbvh::test;
 namespace {
 
 const int kRounds = rounds(300, 2000);
-
-template <class Traversal>
-using Scene = SmallScene<Traversal::Tree::kLayout>;
 
 template <class Traversal>
 Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, QueryStats& counts) {
@@ -47,29 +44,16 @@ void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
 
 template <class Traversal>
 void check_against_brute_force() {
-  Random random = test_random();
   uint32_t total = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
-    const Scene<Traversal> scene(random);
+  for_rounds(kRounds, [&](Random& random, int) {
+    const SmallScene<Traversal::Tree::kLayout> scene(random);
     TreeShape shape;
     REQUIRE(check_tree(scene.a.view(), shape) == Status::done);
     SmallQuery<Traversal> any(scene);
-    PairSet found;
-    bool twice = false;
-    const Status status = any.query
-                              .run(kNoLimit,
-                                   [&](const Pair& pair) {
-                                     twice = !found.add(pair.a, pair.b) || twice;
-                                     return true;
-                                   })
-                              .status;
-    REQUIRE(status == Status::done);
-    REQUIRE_FALSE(twice);
-    const bool exact = found == brute_force(scene);
+    const bool exact = all_pairs(any.query) == brute_force(scene);
     REQUIRE(exact);
     total += any.query.stats().triangle_pairs;
-  }
+  });
   CHECK(total > static_cast<uint32_t>(kRounds));
 }
 
@@ -83,9 +67,7 @@ TEST_CASE("small trees: a query finds exactly the pairs that brute force finds")
 }
 
 TEST_CASE("small trees: a rule walks the same way with a stack and without") {
-  Random random = test_random(1);
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, 1, [&](Random& random, int) {
     {
       const SmallScene<Layout::post_indexed> scene(random);
       check_same_walk<Ranked<Mesh>, RankedStack<Mesh>>(scene);
@@ -93,14 +75,12 @@ TEST_CASE("small trees: a rule walks the same way with a stack and without") {
     }
     const SmallScene<Layout::pre_indexed> scene(random);
     check_same_walk<Stackless, AlternatingStack<PreMeshWithLevels>>(scene);
-  }
+  });
 }
 
 TEST_CASE("small trees: a reported pair lies where the pose's definition puts it") {
-  Random random = test_random(2);
   const Pose identity = Pose::translated(0, 0, 0);
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, 2, [&](Random& random, int) {
     const SmallScene<Layout::post_indexed> scene(random);
     const Mesh& a = scene.a.view();
     const Mesh& b = scene.b.view();
@@ -124,14 +104,12 @@ TEST_CASE("small trees: a reported pair lies where the pose's definition puts it
             .status;
     REQUIRE(status == Status::done);
     REQUIRE(wrong == 0);
-  }
+  });
 }
 
 TEST_CASE("small trees: every triangle of B lies where the pose's definition puts it") {
-  Random random = test_random(4);
   int compared = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    CAPTURE(round);
+  for_rounds(kRounds, 4, [&](Random& random, int) {
     const SmallScene<Layout::post_indexed> scene(random);
     const Mesh& a = scene.a.view();
     const Mesh& b = scene.b.view();
@@ -149,7 +127,7 @@ TEST_CASE("small trees: every triangle of B lies where the pose's definition put
       REQUIRE(right);
       ++compared;
     }
-  }
+  });
   CHECK(compared > kRounds);
 }
 

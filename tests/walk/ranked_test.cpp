@@ -25,7 +25,7 @@ Trees any_trees(Random& random, std::uint32_t most) {
   const std::int32_t x = random.between(-30, 30);
   const std::int32_t y = random.between(-30, 30);
   return {bake_pair<Layout::post_indexed>(a, mesh_a, b, mesh_b), TranslatedBoxTest(x, y, 0),
-          brute_force(a, b, x, y, 0)};
+          brute_force(a, b, {x, y, 0})};
 }
 
 /// Sets the rank of each internal node to rank_of(node, rank of its parent).
@@ -68,7 +68,7 @@ void check_ranks(Trees& trees, RanksOfA ranks_of_a, RanksOfB ranks_of_b) {
   REQUIRE(ranked.ended);
   REQUIRE(ranked.visits == stack.visits);
   REQUIRE(ranked.leaf_pairs == stack.leaf_pairs);
-  REQUIRE(ranked.sorted_leaf_pairs() == trees.truth);
+  REQUIRE(sorted(ranked.leaf_pairs) == trees.truth);
 }
 
 const int kRounds = rounds(75, 300);

@@ -1,8 +1,8 @@
 // Queries cut into runs, and resumed in other objects, on trees that fit every board.
-#include <catch2/catch.hpp>
 #include <initializer_list>
 
 #include "support/most_work.hpp"
+#include "support/rounds.hpp"
 #include "support/small_scene.hpp"
 
 using namespace flashbvh;
@@ -70,21 +70,20 @@ TEST_CASE("small trees: however a query is cut into runs, it gives the same pair
   for_each_order<uint16_t>([](auto named) {
     using Traversal = typename decltype(named)::Traversal;
     CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
-    Random random = test_random();
-    for (int round = 0; round < kRounds; ++round) {
+    for_rounds(kRounds, [&](Random& random, int) {
       const Scene<Traversal> scene(random);
       QueryStats counts{};
       const Report whole = cut<Traversal>(scene, kNoLimit, 4, counts);
       for (const uint32_t work : {1u, 2u, 7u, 31u, 33u, 100u, 500u}) {
         for (const uint32_t capacity : {1u, 3u}) {
-          CAPTURE(round, work, capacity);
+          CAPTURE(work, capacity);
           QueryStats others{};
           const bool equal = cut<Traversal>(scene, work, capacity, others) == whole;
           REQUIRE(equal);
           REQUIRE(same(counts, others));
         }
       }
-    }
+    });
   });
 }
 
@@ -92,9 +91,7 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
   for_each_stackless_order<uint16_t>([](auto named) {
     using Traversal = typename decltype(named)::Traversal;
     CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
-    Random random = test_random(1);
-    for (int round = 0; round < kRounds; ++round) {
-      CAPTURE(round);
+    for_rounds(kRounds, 1, [&](Random& random, int) {
       const Scene<Traversal> scene(random);
       QueryStats counts{};
       const Report whole = cut<Traversal>(scene, kNoLimit, 4, counts);
@@ -117,7 +114,7 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
       const bool equal = report == whole;
       REQUIRE(equal);
       REQUIRE(visits == counts.visits);
-    }
+    });
   });
 }
 
@@ -125,11 +122,9 @@ TEST_CASE("small trees: any numbers for a position are refused or lead to an end
   for_each_stackless_order<uint16_t>([](auto named) {
     using Traversal = typename decltype(named)::Traversal;
     CAPTURE(named.name, static_cast<int>(Traversal::Tree::kLayout));
-    Random random = test_random(2);
     int refused = 0;
     int taken = 0;
-    for (int round = 0; round < 100 * kRounds; ++round) {
-      CAPTURE(round);
+    for_rounds(100 * kRounds, 2, [&](Random& random, int) {
       const Scene<Traversal> scene(random);
       Position position{};
       position.a = static_cast<uint16_t>(random.below(random.below(2) == 0 ? 40 : 65536));
@@ -141,12 +136,12 @@ TEST_CASE("small trees: any numbers for a position are refused or lead to an end
       if (any.query.resume(position) == Status::cursor_invalid) {
         REQUIRE(any.query.status() == before);
         ++refused;
-        continue;
+        return;
       }
       ++taken;
       const uint32_t most = most_work_of_nodes(scene.a.view(), scene.b.view());
       REQUIRE(any.query.run(most, [](const Pair&) { return true; }).status == Status::done);
-    }
+    });
     CHECK(refused > 20 * kRounds);
     CHECK(taken > kRounds);
   });

@@ -1,25 +1,18 @@
 // Alternating queries on the same trees. For saved cursors resumed in another query object:
 // resume_board_test.cpp; for every possible cursor: golden/resume_test.cpp.
-#include <catch2/catch.hpp>
-
 #include "support/any_mesh.hpp"
-
-using namespace flashbvh;
-using namespace flashbvh::detail;
-using namespace flashbvh::test;
+#include "support/test.hpp"
 
 TEST_CASE("two queries on the same trees may take turns, one interrupting the other") {
-  Random random = test_random(2);
-  for (int round = 0; round < 40; ++round) {
-    CAPTURE(round);
+  for_rounds(40, 2, [&](Random& random, int) {
     const Scene scene = any_scene(random);
-    const auto a = scene.a.view<Mesh>();
-    const auto b = scene.b.view<Mesh>();
+    const Mesh& a = scene.a;
+    const Mesh& b = scene.b;
     const Pose other = any_rigid_pose(random, 20);
     PairQuery first(a, b, scene.pose);
-    const Pairs expected_first = run_to_end(first, kNoLimit, 10000);
+    const Pairs expected_first = run_to_end(first);
     PairQuery second(a, b, other);
-    const Pairs expected_second = run_to_end(second, kNoLimit, 10000);
+    const Pairs expected_second = run_to_end(second);
 
     PairQuery outer(a, b, scene.pose);
     Pairs pairs_outer;
@@ -45,5 +38,5 @@ TEST_CASE("two queries on the same trees may take turns, one interrupting the ot
     }
     REQUIRE(pairs_outer == expected_first);
     REQUIRE(pairs_inner == expected_second);
-  }
+  });
 }

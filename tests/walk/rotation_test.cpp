@@ -10,13 +10,18 @@ using namespace flashbvh::detail;
 
 namespace {
 
-template <Layout layout>
+template <Layout layout = Layout::post_indexed>
 struct Scene {
   bake::LatticeMesh mesh_a, mesh_b;
-  Baked<layout> a, b;
   Pose pose;
+  Baked<layout> a, b;
 
   Pairs brute_force() const { return test::brute_force(mesh_a, mesh_b, pose); }
+  /// Bakes a tree of each mesh, with one triangle per leaf.
+  void bake_median() {
+    a = baked(bake::build_median(mesh_a, 1), mesh_a);
+    b = baked(bake::build_median(mesh_b, 1), mesh_b);
+  }
 };
 
 /// The size of a scene: coordinates, triangles, and the translation.
@@ -32,13 +37,13 @@ constexpr Scale kNear = {300, 200, 250};
 constexpr Scale kLargest = {16383, 9000, 15000};
 constexpr Scale kTouching = {3, 2, 2};  ///< most intersecting pairs touch or share a plane
 
-template <Layout layout>
+template <Layout layout = Layout::post_indexed>
 Scene<layout> any_scene(Random& random, std::uint32_t most, const Scale& scale) {
   Scene<layout> scene{random_mesh(random, 1 + random.below(most), scale.spread, scale.size),
                       random_mesh(random, 1 + random.below(most), scale.spread, scale.size),
+                      any_rigid_pose(random, scale.reach),
                       {},
-                      {},
-                      any_rigid_pose(random, scale.reach)};
+                      {}};
   const std::int32_t farthest = scale.is_translated ? 5000 : random.below(2) == 0 ? 20 : 0;
   std::int32_t t[3];
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,8 +55,8 @@ Scene<layout> any_scene(Random& random, std::uint32_t most, const Scale& scale) 
   if (scale.is_translated) {
     scene.pose = Pose::translated(t[0], t[1], t[2]);
   }
-  scene.a = bake::lay_out<std::uint16_t, layout>(any_tree(random, scene.mesh_a), scene.mesh_a);
-  scene.b = bake::lay_out<std::uint16_t, layout>(any_tree(random, scene.mesh_b), scene.mesh_b);
+  scene.a = baked<layout>(any_tree(random, scene.mesh_a), scene.mesh_a);
+  scene.b = baked<layout>(any_tree(random, scene.mesh_b), scene.mesh_b);
   return scene;
 }
 
@@ -63,10 +68,9 @@ void check_against_brute_force(Random& random, const Scale& scale, int tries) {
     const auto scene = any_scene<Traversal::Tree::kLayout>(random, 20, scale);
     REQUIRE(scene.pose.status() == Status::done);
     AnyQuery<Traversal> any(scene);
-    Pairs pairs = run_to_end(any.query, kNoLimit, 10000);
+    const Pairs pairs = sorted(run_to_end(any.query));
     REQUIRE(any.query.status() == Status::done);
     REQUIRE(any.query.stats().triangle_pairs == pairs.size());
-    std::sort(pairs.begin(), pairs.end());
     REQUIRE(pairs == scene.brute_force());
     total += pairs.size();
   }
@@ -91,41 +95,39 @@ TEST_CASE("under any pose a query finds exactly the pairs that brute force finds
 TEST_CASE("the path of rotations, all but the identity, answers as the path of translations") {
   constexpr std::int32_t one = kRotationOne;
   for_rounds(200, 5, [&](Random& random, int) {
-    auto scene = any_scene<Layout::post_indexed>(random, 20, kSmall);
+    auto scene = any_scene(random, 20, kSmall);
     const std::int32_t t[3] = {random.between(-20, 20), random.between(-20, 20),
                                random.between(-20, 20)};
     scene.pose = Pose::translated(t[0], t[1], t[2]);
     AnyQuery<Ranked<Mesh>> translated(scene);
-    const Pairs expected = run_to_end(translated.query, kNoLimit, 10000);
+    const Pairs expected = run_to_end(translated.query);
     // The smallest rotation that a pose keeps: far too small to move a vertex of this mesh.
     const std::int32_t almost[3][3] = {{one, 256, 0}, {-256, one, 0}, {0, 0, one}};
     scene.pose = Pose::rigid(almost, t);
     REQUIRE(!scene.pose.is_translation());
     AnyQuery<Ranked<Mesh>> rotated(scene);
-    REQUIRE(run_to_end(rotated.query, kNoLimit, 10000) == expected);
+    REQUIRE(run_to_end(rotated.query) == expected);
   });
 }
 
 TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
   std::size_t total = 0;
   for_rounds(200, 6, [&](Random& random, int round) {
-    auto scene = any_scene<Layout::post_indexed>(random, 20, round % 2 == 0 ? kSmall : kTouching);
+    auto scene = any_scene(random, 20, round % 2 == 0 ? kSmall : kTouching);
     const Quaternion rotations[] = {
         {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 1, 1}, {1, -1, 0, 0}, {0, 1, 1, 0}};
     scene.pose = Pose::rigid(rotation_of(rotations[round % 5]).entry,
                              {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)});
     AnyQuery<Ranked<Mesh>> forward(scene);
-    Pairs expected = run_to_end(forward.query, kNoLimit, 10000);
+    const Pairs expected = sorted(run_to_end(forward.query));
     scene.pose = scene.pose.inverse();
     std::swap(scene.a, scene.b);
     AnyQuery<Ranked<Mesh>> backward(scene);
-    Pairs pairs = run_to_end(backward.query, kNoLimit, 10000);
+    Pairs pairs = run_to_end(backward.query);
     for (auto& pair : pairs) {
       std::swap(pair.first, pair.second);
     }
-    std::sort(pairs.begin(), pairs.end());
-    std::sort(expected.begin(), expected.end());
-    REQUIRE(pairs == expected);
+    REQUIRE(sorted(pairs) == expected);
     total += pairs.size();
   });
   CHECK(total > 100);
@@ -139,15 +141,12 @@ TEST_CASE(
     const Pose pose = any_rigid_pose(random, 100);
     const Pose inverse = pose.inverse();
     for (const Vertex& v : mesh.vertices) {
-      bake::LatticeMesh there;
-      const Vertex transformed = {
-          static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 0)),
-          static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 1)),
-          static_cast<std::int16_t>(transformed_coordinate(mesh, v, pose, 2))};
+      const Point there = transformed(mesh, v, pose);
+      const Point back = transformed(mesh, vertex_of(there), inverse);
       // Half a cell on three axes, rotated: at most sqrt(3) / 2 along one; plus another half cell.
-      CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 0) - v.x) <= 1);
-      CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 1) - v.y) <= 1);
-      CHECK(std::abs(transformed_coordinate(there, transformed, inverse, 2) - v.z) <= 1);
+      CHECK(std::abs(back.x - v.x) <= 1);
+      CHECK(std::abs(back.y - v.y) <= 1);
+      CHECK(std::abs(back.z - v.z) <= 1);
     }
   });
 }
@@ -155,14 +154,13 @@ TEST_CASE(
 TEST_CASE("translated through contact a cell at a time, a rotated mesh is found at each step") {
   std::size_t most = 0;
   for_rounds(6, 8, [&](Random& random, int round) {
-    auto scene = any_scene<Layout::post_indexed>(random, 12, {8, 8, 0});
+    auto scene = any_scene(random, 12, {8, 8, 0});
     const Rotation rotation = rotation_of(any_quaternion(random));
     for (std::int32_t x = -60; x <= 60; ++x) {
       CAPTURE(round, x);
       scene.pose = Pose::rigid(rotation.entry, {x, 1, -1});
       AnyQuery<Ranked<Mesh>> any(scene);
-      Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
-      std::sort(pairs.begin(), pairs.end());
+      const Pairs pairs = sorted(run_to_end(any.query));
       REQUIRE(pairs == scene.brute_force());
       REQUIRE((pairs.empty() || std::abs(x) < 60));
       most = std::max(most, pairs.size());
@@ -173,63 +171,46 @@ TEST_CASE("translated through contact a cell at a time, a rotated mesh is found 
 
 TEST_CASE("a mesh against itself, and one inside another without contact") {
   const bake::LatticeMesh outer = torus(12, 8, 6000, 3000);
-  bake::LatticeMesh inner = torus(12, 8, 6000, 1000);
-  Scene<Layout::post_indexed> scene{outer, outer, {}, {}, Pose::translated(0, 0, 0)};
-  const auto bake_it = [](const bake::LatticeMesh& mesh) {
-    return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
-  };
-  scene.a = scene.b = bake_it(outer);
+  Scene<> scene{outer, outer, Pose::translated(0, 0, 0), {}, {}};
+  scene.bake_median();
   for (const Quaternion& q :
        {Quaternion{0, 1, 0, 0}, Quaternion{1, 0, 0, 1}, Quaternion{5, 3, 2, 1}}) {
     scene.pose = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
-    scene.mesh_b = outer;
-    scene.b = bake_it(outer);
     AnyQuery<Ranked<Mesh>> itself(scene);
-    Pairs pairs = run_to_end(itself.query, kNoLimit, 10000);
-    std::sort(pairs.begin(), pairs.end());
+    const Pairs pairs = sorted(run_to_end(itself.query));
     REQUIRE(!pairs.empty());
     REQUIRE(pairs == scene.brute_force());
   }
+  scene.mesh_b = torus(12, 8, 6000, 1000);
+  scene.bake_median();
   for (int degrees = 1; degrees < 8; ++degrees) {
-    scene.mesh_b = inner;
-    scene.b = bake_it(inner);
     scene.pose = Pose::rigid(rotation_of({100, 0, 0, degrees}).entry, {0, 0, 0});
     AnyQuery<Ranked<Mesh>> inside(scene);
-    REQUIRE(run_to_end(inside.query, kNoLimit, 10000).empty());
+    REQUIRE(run_to_end(inside.query).empty());
     REQUIRE(inside.query.stats().visits > 1);
   }
 }
 
 TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {
-  const auto bake_it = [](const bake::LatticeMesh& mesh) {
-    return bake::lay_out<std::uint16_t, Layout::post_indexed>(bake::build_median(mesh, 1), mesh);
-  };
   int reached = 0;
   for_rounds(2000, 10, [&](Random& random, int) {
     // A needle along an axis or a diagonal, with its tip at the end of the lattice.
     const auto end = [&random] { return static_cast<std::int16_t>(random.below(2) * 16383); };
     const Vertex tip = {16383, end(), end()};
-    Scene<Layout::post_indexed> scene{{}, {}, {}, {}, any_rigid_pose(random, 47000)};
+    Scene<> scene{{}, {}, any_rigid_pose(random, 47000), {}, {}};
     scene.mesh_b.vertices = {{0, 0, 0}, {0, 1, 1}, tip};
     scene.mesh_b.triangles = {{0, 1, 2}};
     // A is the tip's transformed point, if it lies on the lattice.
-    std::int32_t at[3];
-    bool on_lattice = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      at[axis] = transformed_coordinate(scene.mesh_b, tip, scene.pose, axis);
-      on_lattice = on_lattice && std::abs(at[axis]) <= 16383;
-    }
-    if (!on_lattice) {
+    const Point at = transformed(scene.mesh_b, tip, scene.pose);
+    if (std::abs(at.x) > 16383 || std::abs(at.y) > 16383 || std::abs(at.z) > 16383) {
       return;
     }
     ++reached;
-    scene.mesh_a.vertices = {{static_cast<std::int16_t>(at[0]), static_cast<std::int16_t>(at[1]),
-                              static_cast<std::int16_t>(at[2])}};
+    scene.mesh_a.vertices = {vertex_of(at)};
     scene.mesh_a.triangles = {{0, 0, 0}};
-    scene.a = bake_it(scene.mesh_a);
-    scene.b = bake_it(scene.mesh_b);
+    scene.bake_median();
     AnyQuery<Ranked<Mesh>> any(scene);
-    REQUIRE(run_to_end(any.query, kNoLimit, 10) == Pairs{{0, 0}});
+    REQUIRE(run_to_end(any.query) == Pairs{{0, 0}});
   });
   CHECK(reached > 30);
 }
@@ -238,10 +219,10 @@ TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
   const std::int32_t reaches[] = {16384, 40000, 44760,  48000,
                                   48001, 65536, 100000, kMaxTranslation};
   for_rounds(400, 9, [&](Random& random, int) {
-    auto scene = any_scene<Layout::post_indexed>(random, 8, kLargest);
+    auto scene = any_scene(random, 8, kLargest);
     std::int32_t cells[3];
     for (std::int32_t& axis : cells) {
-      axis = random.below(2) == 0 ? random.between(-3, 3) : reaches[random.below(8)];
+      axis = random.below(2) == 0 ? random.between(-3, 3) : random.one_of(reaches);
       axis = random.below(2) == 0 ? axis : -axis;
     }
     scene.mesh_b.origin = {0, 0, 0};
@@ -249,12 +230,9 @@ TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
     scene.a.origin = scene.b.origin = {0, 0, 0};
     scene.pose = Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
     AnyQuery<Ranked<Mesh>> any(scene);
-    Pairs pairs = run_to_end(any.query, kNoLimit, 1000);
+    const Pairs pairs = sorted(run_to_end(any.query));
     AnyQuery<Leaf<Mesh>> leaf(scene);
-    Pairs by_leaf = run_to_end(leaf.query, kNoLimit, 1000);
-    std::sort(pairs.begin(), pairs.end());
-    std::sort(by_leaf.begin(), by_leaf.end());
-    REQUIRE(pairs == by_leaf);
+    REQUIRE(pairs == sorted(run_to_end(leaf.query)));
     const bool far =
         std::abs(cells[0]) > 60000 || std::abs(cells[1]) > 60000 || std::abs(cells[2]) > 60000;
     REQUIRE((!far || pairs.empty()));

@@ -14,7 +14,7 @@ namespace {
 struct Trees {
   bake::LatticeMesh mesh_a, mesh_b;
   bake::BuildTree a, b;
-  std::int32_t x, y, z;  ///< B's translation
+  Point translation;  ///< B's
 };
 
 Trees any_trees(Random& random, std::uint32_t count_a, std::uint32_t count_b) {
@@ -23,15 +23,12 @@ Trees any_trees(Random& random, std::uint32_t count_a, std::uint32_t count_b) {
               random_mesh(random, count_b, spread, 30),
               {},
               {},
-              0,
-              0,
-              0};
+              {0, 0, 0}};
   trees.a = any_tree(random, trees.mesh_a);
   trees.b = any_tree(random, trees.mesh_b);
-  const std::int32_t reach = random.below(3) == 0 ? 0 : random.between(1, 2 * spread);
-  trees.x = random.between(-reach, reach);
-  trees.y = random.between(-reach, reach);
-  trees.z = random.between(-reach, reach);
+  if (random.below(3) != 0) {
+    trees.translation = any_point(random, random.between(1, 2 * spread));
+  }
   return trees;
 }
 
@@ -46,8 +43,9 @@ void check_all(const Trees& trees) {
   const std::tuple pairs{
       bake_pair<Layout::pre_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b),
       bake_pair<Layout::post_indexed>(trees.a, trees.mesh_a, trees.b, trees.mesh_b)};
-  const TranslatedBoxTest bound(trees.x, trees.y, trees.z);
-  const NodePairs truth = brute_force(trees.a, trees.b, trees.x, trees.y, trees.z);
+  const auto& [x, y, z] = trees.translation;
+  const TranslatedBoxTest bound(x, y, z);
+  const NodePairs truth = brute_force(trees.a, trees.b, trees.translation);
   std::map<std::string, Record> of_rules;
   for_each_order<std::uint16_t>([&](auto named) {
     using Traversal = typename decltype(named)::Traversal;
@@ -55,7 +53,7 @@ void check_all(const Trees& trees) {
     const auto& pair = std::get<static_cast<std::size_t>(Traversal::Tree::kLayout)>(pairs);
     const Record walk = record<Traversal>(pair, bound);
     REQUIRE(walk.ended);
-    REQUIRE(walk.sorted_leaf_pairs() == truth);
+    REQUIRE(sorted(walk.leaf_pairs) == truth);
     const Record& first = of_rules.emplace(rule_of(named.name), walk).first->second;
     REQUIRE(walk.visits == first.visits);
     REQUIRE(walk.leaf_pairs == first.leaf_pairs);
@@ -122,12 +120,12 @@ TEST_CASE("all traversals agree on chains as deep as their triangles, and on une
 TEST_CASE("all traversals agree when everything overlaps, and when nothing does") {
   Random random = test_random(3);
   Trees trees = any_trees(random, 40, 40);
-  trees.x = trees.y = trees.z = 0;
+  trees.translation = {0, 0, 0};
   for (bake::BuildNode& node : trees.a.nodes) {
     node.box = {{-16383, -16383, -16383}, {16383, 16383, 16383}};
   }
   trees.b = chain(trees.mesh_b, true);
   check_all(trees);
-  trees.x = 100000;
+  trees.translation.x = 100000;
   check_all(trees);
 }

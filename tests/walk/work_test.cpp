@@ -4,8 +4,6 @@
 #include "flashbvh/time_bound.hpp"
 #include "support/any_mesh.hpp"
 #include "support/most_work.hpp"
-#include "support/queries.hpp"
-#include "support/shapes.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::detail;
@@ -44,12 +42,12 @@ std::uint32_t check_counts(const typename Traversal::Tree& a, const typename Tra
     if constexpr (Traversal::kStackless) {
       Query<Traversal> resumed(a, b, pose);
       (void)resumed.resume(cut.query.cursor());
-      REQUIRE(run_to_end(resumed, kNoLimit, 100) == rest);
+      REQUIRE(run_to_end(resumed) == rest);
       REQUIRE(counts[stop].visits + resumed.stats().visits == query.stats().visits);
       REQUIRE(counts[stop].overlaps + resumed.stats().overlaps == query.stats().overlaps);
       REQUIRE(counts[stop].leaf_pairs + resumed.stats().leaf_pairs == query.stats().leaf_pairs);
     }
-    REQUIRE(run_to_end(cut.query, kNoLimit, 100) == rest);
+    REQUIRE(run_to_end(cut.query) == rest);
     REQUIRE(same(cut.query.stats(), query.stats()));
   }
   return static_cast<std::uint32_t>(pairs.size());
@@ -79,7 +77,7 @@ TEST_CASE("however a query is cut into runs, its pairs, their order and counts s
       const auto a = scene.a.view<typename Traversal::Tree>();
       const auto b = scene.b.view<typename Traversal::Tree>();
       AnyQuery<Traversal> whole(a, b, scene.pose);
-      const Pairs expected = run_to_end(whole.query, kNoLimit, 10000);
+      const Pairs expected = run_to_end(whole.query);
       for (const std::uint32_t work :
            std::initializer_list<std::uint32_t>{1, 2, 7, 31, 33, 70, 300, kNoLimit}) {
         for (std::uint32_t capacity = 1; capacity < 10; ++capacity) {
@@ -98,13 +96,11 @@ TEST_CASE("counts stay right over more work than one batch may take") {
   // Triangles in random order: nearly all boxes but the leaves' overlap.
   const auto mesh_a = random_mesh(random, 400, 3000, 40);
   const auto mesh_b = random_mesh(random, 400, 3000, 40);
-  const AnyMesh any_a(random_tree(random, mesh_a, {2, 1, false}), mesh_a);
-  const AnyMesh any_b(random_tree(random, mesh_b, {2, 1, false}), mesh_b);
-  const auto a = any_a.view<Mesh>();
-  const auto b = any_b.view<Mesh>();
+  const AnyMesh a(random_tree(random, mesh_a, {2, 1, false}), mesh_a);
+  const AnyMesh b(random_tree(random, mesh_b, {2, 1, false}), mesh_b);
   const Pose pose = Pose::translated(20, 30, 0);
   PairQuery whole(a, b, pose);
-  const Pairs expected = run_to_end(whole, kNoLimit, 100);
+  const Pairs expected = run_to_end(whole);
   for (const std::uint32_t work : {9999u, 65535u, 65536u, 131071u}) {
     PairQuery cut(a, b, pose);
     REQUIRE(run_to_end(cut, work, 100) == expected);
@@ -155,10 +151,10 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
   std::uint32_t inside_leaves = 0;
   for_rounds(rounds(40, 150), 8, [&](Random& random, int) {
     const Scene scene = any_scene(random);
-    const auto a = scene.a.view<Mesh>();
-    const auto b = scene.b.view<Mesh>();
+    const Mesh& a = scene.a;
+    const Mesh& b = scene.b;
     PairQuery whole(a, b, scene.pose);
-    const Pairs expected = run_to_end(whole, kNoLimit, 10000);
+    const Pairs expected = run_to_end(whole);
     std::uint32_t tests = 0;
     Query<Ranked<Mesh>, CountedTests> query(a, b, scene.pose, {}, {&tests});
     Pairs pairs;
@@ -197,8 +193,8 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
 TEST_CASE("work is visits, shapes and pairs of triangles") {
   for_rounds(200, 9, [&](Random& random, int) {
     const Scene scene = any_scene(random);
-    const auto a = scene.a.view<Mesh>();
-    const auto b = scene.b.view<Mesh>();
+    const Mesh& a = scene.a;
+    const Mesh& b = scene.b;
     const std::uint32_t most = std::max(size_of(a).leaf_size, size_of(b).leaf_size);
     constexpr std::uint32_t kGranted = 60000;
     std::vector<PairQuery::Pair> found(1000);
@@ -225,26 +221,24 @@ TEST_CASE("a pair of leaves may take more work than one walk may") {
   Random random = test_random(10);
   const auto mesh_a = random_mesh(random, 255, 60, 60);
   const auto mesh_b = random_mesh(random, 510, 60, 60);
-  const AnyMesh any_a(bake::build_median(mesh_a, kMaxLeafSize), mesh_a);
-  const AnyMesh any_b(bake::build_median(mesh_b, kMaxLeafSize), mesh_b);
-  const auto a = any_a.view<Mesh>();
-  const auto b = any_b.view<Mesh>();
+  const AnyMesh a(bake::build_median(mesh_a, kMaxLeafSize), mesh_a);
+  const AnyMesh b(bake::build_median(mesh_b, kMaxLeafSize), mesh_b);
   REQUIRE(a.triangles_in(0) * b.triangles_in(0) * kTrianglePairWork > 65535);
   const Pose pose = Pose::translated(3, 2, 1);
   PairQuery whole(a, b, pose);
-  const Pairs expected = run_to_end(whole, kNoLimit, 100000);
+  const Pairs expected = run_to_end(whole);
   CHECK(whole.stats().leaf_pairs > 1);
   for (const std::uint32_t work : {33u, 1000u, 65535u, 65536u, 100000u, 5000000u, 4000000000u}) {
     CAPTURE(work);
     PairQuery cut(a, b, pose);
-    REQUIRE(run_to_end(cut, work, 100000) == expected);
+    REQUIRE(run_to_end(cut, work) == expected);
     REQUIRE(same(cut.stats(), whole.stats()));
     PairQuery resumed(a, b, pose);
     std::vector<PairQuery::Pair> found(1000);
     const RunResult step = resumed.run(work, found.data(), 1000);
     PairQuery other(a, b, pose);
     REQUIRE(other.resume(resumed.cursor()) != Status::cursor_invalid);
-    const Pairs rest = run_to_end(other, work, 1000);
+    const Pairs rest = run_to_end(other, work);
     REQUIRE(step.count + rest.size() == expected.size());
     REQUIRE(std::equal(rest.begin(), rest.end(), expected.begin() + step.count));
   }

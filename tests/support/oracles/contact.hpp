@@ -9,16 +9,15 @@
 // A point has numerators below 2^71 over a denominator below 2^53; a normal is below 2^33.
 #pragma once
 
-#include "support/oracles/triangle.hpp"
-
-#include <array>
 #include <vector>
 
 #include "flashbvh/contact.hpp"
+#include "support/oracles/triangle.hpp"
+#include "support/vectors.hpp"
 
 namespace flashbvh::test {
 
-using WideVector = std::array<Wide, 3>;
+using WideVector = Vector<Wide>;
 
 /// A point relative to the first corner of the first triangle: at[] / by, by > 0.
 struct Rational {
@@ -26,49 +25,32 @@ struct Rational {
   Wide by;
 };
 
-inline WideVector minus(const WideVector& u, const WideVector& v) {
-  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-}
-inline WideVector times(Wide n, const WideVector& v) {
-  return {n * v[0], n * v[1], n * v[2]};
-}
-inline WideVector crossed(const WideVector& u, const WideVector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-inline Wide dotted(const WideVector& u, const WideVector& v) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
 /// A triangle's corners relative to the first corner of the first triangle.
 struct WideTriangle {
   WideVector corner[3];
 
   WideTriangle(const Triangle& t, const Point& origin) {
     for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        corner[i][static_cast<std::size_t>(k)] = along(t.corner[i], k) - along(origin, k);
-      }
+      corner[i] = minus(vector_of<Wide>(t.corner[i]), vector_of<Wide>(origin));
     }
   }
   WideVector edge(int i) const { return minus(corner[(i + 1) % 3], corner[i]); }
-  WideVector normal() const { return crossed(edge(0), minus(corner[2], corner[0])); }
+  WideVector normal() const { return cross(edge(0), minus(corner[2], corner[0])); }
 };
 
 /// p + (q - p) * part / whole, for `whole` of either sign, but not 0.
 inline Rational point_between(const WideVector& p, const WideVector& q, Wide part, Wide whole) {
   const Wide sign = whole < 0 ? -1 : 1;
-  const WideVector step = times(sign * part, minus(q, p));
-  const WideVector start = times(sign * whole, p);
-  return {{start[0] + step[0], start[1] + step[1], start[2] + step[2]}, sign * whole};
+  return {plus(times(sign * whole, p), sign * part, minus(q, p)), sign * whole};
 }
 
 /// Whether p lies on the closed segment s, e, which may be a point.
 inline bool on_segment(const Rational& p, const WideVector& s, const WideVector& e) {
   const WideVector from_s = minus(p.at, times(p.by, s));
   const WideVector whole = minus(e, s);
-  const Wide share = dotted(from_s, whole);
-  return crossed(from_s, whole) == WideVector{} && share >= 0 &&
-         share <= p.by * dotted(whole, whole) && (whole != WideVector{} || from_s == WideVector{});
+  const Wide share = dot(from_s, whole);
+  return cross(from_s, whole) == WideVector{} && share >= 0 && share <= p.by * dot(whole, whole) &&
+         (whole != WideVector{} || from_s == WideVector{});
 }
 
 /// Whether p lies in the closed triangle t, which may be a segment or a point.
@@ -78,10 +60,10 @@ inline bool in_triangle(const Rational& p, const WideTriangle& t) {
     return on_segment(p, t.corner[0], t.corner[1]) || on_segment(p, t.corner[1], t.corner[2]) ||
            on_segment(p, t.corner[2], t.corner[0]);
   }
-  bool inside = dotted(normal, minus(p.at, times(p.by, t.corner[0]))) == 0;
+  bool inside = dot(normal, minus(p.at, times(p.by, t.corner[0]))) == 0;
   for (int i = 0; inside && i < 3; ++i) {
     const WideVector from = minus(p.at, times(p.by, t.corner[i]));
-    inside = dotted(normal, crossed(t.edge(i), from)) >= 0;
+    inside = dot(normal, cross(t.edge(i), from)) >= 0;
   }
   return inside;
 }
@@ -90,8 +72,8 @@ inline bool in_triangle(const Rational& p, const WideTriangle& t) {
 inline void add_plane_crossing(const WideTriangle& a, int i, const WideTriangle& b,
                                std::vector<Rational>& points) {
   const WideVector normal = b.normal();
-  const Wide part = dotted(normal, minus(b.corner[0], a.corner[i]));
-  const Wide whole = dotted(normal, a.edge(i));
+  const Wide part = dot(normal, minus(b.corner[0], a.corner[i]));
+  const Wide whole = dot(normal, a.edge(i));
   if (whole != 0) {
     points.push_back(point_between(a.corner[i], a.corner[(i + 1) % 3], part, whole));
   }
@@ -100,8 +82,8 @@ inline void add_plane_crossing(const WideTriangle& a, int i, const WideTriangle&
 /// Adds the point where the lines of edge i of `a` and edge j of `b` cross in some projection.
 inline void add_edge_crossing(const WideTriangle& a, int i, const WideTriangle& b, int j,
                               std::vector<Rational>& points) {
-  const WideVector whole = crossed(a.edge(i), b.edge(j));
-  const WideVector part = crossed(minus(b.corner[j], a.corner[i]), b.edge(j));
+  const WideVector whole = cross(a.edge(i), b.edge(j));
+  const WideVector part = cross(minus(b.corner[j], a.corner[i]), b.edge(j));
   for (std::size_t k = 0; k < 3; ++k) {
     if (whole[k] != 0) {
       points.push_back(point_between(a.corner[i], a.corner[(i + 1) % 3], part[k], whole[k]));

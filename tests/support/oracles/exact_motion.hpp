@@ -48,17 +48,17 @@ class FloatMove {
   FloatMove(const Move& move, double time) : point_(in_cells(move.point)), turns_(move.turn != 0) {
     const FloatVector given = {double(move.axis[0]), double(move.axis[1]), double(move.axis[2])};
     const double angle = time * move.turn / kFullTurn * 2 * 3.14159265358979323846;
-    axis_ = turns_ ? plus({0, 0, 0}, 1 / std::sqrt(squared(given)), given) : given;
+    axis_ = turns_ ? times(1 / length_of(given), given) : given;
     sine_ = std::sin(angle);
     cosine_ = std::cos(angle);
-    travel_ = plus({0, 0, 0}, time, in_cells(move.travel));
+    travel_ = times(time, in_cells(move.travel));
   }
   FloatVector operator()(const FloatVector& p) const {
     if (!turns_) {
       return plus(p, 1, travel_);
     }
     const FloatVector from = minus(p, point_);
-    const FloatVector across = plus(plus({0, 0, 0}, cosine_, from), sine_, cross(axis_, from));
+    const FloatVector across = plus(times(cosine_, from), sine_, cross(axis_, from));
     return plus(plus(plus(across, (1 - cosine_) * dot(axis_, from), axis_), 1, point_), 1, travel_);
   }
 
@@ -99,14 +99,14 @@ class ExactMotion {
     double reach = 0;
     for (const FloatTriangle& t : mesh) {
       for (const FloatVector& p : t) {
-        reach = std::max(reach, std::sqrt(squared(placed(motion_.from(), p))));
+        reach = std::max(reach, length_of(placed(motion_.from(), p)));
       }
     }
     double sum = 0;
     for (std::uint32_t i = motion_.move_count(); i-- > 0;) {
       const Move& move = motion_.move(i);
-      const double point = move.turn == 0 ? 0 : std::sqrt(squared(in_cells(move.point)));
-      const double travel = std::sqrt(squared(in_cells(move.travel)));
+      const double point = move.turn == 0 ? 0 : length_of(in_cells(move.point));
+      const double travel = length_of(in_cells(move.travel));
       sum += std::abs(double(move.turn)) / kFullTurn * 6.2831854 * (reach + point) + travel;
       reach += 2 * point + travel;
     }
@@ -125,7 +125,7 @@ inline double distance_of(const FloatMesh& a, const FloatMesh& b, double enough 
       const auto size = [](const FloatTriangle& of) {
         return std::sqrt(std::max(squared(minus(of[1], of[0])), squared(minus(of[2], of[0]))));
       };
-      if (least > enough && std::sqrt(squared(minus(t[0], u[0]))) - size(t) - size(u) < least) {
+      if (least > enough && length_of(minus(t[0], u[0])) - size(t) - size(u) < least) {
         least = std::min(least, std::sqrt(squared_distance(t, u)));
       }
     }

@@ -85,21 +85,10 @@ inline FirstTouch first_touch(const Triangle& a, const Triangle& b, const Point&
 /// Whether the weights describe one common point of a and b at the time of contact.
 inline bool is_common_point(const FirstTouch& f, const Triangle& a, const Triangle& b,
                             const Point& way) {
-  Wide sum_a = 0;
-  Wide sum_b = 0;
-  Wide gap[3] = {f.time * way.x, f.time * way.y, f.time * way.z};
-  for (int i = 0; i < 3; ++i) {
-    if (f.weight_a[i] < 0 || f.weight_b[i] < 0) {
-      return false;
-    }
-    sum_a += f.weight_a[i];
-    sum_b += f.weight_b[i];
-    for (int k = 0; k < 3; ++k) {
-      gap[k] += f.weight_b[i] * along(b.corner[i], k) - f.weight_a[i] * along(a.corner[i], k);
-    }
-  }
-  return f.time >= 0 && f.time <= f.scale && sum_a == f.scale && sum_b == f.scale && gap[0] == 0 &&
-         gap[1] == 0 && gap[2] == 0;
+  return f.time >= 0 && f.time <= f.scale &&
+         f.weight_a[0] + f.weight_a[1] + f.weight_a[2] == f.scale &&
+         is_common_point(f.weight_a, f.weight_b, a, b,
+                         {f.time * way.x, f.time * way.y, f.time * way.z});
 }
 
 /// Whether the certificate proves the answer.

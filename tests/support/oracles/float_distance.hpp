@@ -3,28 +3,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
+#include "support/vectors.hpp"
+
 namespace flashbvh::test {
 
-using FloatVector = std::array<double, 3>;
 using FloatTriangle = std::array<FloatVector, 3>;
 
-inline FloatVector minus(const FloatVector& u, const FloatVector& v) {
-  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-}
-inline FloatVector plus(const FloatVector& u, double share, const FloatVector& v) {
-  return {u[0] + share * v[0], u[1] + share * v[1], u[2] + share * v[2]};
-}
-inline double dot(const FloatVector& u, const FloatVector& v) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-inline FloatVector cross(const FloatVector& u, const FloatVector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
 inline double squared(const FloatVector& u) {
   return dot(u, u);
 }

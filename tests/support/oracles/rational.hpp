@@ -3,9 +3,8 @@
 
 #include <gmpxx.h>
 
-#include <array>
-
 #include "flashbvh/ray.hpp"
+#include "support/vectors.hpp"
 
 namespace flashbvh::test {
 
@@ -35,18 +34,9 @@ class SegmentOracle {
   const mpq_class& first() const { return first_; }
 
  private:
-  using Vector = std::array<mpz_class, 3>;
+  using Vector = test::Vector<mpz_class>;
 
-  static Vector vector(const Point& p) { return {p.x, p.y, p.z}; }
-  static Vector minus(const Vector& u, const Vector& v) {
-    return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-  }
-  static Vector cross(const Vector& u, const Vector& v) {
-    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  }
-  static mpz_class dot(const Vector& u, const Vector& v) {
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-  }
+  static Vector vector(const Point& p) { return vector_of<mpz_class>(p); }
 
   /// Adds the condition n . (x - p) >= 0.
   void not_below(const Vector& n, const Vector& p) {
@@ -103,11 +93,7 @@ class SegmentOracle {
   mpq_class last_ = 1;
 };
 
-using RationalVector = std::array<mpq_class, 3>;
-
-inline mpq_class dot(const RationalVector& u, const RationalVector& v) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
+using RationalVector = Vector<mpq_class>;
 
 /// The distance of two triangles: the point nearest to 0 in the hull of the nine differences of
 /// their corners.
@@ -119,9 +105,8 @@ class Differences {
  public:
   Differences(const Triangle& a, const Triangle& b) {
     for (std::size_t i = 0; i < 9; ++i) {
-      const Point& p = a.corner[i / 3];
-      const Point& q = b.corner[i % 3];
-      points_[i] = {mpq_class(q.x - p.x), mpq_class(q.y - p.y), mpq_class(q.z - p.z)};
+      points_[i] =
+          minus(vector_of<mpq_class>(b.corner[i % 3]), vector_of<mpq_class>(a.corner[i / 3]));
     }
   }
 
@@ -147,14 +132,6 @@ class Differences {
   }
 
  private:
-  static RationalVector minus(const RationalVector& u, const RationalVector& v) {
-    return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-  }
-  static RationalVector plus(const RationalVector& u, const mpq_class& share,
-                             const RationalVector& v) {
-    return {u[0] + share * v[0], u[1] + share * v[1], u[2] + share * v[2]};
-  }
-
   bool is_nearest(const RationalVector& w) const {
     const mpq_class squared = dot(w, w);
     if (squared == 0) {

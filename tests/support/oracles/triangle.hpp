@@ -172,20 +172,21 @@ inline Verdict decide(const Triangle& a, const Triangle& b) {
   return verdict;
 }
 
-/// Whether the weights of the verdict describe one point of a and of b.
-inline bool is_common_point(const Verdict& v, const Triangle& a, const Triangle& b) {
+/// Whether weights describe one point of a and of b, which is moved by `way` / the weights' sum.
+inline bool is_common_point(const Wide (&weight_a)[3], const Wide (&weight_b)[3], const Triangle& a,
+                            const Triangle& b, const Wide (&way)[3]) {
   Wide sum_a = 0;
   Wide sum_b = 0;
-  Wide gap[3] = {};
+  Wide gap[3] = {way[0], way[1], way[2]};
   for (int i = 0; i < 3; ++i) {
-    if (v.weight_a[i] < 0 || v.weight_b[i] < 0) {
+    if (weight_a[i] < 0 || weight_b[i] < 0) {
       return false;
     }
-    sum_a += v.weight_a[i];
-    sum_b += v.weight_b[i];
+    sum_a += weight_a[i];
+    sum_b += weight_b[i];
     for (int k = 0; k < 3; ++k) {
-      gap[k] += v.weight_a[i] * (along(a.corner[i], k) - along(a.corner[0], k)) -
-                v.weight_b[i] * (along(b.corner[i], k) - along(a.corner[0], k));
+      gap[k] += weight_b[i] * (along(b.corner[i], k) - along(a.corner[0], k)) -
+                weight_a[i] * (along(a.corner[i], k) - along(a.corner[0], k));
     }
   }
   return sum_a > 0 && sum_a == sum_b && gap[0] == 0 && gap[1] == 0 && gap[2] == 0;
@@ -209,7 +210,8 @@ inline Wide ahead(const Wide (&direction)[3], const Triangle& a, const Triangle&
 
 /// Whether the certificate proves the verdict.
 inline bool is_proven(const Verdict& v, const Triangle& a, const Triangle& b) {
-  return v.intersects ? is_common_point(v, a, b) : ahead(v.direction, a, b) > 0;
+  return v.intersects ? is_common_point(v.weight_a, v.weight_b, a, b, {0, 0, 0})
+                      : ahead(v.direction, a, b) > 0;
 }
 
 }  // namespace flashbvh::test
