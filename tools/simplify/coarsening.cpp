@@ -35,10 +35,10 @@ bake::SourceMesh on_lattice(const bake::SourceMesh& mesh, double cell) {
   return placed;
 }
 
-std::vector<std::uint32_t> all_of(const bake::SourceMesh& mesh) {
-  std::vector<std::uint32_t> numbers(mesh.triangles.size());
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
+bake::SourceMesh without_unused_vertices(const bake::SourceMesh& mesh) {
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return part_of(mesh, all);
 }
 
 /// The result of meshoptimizer for this error, which it may exceed.
@@ -68,47 +68,29 @@ bake::SourceMesh proposal(const bake::SourceMesh& mesh, double error) {
   return coarse;
 }
 
-bool is_closed(const bake::SourceMesh& mesh) {
-  return bake::is_closed(mesh.triangles);
-}
-
-bool is_collapsed(const bake::TriangleCorners& corners) {
-  return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
-}
-
 /// Drops triangles with coinciding corners, except one for each edge or point that no other
 /// triangle has.
 void drop_collapsed(bake::SourceMesh& mesh) {
-  std::set<std::array<std::uint32_t, 2>> held;
-  const auto hold = [&](const bake::TriangleCorners& corners) {
-    bool is_new = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
-      held.insert({low, low});
-      held.insert({high, high});
-      is_new = held.insert({low, high}).second || is_new;
-    }
-    return is_new;
+  const auto corner_count = [](const bake::TriangleCorners& corners) {
+    const auto& [p, q, r] = corners;
+    return 1 + (q != p ? 1 : 0) + (r != p && r != q ? 1 : 0);
   };
-  std::vector<bake::TriangleCorners> kept;
-  for (const bake::TriangleCorners& corners : mesh.triangles) {
-    if (!is_collapsed(corners)) {
-      hold(corners);
-      kept.push_back(corners);
-    }
-  }
-  const auto is_point = [](const bake::TriangleCorners& corners) {
-    return corners[0] == corners[1] && corners[1] == corners[2];
-  };
-  for (const bool points : {false, true}) {
-    for (const bake::TriangleCorners& corners : mesh.triangles) {
-      if (is_collapsed(corners) && is_point(corners) == points &&
-          (points ? held.insert({corners[0], corners[0]}).second : hold(corners))) {
-        kept.push_back(corners);
+  std::vector<bake::TriangleCorners> all = mesh.triangles;
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const auto& p, const auto& q) { return corner_count(p) > corner_count(q); });
+  std::set<std::array<std::uint32_t, 2>> held;  // edges, and points as edges of no length
+  mesh.triangles.clear();
+  for (const bake::TriangleCorners& corners : all) {
+    const std::size_t before = held.size();
+    for (const std::uint32_t from : corners) {
+      for (const std::uint32_t to : corners) {
+        held.insert({from, to});
       }
     }
+    if (corner_count(corners) == 3 || held.size() > before) {
+      mesh.triangles.push_back(corners);
+    }
   }
-  mesh.triangles = std::move(kept);
 }
 
 /// Drops repeated triangles unless that opens a closed mesh.
@@ -122,7 +104,7 @@ void drop_repeated(bake::SourceMesh& mesh) {
       kept.push_back(corners);
     }
   }
-  if (bake::is_closed(kept) || !is_closed(mesh)) {
+  if (bake::is_closed(kept) || !bake::is_closed(mesh.triangles)) {
     mesh.triangles = std::move(kept);
   }
 }
@@ -157,7 +139,8 @@ void Coarsening::propose(Shell& shell, double limit) {
   double error = limit;
   for (int i = 0; i < kProposals; ++i) {
     bake::SourceMesh coarse = proposal(shell.coarse, error);
-    if (!coarse.triangles.empty() && is_closed(coarse) == is_closed(shell.coarse) &&
+    if (!coarse.triangles.empty() &&
+        bake::is_closed(coarse.triangles) == bake::is_closed(shell.coarse.triangles) &&
         is_within(shell, coarse, limit)) {
       shell.coarse = std::move(coarse);
       return;
@@ -191,7 +174,7 @@ void Coarsening::coarsen(double limit) {
   for (Shell& shell : shells_) {
     if (limit_ == 0) {
       propose(shell, limit);
-      shell.coarse = part_of(shell.coarse, all_of(shell.coarse));
+      shell.coarse = without_unused_vertices(shell.coarse);
     }
     collapse(shell, limit);
   }
@@ -227,7 +210,7 @@ bake::SourceMesh Coarsening::mesh() const {
   for (const Shell& shell : shells_) {
     bake::SourceMesh coarse = shell.coarse;
     drop_repeated(coarse);
-    append(part_of(coarse, all_of(coarse)), all);
+    append(without_unused_vertices(coarse), all);
   }
   return all;
 }

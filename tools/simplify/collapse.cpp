@@ -43,8 +43,7 @@ struct Quadric {
     const Point right = {weight * middle[0] - sums[3] / 2, weight * middle[1] - sums[6] / 2,
                          weight * middle[2] - sums[8] / 2};
     const Point minors = cross(rows[1], rows[2]);
-    const double determinant =
-        rows[0][0] * minors[0] + rows[0][1] * minors[1] + rows[0][2] * minors[2];
+    const double determinant = dot(rows[0], minors);
     if (!(determinant > 0)) {
       return middle;
     }
@@ -97,15 +96,11 @@ class Collapser {
     for (const CoveredPart& part : parts) {
       parts_[part.by].push_back(part.part);
     }
+    std::uint32_t hint = 0;
     for (const Point& vertex : mesh.vertices) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low_[axis] = std::min(low_[axis], vertex[axis]);
-        high_[axis] = std::max(high_[axis], vertex[axis]);
-      }
-    }
-    hints_.resize(mesh.vertices.size());
-    for (std::uint32_t i = 0; i < hints_.size(); ++i) {
-      hints_[i] = original.to(mesh.vertices[i], hints_[i == 0 ? 0 : i - 1]).place;
+      box_.add(vertex);
+      hint = original.to(vertex, hint).place;
+      hints_.push_back(hint);
     }
   }
 
@@ -128,12 +123,8 @@ class Collapser {
     std::uint32_t to;
   };
 
-  PointTriangle corners_of(const bake::TriangleCorners& corners) const {
-    return {mesh_.vertices[corners[0]], mesh_.vertices[corners[1]], mesh_.vertices[corners[2]]};
-  }
-
   void add_quadric(std::uint32_t triangle) {
-    const PointTriangle at = corners_of(mesh_.triangles[triangle]);
+    const PointTriangle at = triangle_of(mesh_, mesh_.triangles[triangle]);
     Point normal = cross(minus(at[1], at[0]), minus(at[2], at[0]));
     const double length = bake::length(normal[0], normal[1], normal[2]);
     if (length == 0) {
@@ -142,9 +133,8 @@ class Collapser {
     for (double& coordinate : normal) {
       coordinate /= length;
     }
-    const double offset = -(normal[0] * at[0][0] + normal[1] * at[0][1] + normal[2] * at[0][2]);
     for (const std::uint32_t corner : mesh_.triangles[triangle]) {
-      quadrics_[corner].add(normal, offset, length);
+      quadrics_[corner].add(normal, -dot(normal, at[0]), length);
     }
   }
 
@@ -274,7 +264,7 @@ class Collapser {
       if (has(corners, other)) {
         continue;
       }
-      PointTriangle placed = corners_of(corners);
+      PointTriangle placed = triangle_of(mesh_, corners);
       for (std::size_t i = 0; i < 3; ++i) {
         placed[i] = corners[i] == vertex ? at : placed[i];
       }
@@ -310,7 +300,7 @@ class Collapser {
   Point on_lattice(const Point& p) const {
     Point at{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      at[axis] = std::clamp(std::round(p[axis] / cell_) * cell_, low_[axis], high_[axis]);
+      at[axis] = std::clamp(std::round(p[axis] / cell_) * cell_, box_.low[axis], box_.high[axis]);
     }
     return at;
   }
@@ -376,8 +366,7 @@ class Collapser {
   double cell_;
   double limit_;
   double squared_;
-  Point low_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Point high_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  Box box_;                      ///< of the mesh
   std::vector<Numbers> around_;  ///< triangles of each vertex
   std::vector<Quadric> quadrics_;
   std::vector<std::vector<PointTriangle>> parts_;  ///< parts that each triangle covers

@@ -43,10 +43,7 @@ class Certificate {
       hint = look(mesh_.vertices[i], hint).place;
     }
     for (std::size_t i = 0; i < mesh_.triangles.size() && !is_refuted(); ++i) {
-      const bake::TriangleCorners& corners = mesh_.triangles[i];
-      hint = cover(
-          {mesh_.vertices[corners[0]], mesh_.vertices[corners[1]], mesh_.vertices[corners[2]]},
-          hint);
+      hint = cover(triangle_of(mesh_, mesh_.triangles[i]), hint);
     }
     found_.most = is_refuted() ? HUGE_VAL : within_ + rounding_;
     return found_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "text/parallel.hpp"
 
@@ -42,11 +43,7 @@ std::size_t estimate(const std::vector<Coarsening>& meshes, double length) {
   std::vector<std::size_t> counts(meshes.size());
   tool::for_each_in_parallel(meshes.size(),
                              [&](std::size_t i) { counts[i] = meshes[i].estimate(length); });
-  std::size_t sum = 0;
-  for (const std::size_t count : counts) {
-    sum += count;
-  }
-  return sum;
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 /// Rounds up to three digits.

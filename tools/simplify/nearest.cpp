@@ -16,21 +16,13 @@ Point between(const Point& p, const Point& q, double part) {
   return {p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1]), p[2] + part * (q[2] - p[2])};
 }
 
-double dot(const Point& p, const Point& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
-/// The squared distance from the origin to the point `along` the vector from p.
-double squared_at(const Point& p, const Point& vector, double along) {
-  const Point at = {p[0] + along * vector[0], p[1] + along * vector[1], p[2] + along * vector[2]};
-  return dot(at, at);
-}
-
 /// The squared distance from the origin to a segment.
 double squared_to_segment(const Point& from, const Point& vector) {
   const double length = dot(vector, vector);
   const double along = length > 0 ? std::clamp(-dot(from, vector) / length, 0.0, 1.0) : 0;
-  return squared_at(from, vector, along);
+  const Point at = {from[0] + along * vector[0], from[1] + along * vector[1],
+                    from[2] + along * vector[2]};
+  return dot(at, at);
 }
 
 double centre(const PointTriangle& triangle, std::size_t axis) {
@@ -67,6 +59,26 @@ Point minus(const Point& p, const Point& q) {
 
 Point cross(const Point& u, const Point& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+double dot(const Point& u, const Point& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+void Box::add(const Point& p) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = std::min(low[axis], p[axis]);
+    high[axis] = std::max(high[axis], p[axis]);
+  }
+}
+
+double Box::squared_distance(const Point& p) const {
+  double squared = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double out = std::max({low[axis] - p[axis], p[axis] - high[axis], 0.0});
+    squared += out * out;
+  }
+  return squared;
 }
 
 std::array<PointTriangle, 4> quarters_of(const PointTriangle& triangle) {
@@ -156,8 +168,7 @@ NearestTriangle::NearestTriangle(const bake::SourceMesh& mesh) {
   std::vector<PointTriangle> source;
   source.reserve(mesh.triangles.size());
   for (const bake::TriangleCorners& corners : mesh.triangles) {
-    source.push_back(
-        {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]});
+    source.push_back(triangle_of(mesh, corners));
   }
   std::vector<std::uint32_t> order(source.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -169,16 +180,13 @@ NearestTriangle::NearestTriangle(const bake::SourceMesh& mesh) {
 void NearestTriangle::build(std::vector<std::uint32_t>& order, std::uint32_t first,
                             std::uint32_t count, const std::vector<PointTriangle>& source) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
-  Node node{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0, 0};
+  Box box;
   for (std::uint32_t i = first; i < first + count; ++i) {
     for (const Point& corner : source[order[i]]) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.low[axis] = std::min(node.low[axis], corner[axis]);
-        node.high[axis] = std::max(node.high[axis], corner[axis]);
-      }
+      box.add(corner);
     }
   }
-  nodes_.push_back(node);
+  nodes_.push_back({box, 0, 0});
   if (count <= kLeafSize) {
     nodes_[number].first = static_cast<std::uint32_t>(triangles_.size());
     nodes_[number].count = count;
@@ -187,10 +195,9 @@ void NearestTriangle::build(std::vector<std::uint32_t>& order, std::uint32_t fir
     }
     return;
   }
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    axis = node.high[i] - node.low[i] > node.high[axis] - node.low[axis] ? i : axis;
-  }
+  const Point size = minus(box.high, box.low);
+  const auto axis =
+      static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
   const auto begin = order.begin() + first;
   std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(centre(source[a], axis), a) < std::pair(centre(source[b], axis), b);
@@ -200,20 +207,11 @@ void NearestTriangle::build(std::vector<std::uint32_t>& order, std::uint32_t fir
   build(order, first + count / 2, count - count / 2, source);
 }
 
-double NearestTriangle::squared_to_box(const Point& p, const Node& node) {
-  double squared = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double out = std::max(std::max(node.low[axis] - p[axis], p[axis] - node.high[axis]), 0.0);
-    squared += out * out;
-  }
-  return squared;
-}
-
 NearestTriangle::Found NearestTriangle::to(const Point& p, std::uint32_t hint) const {
   Found found = {hint, squared_distance(p, triangles_[hint])};
   std::array<std::pair<std::uint32_t, double>, kStackSize> stack;
   std::size_t size = 0;
-  stack[size++] = {0, squared_to_box(p, nodes_[0])};
+  stack[size++] = {0, nodes_[0].box.squared_distance(p)};
   while (size > 0) {
     const auto [number, squared] = stack[--size];
     if (squared >= found.squared) {
@@ -225,8 +223,8 @@ NearestTriangle::Found NearestTriangle::to(const Point& p, std::uint32_t hint) c
       found = to < found.squared ? Found{i, to} : found;
     }
     if (node.count == 0) {
-      std::pair<std::uint32_t, double> near = {number + 1, squared_to_box(p, nodes_[number + 1])};
-      std::pair<std::uint32_t, double> far = {node.first, squared_to_box(p, nodes_[node.first])};
+      std::pair near(number + 1, nodes_[number + 1].box.squared_distance(p));
+      std::pair far(node.first, nodes_[node.first].box.squared_distance(p));
       if (far.second < near.second) {
         std::swap(near, far);
       }
