@@ -73,9 +73,8 @@ void change(const std::string& path, bool is_disabled) {
   }
   const MemoryFile changed(changed_srdf(path, arm(), changes));
   Warnings warnings;
-  require(
-      read_srdf(changed.path(), arm(), {"base", "middle", "hand"}, warnings).empty() == is_disabled,
-      "an SRDF that was not changed");
+  require(read_srdf(changed.path(), arm(), warnings).empty() == is_disabled,
+          "an SRDF that was not changed");
 }
 
 void read(const std::string& kind, const std::string& path) {
@@ -83,8 +82,7 @@ void read(const std::string& kind, const std::string& path) {
   if (kind == "urdf") {
     check(read_urdf(path, {}, "", warnings));
   } else if (kind == "srdf") {
-    const std::vector<DisabledPair> pairs =
-        read_srdf(path, arm(), {"base", "middle", "hand"}, warnings);
+    const std::vector<DisabledPair> pairs = read_srdf(path, arm(), warnings);
     change(path, !pairs.empty());
   } else if (kind == "limits") {
     check(read_urdf(MemoryFile(kArm).path(), {}, "", warnings, path));

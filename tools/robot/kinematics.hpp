@@ -31,6 +31,7 @@ Vector3 rotated(const Transform& transform, const Vector3& vector);
 /// Applies the inverse rotation.
 Vector3 rotated_back(const Transform& transform, const Vector3& vector);
 Vector3 placed(const Transform& transform, const Vector3& point);
+double length_of(const Vector3& vector);
 
 /// A variable's range: the limits of the joint that is no mimic, widened by 2^-22 of the limit or
 /// of 1, whichever is larger. So a limit rounded to a float is inside. A mimic's own limits are

@@ -1,5 +1,7 @@
 #include "robot/kinematics.hpp"
 
+#include "bake/length.hpp"
+
 namespace flashbvh::tool {
 
 Transform transform_of_quaternion(const std::array<double, 4>& quaternion,
@@ -27,6 +29,10 @@ Vector3 rotated_back(const Transform& transform, const Vector3& vector) {
     }
   }
   return sum;
+}
+
+double length_of(const Vector3& vector) {
+  return bake::length(vector[0], vector[1], vector[2]);
 }
 
 Vector3 placed(const Transform& transform, const Vector3& point) {

@@ -40,19 +40,11 @@ std::string changed_inside(RobotFiles& files, const tool::Model& model, const st
   return text.substr(kBegin.size(), size);
 }
 
-std::vector<std::string> link_names(const tool::Model& model) {
-  std::vector<std::string> names;
-  for (const tool::ModelLink& link : model.links) {
-    names.push_back(link.name);
-  }
-  return names;
-}
-
 Pairs disabled_in(RobotFiles& files, const tool::Model& model, const std::string& srdf) {
   files.write("y.srdf", srdf);
   Pairs pairs;
   for (const tool::DisabledPair& pair :
-       tool::read_srdf(files.path("y.srdf"), model, link_names(model), files.warnings)) {
+       tool::read_srdf(files.path("y.srdf"), model, files.warnings)) {
     pairs.emplace(pair.a, pair.b);
   }
   return pairs;

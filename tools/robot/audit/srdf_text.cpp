@@ -107,7 +107,7 @@ class SrdfEditor {
       : path_(path), model_(model), changes_(changes), text_(read_file(path)) {
     parse_xml(text_, path, "robot", document_);
     spans_ = spans_of(text_);
-    elements_ = elements_of(document_);
+    elements_ = elements_in(*document_.RootElement());
     if (!std::equal(elements_.begin(), elements_.end(), spans_.elements.begin(),
                     spans_.elements.end(),
                     [&](const TiXmlElement* element, const Span& span) {
@@ -142,7 +142,7 @@ class SrdfEditor {
     }
     TiXmlDocument after;
     parse_xml(text_, path_, "robot", after);
-    if (elements_of(after).size() != elements_.size() - cut_count + added.size()) {
+    if (elements_in(*after.RootElement()).size() != elements_.size() - cut_count + added.size()) {
       refuse();
     }
     return std::move(text_);
@@ -153,15 +153,6 @@ class SrdfEditor {
     Span span;
     std::string text;  ///< the replacement
   };
-
-  static std::vector<const TiXmlElement*> elements_of(const TiXmlDocument& document) {
-    std::vector<const TiXmlElement*> elements;
-    for (const TiXmlElement* e = document.RootElement()->FirstChildElement(); e != nullptr;
-         e = e->NextSiblingElement()) {
-      elements.push_back(e);
-    }
-    return elements;
-  }
 
   /// TinyXML accepts tags that are invalid XML.
   [[noreturn]] void refuse() const {
@@ -285,7 +276,7 @@ class SrdfEditor {
   std::string text_;
   SrdfSpans spans_;
   TiXmlDocument document_;
-  std::vector<const TiXmlElement*> elements_;
+  std::vector<TiXmlElement*> elements_;
   std::set<NamePair> enabled_;  ///< by the changes
   std::set<NamePair> disabled_;
   std::string line_end_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bake/length.hpp"
 #include "bake/quantise.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/kinematics.hpp"
@@ -21,10 +20,6 @@ constexpr double kMostCells = 1.0 * kMaxFrameTranslation / kFrameCell - 4.0 * kM
 /// The far side of a link's sphere, as a multiple of the distance of the link's furthest point.
 constexpr double kSphereReach = 2.02;
 
-double norm(const Vector3& v) {
-  return bake::length(v[0], v[1], v[2]);
-}
-
 double travel_of(const ModelJoint& joint) {
   return joint.type == JointType::prismatic
              ? std::max(std::fabs(joint.lower), std::fabs(joint.upper))
@@ -34,7 +29,7 @@ double travel_of(const ModelJoint& joint) {
 double furthest_of(const ModelLink& link) {
   double furthest = 0;
   for (const Vector3& vertex : link.mesh.vertices) {
-    furthest = std::max(furthest, norm(vertex));
+    furthest = std::max(furthest, length_of(vertex));
   }
   return furthest;
 }
@@ -50,7 +45,7 @@ struct Reach {
       const ModelJoint& joint = model.joints[number];
       (joint.type == JointType::prismatic ? slides : turns) +=
           joint.type == JointType::prismatic ? 1 : reach;
-      reach += travel_of(joint) + norm(joint.fixed.translation);
+      reach += travel_of(joint) + length_of(joint.fixed.translation);
     }
   }
 };
@@ -80,7 +75,7 @@ double reach_of(const Model& model) {
   double most = 0;
   for (const ModelJoint& joint : model.joints) {
     const double before = joint.parent == kNoJoint ? 0 : joints[joint.parent];
-    joints.push_back(before + norm(joint.fixed.translation) + travel_of(joint));
+    joints.push_back(before + length_of(joint.fixed.translation) + travel_of(joint));
     most = std::max(most, joints.back());
   }
   for (const ModelLink& link : model.links) {

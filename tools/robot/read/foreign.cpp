@@ -12,18 +12,13 @@ namespace {
 constexpr ForeignForm kMjcf = {"mujoco", "MJCF", "flashbvh_read_mjcf"};
 constexpr ForeignForm kSdf = {"sdf", "SDF", "flashbvh_read_sdf"};
 
-/// UserError if two links, or two joints, have one name.
-void check_names(const UrdfRobot& robot, const std::string& path) {
-  std::set<std::string> links;
-  for (const UrdfLink& link : robot.links) {
-    if (!links.insert(link.name).second) {
-      throw UserError(at_element(path, "link", link.name), "is there twice; rename one");
-    }
-  }
-  std::set<std::string> joints;
-  for (const UrdfJoint& joint : robot.joints) {
-    if (!joints.insert(joint.name).second) {
-      throw UserError(at_element(path, "joint", joint.name), "is there twice; rename one");
+/// UserError if two of the links or joints have one name.
+template <class Elements>
+void check_names(const Elements& elements, const char* kind, const std::string& path) {
+  std::set<std::string> names;
+  for (const auto& element : elements) {
+    if (!names.insert(element.name).second) {
+      throw UserError(at_element(path, kind, element.name), "is there twice; rename one");
     }
   }
 }
@@ -47,7 +42,8 @@ UrdfRobot read_foreign(const std::string& path, std::string_view root, Warnings&
     warnings.add(warning.place, warning.what);
   }
   read->robot.is_mjcf = root == kMjcf.root;
-  check_names(read->robot, path);
+  check_names(read->robot.links, "link", path);
+  check_names(read->robot.joints, "joint", path);
   check_tree(read->robot.links, read->robot.joints, path);
   return std::move(read->robot);
 }

@@ -172,29 +172,21 @@ Element mesh_element(const UrdfGeometry& shape, const std::string& urdf, const P
   return {std::move(read.mesh), shape.mesh, read.precision * largest, file};
 }
 
-void append(const Element& element, const Transform& placement, const std::string& place,
+void append(Element element, const Transform& placement, const std::string& place,
             ModelLink& made) {
-  const std::size_t first = made.mesh.vertices.size();
   constexpr std::size_t kMost = 0xFFFFFFFF / 3;
-  if (first + element.mesh.vertices.size() > kMost ||
+  if (made.mesh.vertices.size() + element.mesh.vertices.size() > kMost ||
       made.mesh.triangles.size() + element.mesh.triangles.size() > kMost) {
     throw UserError(place, "has over ", kMost, " triangles or vertices; use fewer");
   }
-  for (const Vector3& vertex : element.mesh.vertices) {
-    made.mesh.vertices.push_back(placed(placement, vertex));
-    for (const double coordinate : made.mesh.vertices.back()) {
-      if (!is_coordinate(coordinate)) {
-        throw UserError(place, "reaches over 3.4e38 m far; correct its origins and scales");
-      }
+  for (Vector3& vertex : element.mesh.vertices) {
+    vertex = placed(placement, vertex);
+    if (!std::all_of(vertex.begin(), vertex.end(), is_coordinate)) {
+      throw UserError(place, "reaches over 3.4e38 m far; correct its origins and scales");
     }
   }
   made.source_begins.push_back(made.mesh.triangles.size());
-  for (bake::TriangleCorners corners : element.mesh.triangles) {
-    for (std::uint32_t& corner : corners) {
-      corner += static_cast<std::uint32_t>(first);
-    }
-    made.mesh.triangles.push_back(corners);
-  }
+  bake::append(element.mesh, made.mesh);
   made.sources.push_back(element.source);
   if (!element.file.empty()) {
     made.files.push_back(element.file);
@@ -209,12 +201,12 @@ void add_link_mesh(const UrdfLink& link, const Transform& to_joint, const std::s
   const std::string place = at_element(urdf, "link", link.name);
   for (const UrdfCollision& collision : link.collisions) {
     const UrdfGeometry& shape = collision.geometry;
-    const Element element = shape.shape == UrdfGeometry::Shape::mesh
-                                ? mesh_element(shape, urdf, packages, place, warnings)
-                            : shape.shape == UrdfGeometry::Shape::triangles
-                                ? Element{shape.triangles, shape.mesh, shape.precision}
-                                : primitive_element(shape, place);
-    append(element, composed(to_joint, collision.origin), place, made);
+    Element element = shape.shape == UrdfGeometry::Shape::mesh
+                          ? mesh_element(shape, urdf, packages, place, warnings)
+                      : shape.shape == UrdfGeometry::Shape::triangles
+                          ? Element{shape.triangles, shape.mesh, shape.precision}
+                          : primitive_element(shape, place);
+    append(std::move(element), composed(to_joint, collision.origin), place, made);
   }
 }
 

@@ -15,41 +15,33 @@ using Pair = std::pair<std::size_t, std::size_t>;
 
 class SrdfReader {
  public:
-  SrdfReader(const std::string& path, const Model& model, const std::vector<std::string>& all_links,
-             Warnings& warnings)
-      : path_(path), model_(model), all_links_(all_links), warnings_(warnings) {}
+  SrdfReader(const std::string& path, const Model& model, Warnings& warnings)
+      : path_(path), model_(model), warnings_(warnings) {}
 
-  std::vector<DisabledPair> read(const TiXmlElement& robot) {
-    for_each(robot, "enable_collisions", [&](const TiXmlElement& e) {
-      if (const auto pair = pair_of(e)) {
+  std::vector<DisabledPair> read(TiXmlElement& robot) {
+    for (const TiXmlElement* e : elements_in(robot, "enable_collisions")) {
+      if (const auto pair = pair_of(*e)) {
         enabled_.insert(*pair);
       }
-    });
-    for_each(robot, "disable_collisions", [&](const TiXmlElement& e) {
-      const auto pair = pair_of(e);
+    }
+    for (const TiXmlElement* e : elements_in(robot, "disable_collisions")) {
+      const auto pair = pair_of(*e);
       if (pair && enabled_.count(*pair) != 0) {
-        warnings_.add(place_of(e), concat("disables ", model_.links[pair->first].name, " - ",
-                                          model_.links[pair->second].name,
-                                          ", which is enabled as well; it counts as disabled"));
+        warnings_.add(place_of(*e), concat("disables ", model_.links[pair->first].name, " - ",
+                                           model_.links[pair->second].name,
+                                           ", which is enabled as well; it counts as disabled"));
       }
       if (pair) {
-        disable(*pair, attribute(&e, "reason"), e);
+        disable(*pair, attribute(e, "reason"), *e);
       }
-    });
-    for_each(robot, "disable_default_collisions",
-             [&](const TiXmlElement& e) { disable_all_of(e); });
+    }
+    for (const TiXmlElement* e : elements_in(robot, "disable_default_collisions")) {
+      disable_all_of(*e);
+    }
     return std::move(disabled_);
   }
 
  private:
-  template <class Visit>
-  static void for_each(const TiXmlElement& robot, const char* name, const Visit& visit) {
-    for (const TiXmlElement* e = robot.FirstChildElement(name); e != nullptr;
-         e = e->NextSiblingElement(name)) {
-      visit(*e);
-    }
-  }
-
   static std::size_t line_of(const TiXmlElement& element) {
     return static_cast<std::size_t>(element.Row());
   }
@@ -57,7 +49,7 @@ class SrdfReader {
     return at_line(path_, line_of(element));
   }
 
-  /// A link's number, or the number of links if it has no geometry. UserError if it has no name.
+  /// A link's number, or kNoLink if it has no geometry. UserError if it has no name.
   std::size_t link_of(const TiXmlElement& element, const char* which) {
     const std::string name = attribute(&element, which);
     if (name.empty()) {
@@ -65,13 +57,12 @@ class SrdfReader {
                       std::string(which) == "link" ? "a link; give it link"
                                                    : "two links; give it link1 and link2");
     }
-    if (std::find(all_links_.begin(), all_links_.end(), name) == all_links_.end()) {
+    if (std::none_of(model_.mounts.begin(), model_.mounts.end(),
+                     [&](const ModelMount& link) { return link.name == name; })) {
       warnings_.add(place_of(element), concat("names ", tool::quoted(name),
                                               ", which is no link of the robot; left out"));
     }
-    const auto found = std::find_if(model_.links.begin(), model_.links.end(),
-                                    [&](const ModelLink& link) { return link.name == name; });
-    return static_cast<std::size_t>(found - model_.links.begin());
+    return find_link(model_, name);
   }
 
   /// The numbers of two links with geometry, the lower first.
@@ -79,7 +70,7 @@ class SrdfReader {
     const std::size_t one = link_of(element, "link1");
     const std::size_t other = link_of(element, "link2");
     const auto [a, b] = std::minmax(one, other);
-    return b < model_.links.size() && a != b ? std::optional<Pair>({a, b}) : std::nullopt;
+    return b != kNoLink && a != b ? std::optional<Pair>({a, b}) : std::nullopt;
   }
 
   void disable(const Pair& pair, const std::string& reason, const TiXmlElement& element) {
@@ -92,7 +83,7 @@ class SrdfReader {
     const std::size_t link = link_of(element, "link");
     for (std::size_t other = 0; other < model_.links.size(); ++other) {
       const Pair pair = std::minmax(link, other);
-      if (link < model_.links.size() && other != link && enabled_.count(pair) == 0) {
+      if (link != kNoLink && other != link && enabled_.count(pair) == 0) {
         disable(pair, element.Value(), element);
       }
     }
@@ -100,7 +91,6 @@ class SrdfReader {
 
   const std::string& path_;
   const Model& model_;
-  const std::vector<std::string>& all_links_;
   Warnings& warnings_;
   std::set<Pair> enabled_;
   std::set<Pair> known_;
@@ -110,15 +100,15 @@ class SrdfReader {
 }  // namespace
 
 std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
-                                    const std::vector<std::string>& all_links, Warnings& warnings) {
+                                    Warnings& warnings) {
   TiXmlDocument document;
   read_xml(path, "robot", document);
-  const TiXmlElement& robot = *document.RootElement();
+  TiXmlElement& robot = *document.RootElement();
   if (attribute(&robot, "name") != model.name) {
     warnings.add(path, concat("is of a robot ", tool::quoted(attribute(&robot, "name")),
                               ", not of ", tool::quoted(model.name)));
   }
-  return SrdfReader(path, model, all_links, warnings).read(robot);
+  return SrdfReader(path, model, warnings).read(robot);
 }
 
 }  // namespace flashbvh::tool

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "bake/length.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/read/foreign.hpp"
@@ -20,49 +18,41 @@ namespace {
 // Converts a URDF's joints to a Model's: removes fixed ones, rotates axes to z, and replaces the
 // joint of a mimic by a variable.
 
-struct KinematicTree {
-  /// A link's frame in that of the moving joint that it is attached to, or of the base.
-  struct Place {
-    std::size_t joint = kNoJoint;
-    Transform transform;
-  };
-
-  std::vector<ModelJoint> joints;      ///< parents before children, each branch contiguous
-  std::vector<std::size_t> variables;  ///< as in Model
-  std::vector<Place> links;            ///< for each link of the URDF
-};
-
 /// A coordinate as multiplier * (coordinate of `joint`) + offset.
 struct Follows {
-  std::size_t joint;  ///< number in the URDF
+  const UrdfJoint* joint;
   double multiplier;
   double offset;
 };
 
+template <class Joints>
+auto find_joint(Joints& joints, const std::string& name) {
+  return std::find_if(joints.begin(), joints.end(),
+                      [&](const auto& joint) { return joint.name == name; });
+}
+
 /// Follows a mimic's chain to its end, a joint that is no mimic.
-Follows follow(const UrdfRobot& robot, const std::map<std::string, std::size_t>& numbers,
-               std::size_t mimic, const std::string& path) {
-  Follows found = {mimic, 1, 0};
-  for (std::size_t steps = 0; robot.joints[found.joint].mimic; ++steps) {
-    const UrdfJoint& joint = robot.joints[found.joint];
-    const std::string place = at_element(path, "joint", joint.name);
-    const auto next = numbers.find(joint.mimic->joint);
-    if (next == numbers.end()) {
-      throw UserError(place, "mimics ", tool::quoted(joint.mimic->joint),
+Follows follow(const UrdfRobot& robot, const UrdfJoint& mimic, const std::string& path) {
+  Follows found = {&mimic, 1, 0};
+  for (std::size_t steps = 0; found.joint->mimic; ++steps) {
+    const UrdfMimic& of = *found.joint->mimic;
+    const std::string place = at_element(path, "joint", found.joint->name);
+    const auto next = find_joint(robot.joints, of.joint);
+    if (next == robot.joints.end()) {
+      throw UserError(place, "mimics ", tool::quoted(of.joint),
                       ", which is no joint of the robot; name one that is");
     }
-    if (robot.joints[next->second].type == UrdfJoint::Type::fixed) {
-      throw UserError(place, "mimics ", tool::quoted(joint.mimic->joint),
+    if (next->type == UrdfJoint::Type::fixed) {
+      throw UserError(place, "mimics ", tool::quoted(of.joint),
                       ", which is fixed; make it fixed, too");
     }
     if (steps == robot.joints.size()) {
       throw UserError(place, "mimics itself by way of others; leave out one <mimic> of the circle");
     }
-    found = {next->second, found.multiplier * joint.mimic->multiplier,
-             found.multiplier * joint.mimic->offset + found.offset};
+    found = {&*next, found.multiplier * of.multiplier, found.multiplier * of.offset + found.offset};
   }
   if (!is_coordinate(found.multiplier) || !is_coordinate(found.offset)) {
-    throw UserError(at_element(path, "joint", robot.joints[mimic].name),
+    throw UserError(at_element(path, "joint", mimic.name),
                     "has a <mimic> whose numbers are out of range; give smaller ones");
   }
   return found;
@@ -106,42 +96,6 @@ void follow_limited(ModelJoint& joint, const ModelJoint& master, const std::stri
   }
 }
 
-/// Numbers the variables, and sets each joint's variable, multiplier and offset through chains of
-/// mimics. A mimic's limits follow from its variable's; its own are ignored, as is usual.
-/// `urdf_joints`: the number in the URDF of each joint of the Model.
-void resolve_mimics(const UrdfRobot& robot, const std::vector<std::size_t>& urdf_joints,
-                    const std::string& path, std::vector<ModelJoint>& joints,
-                    std::vector<std::size_t>& variables, Warnings& warnings) {
-  std::map<std::string, std::size_t> numbers;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    numbers[robot.joints[i].name] = i;
-  }
-  std::map<std::size_t, std::size_t> made_of;  // by number in the URDF
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    made_of[urdf_joints[i]] = i;
-    if (!robot.joints[urdf_joints[i]].mimic) {
-      joints[i].variable = variables.size();
-      variables.push_back(i);
-    }
-  }
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (!robot.joints[urdf_joints[i]].mimic) {
-      continue;
-    }
-    const std::string place = at_element(path, "joint", joints[i].name);
-    const Follows follows = follow(robot, numbers, urdf_joints[i], path);
-    const ModelJoint& master = joints[made_of.at(follows.joint)];
-    joints[i].variable = master.variable;
-    joints[i].multiplier = follows.multiplier;
-    joints[i].offset = follows.offset;
-    if (master.type == JointType::continuous) {
-      follow_continuous(joints[i], master.name, place);
-    } else {
-      follow_limited(joints[i], master, place, warnings);
-    }
-  }
-}
-
 /// Few joints have such limits, in radians: the file may mean degrees.
 constexpr double kManyTurns = 4 * kPi;
 
@@ -151,7 +105,7 @@ std::string in_radians(double degrees) {
 
 /// Scales an axis to unit length. `place`: of the joint.
 Vector3 unit_axis(const Vector3& axis, const std::string& place, Warnings& warnings) {
-  const double length = bake::length(axis[0], axis[1], axis[2]);
+  const double length = length_of(axis);
   if (!(length > 1e-6 && length < 1e6)) {
     throw UserError(place, "moves along an axis of length ", significant(length, 3),
                     ", which has no direction; give its <axis> as in xyz=\"0 0 1\"");
@@ -193,35 +147,41 @@ void set_limits(const UrdfJoint& joint, const std::string& place, ModelJoint& ma
   made.upper = joint.upper;
 }
 
+/// Sets a model's joints, variables and mounts. UserError, naming the joint and the remedy, for
+/// axes of length 0, and for limits out of order or of four turns or more. Also for mimics of
+/// unknown joints, of each other, or of a continuous joint that they can't follow.
 class TreeBuilder {
  public:
-  TreeBuilder(const UrdfRobot& robot, const std::string& path, Warnings& warnings)
-      : robot_(robot), path_(path), warnings_(warnings), below_(robot.links.size()) {
-    for (std::size_t i = robot.joints.size(); i-- != 0;) {
-      below_[robot.joints[i].parent].push_back(i);  // in reverse, for a stack
-    }
-  }
+  /// `path`: for messages.
+  TreeBuilder(const UrdfRobot& robot, const std::string& path, Model& model, Warnings& warnings)
+      : robot_(robot), path_(path), model_(model), warnings_(warnings) {}
 
-  KinematicTree build() {
-    tree_.links.resize(robot_.links.size());
-    std::vector<std::size_t> open = below_[robot_.root];
-    while (!open.empty()) {
-      const UrdfJoint& joint = robot_.joints[open.back()];
-      const std::size_t number = open.back();
-      open.pop_back();
-      tree_.links[joint.child] = place_child(joint, number);
-      open.insert(open.end(), below_[joint.child].begin(), below_[joint.child].end());
+  void build() {
+    std::vector<std::vector<const UrdfJoint*>> below(robot_.links.size());
+    for (std::size_t i = robot_.joints.size(); i-- != 0;) {
+      below[robot_.joints[i].parent].push_back(&robot_.joints[i]);  // in reverse, for a stack
     }
-    resolve_mimics(robot_, urdf_joints_, path_, tree_.joints, tree_.variables, warnings_);
-    return std::move(tree_);
+    for (const UrdfLink& link : robot_.links) {
+      model_.mounts.push_back({link.name, kNoJoint, {}});
+    }
+    std::vector<const UrdfJoint*> open = below[robot_.root];
+    while (!open.empty()) {
+      const UrdfJoint& joint = *open.back();
+      open.pop_back();
+      place_child(joint, model_.mounts[joint.parent], model_.mounts[joint.child]);
+      open.insert(open.end(), below[joint.child].begin(), below[joint.child].end());
+    }
+    for (ModelJoint& joint : model_.joints) {
+      resolve_mimic(*find_joint(robot_.joints, joint.name), joint);
+    }
   }
 
  private:
-  KinematicTree::Place place_child(const UrdfJoint& joint, std::size_t number) {
-    const KinematicTree::Place& parent = tree_.links[joint.parent];
-    const Transform origin = composed(parent.transform, joint.origin);
+  void place_child(const UrdfJoint& joint, const ModelMount& parent, ModelMount& child) {
+    child.joint = parent.joint;
+    child.transform = composed(parent.transform, joint.origin);
     if (joint.type == UrdfJoint::Type::fixed) {
-      return {parent.joint, origin};
+      return;
     }
     const std::string place = at_element(path_, "joint", joint.name);
     Transform turned = rotation_to(unit_axis(joint.axis, place, warnings_));
@@ -229,30 +189,44 @@ class TreeBuilder {
     ModelJoint made;
     made.name = joint.name;
     made.parent = parent.joint;
-    made.fixed = composed(origin, turned);
+    made.fixed = composed(child.transform, turned);
     made.type = joint.type == UrdfJoint::Type::prismatic    ? JointType::prismatic
                 : joint.type == UrdfJoint::Type::continuous ? JointType::continuous
                                                             : JointType::revolute;
     set_limits(joint, place, made, warnings_);
-    tree_.joints.push_back(std::move(made));
-    urdf_joints_.push_back(number);
-    return {tree_.joints.size() - 1, inverse(turned)};
+    child.joint = model_.joints.size();
+    child.transform = inverse(turned);
+    if (!joint.mimic) {
+      made.variable = model_.variables.size();
+      model_.variables.push_back(child.joint);
+    }
+    model_.joints.push_back(std::move(made));
+  }
+
+  /// Replaces the joint of a mimic by a variable. A mimic's limits follow from its variable's; its
+  /// own are ignored, as is usual.
+  void resolve_mimic(const UrdfJoint& mimic, ModelJoint& joint) {
+    if (!mimic.mimic) {
+      return;
+    }
+    const std::string place = at_element(path_, "joint", joint.name);
+    const Follows follows = follow(robot_, mimic, path_);
+    const ModelJoint& master = *find_joint(model_.joints, follows.joint->name);
+    joint.variable = master.variable;
+    joint.multiplier = follows.multiplier;
+    joint.offset = follows.offset;
+    if (master.type == JointType::continuous) {
+      follow_continuous(joint, master.name, place);
+    } else {
+      follow_limited(joint, master, place, warnings_);
+    }
   }
 
   const UrdfRobot& robot_;
   const std::string& path_;
+  Model& model_;
   Warnings& warnings_;
-  std::vector<std::vector<std::size_t>> below_;  ///< joints below each link
-  std::vector<std::size_t> urdf_joints_;
-  KinematicTree tree_;
 };
-
-/// `path`: for messages. UserError, naming the joint and the remedy, for axes of length 0, and for
-/// limits out of order or of four turns or more. Also for mimics of unknown joints, of each other,
-/// or of a continuous joint that they can't follow.
-KinematicTree kinematic_tree(const UrdfRobot& robot, const std::string& path, Warnings& warnings) {
-  return TreeBuilder(robot, path, warnings).build();
-}
 
 bool are_neighbours(const Model& model, std::size_t a, std::size_t b) {
   const std::size_t joint_a = model.links[a].joint;
@@ -274,11 +248,10 @@ std::string is_seen_alone(const UrdfRobot& robot) {
                 ", or let all such links collide by their visual shapes: --visual-too");
 }
 
-void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::string& path,
-               const Packages& packages, Model& model, Warnings& warnings) {
+void add_links(const UrdfRobot& robot, const std::string& path, const Packages& packages,
+               Model& model, Warnings& warnings) {
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const UrdfLink& link = robot.links[i];
-    model.mounts.push_back({link.name, tree.links[i].joint, tree.links[i].transform});
     if (link.collisions.empty()) {
       if (link.has_visual) {
         warnings.add(at_element(path, "link", link.name), is_seen_alone(robot));
@@ -287,8 +260,8 @@ void add_links(const UrdfRobot& robot, const KinematicTree& tree, const std::str
     }
     model.links.emplace_back();
     model.links.back().name = link.name;
-    model.links.back().joint = tree.links[i].joint;
-    add_link_mesh(link, tree.links[i].transform, path, packages, model.links.back(), warnings);
+    model.links.back().joint = model.mounts[i].joint;
+    add_link_mesh(link, model.mounts[i].transform, path, packages, model.links.back(), warnings);
   }
   if (model.links.empty()) {
     throw UserError(path, "has no link with ", robot.is_mjcf ? kMjcfShapes : kUrdfShapes,
@@ -313,15 +286,6 @@ UrdfRobot read_document(const std::string& path, bool visual_too, Warnings& warn
   return robot;
 }
 
-std::vector<std::string> names_of(const std::vector<UrdfLink>& links) {
-  std::vector<std::string> names;
-  names.reserve(links.size());
-  for (const UrdfLink& link : links) {
-    names.push_back(link.name);
-  }
-  return names;
-}
-
 }  // namespace
 
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
@@ -330,14 +294,12 @@ Model read_urdf(const std::string& path, const Packages& packages, const std::st
   if (!joint_limits.empty()) {
     narrow_limits(joint_limits, path, robot, warnings);
   }
-  KinematicTree tree = kinematic_tree(robot, path, warnings);
   Model model;
   model.name = robot.name;
   model.path = path;
   model.files = std::move(robot.files);
-  add_links(robot, tree, path, packages, model, warnings);
-  model.joints = std::move(tree.joints);
-  model.variables = std::move(tree.variables);
+  TreeBuilder(robot, path, model, warnings).build();
+  add_links(robot, path, packages, model, warnings);
   for (std::size_t a = 0; a < model.links.size(); ++a) {
     for (std::size_t b = a + 1; b < model.links.size(); ++b) {
       if (are_neighbours(model, a, b)) {
@@ -346,7 +308,7 @@ Model read_urdf(const std::string& path, const Packages& packages, const std::st
     }
   }
   if (!srdf.empty()) {
-    model.disabled = read_srdf(srdf, model, names_of(robot.links), warnings);
+    model.disabled = read_srdf(srdf, model, warnings);
   }
   return model;
 }

@@ -17,10 +17,10 @@ Model read_urdf(const std::string& path, const Packages& packages, const std::st
                 Warnings& warnings, const std::string& joint_limits = "", bool visual_too = false);
 
 /// The disabled pairs of links, each once: those of <disable_collisions>, in the file's order; then
-/// those of links in <disable_default_collisions> except pairs in <enable_collisions>. `all_links`:
-/// the URDF's links, with or without geometry. Warns of other links, of another robot's name, and
-/// of a pair both enabled and disabled, which is disabled. UserError if the file is no SRDF.
+/// those of links in <disable_default_collisions> except pairs in <enable_collisions>. Warns of
+/// unknown links, of another robot's name, and of a pair both enabled and disabled, which is
+/// disabled. UserError if the file is no SRDF.
 std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
-                                    const std::vector<std::string>& all_links, Warnings& warnings);
+                                    Warnings& warnings);
 
 }  // namespace flashbvh::tool

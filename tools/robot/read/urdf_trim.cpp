@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -15,15 +15,23 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Removes all that is inside `element` but elements of these names.
-void keep_only(TiXmlElement& element, std::initializer_list<std::string_view> names) {
+/// Removes the nodes inside `element` for which `is_removed` holds.
+template <class IsRemoved>
+void remove_nodes(TiXmlElement& element, const IsRemoved& is_removed) {
   for (TiXmlNode* child = element.FirstChild(); child != nullptr;) {
     TiXmlNode* const next = child->NextSibling();
-    if (child->ToElement() == nullptr || !is_one_of(child->ValueStr(), names)) {
+    if (is_removed(*child)) {
       element.RemoveChild(child);
     }
     child = next;
   }
+}
+
+/// Removes all that is inside `element` but elements of these names.
+void keep_only(TiXmlElement& element, std::initializer_list<std::string_view> names) {
+  remove_nodes(element, [&](const TiXmlNode& node) {
+    return node.ToElement() == nullptr || !is_one_of(node.ValueStr(), names);
+  });
 }
 
 /// Normalises attributes as XML demands (1.0, 3.3.3): tabs and line ends become blanks. Also trims
@@ -39,28 +47,20 @@ void normalise_attributes(TiXmlElement& element) {
     value.erase(value.find_last_not_of(kBlanks) + 1);
     a->SetValue(value);
   }
-  for (TiXmlElement* child = element.FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
+  for (TiXmlElement* child : elements_in(element)) {
     normalise_attributes(*child);
   }
 }
 
-/// True if an element is another program's, such as <drake:capsule>.
-bool is_foreign(const TiXmlNode& node) {
-  return node.ToElement() != nullptr && node.ValueStr().find(':') != std::string::npos;
-}
-
-/// Removes other programs' elements. UserError if nothing else is inside.
+/// Removes other programs' elements, such as <drake:capsule>. UserError if nothing else is inside.
 void drop_foreign(TiXmlElement& element, const std::string& place) {
   std::string dropped;
-  for (TiXmlNode* child = element.FirstChild(); child != nullptr;) {
-    TiXmlNode* const next = child->NextSibling();
-    if (is_foreign(*child)) {
-      dropped = child->ValueStr();
-      element.RemoveChild(child);
-    }
-    child = next;
-  }
+  remove_nodes(element, [&](const TiXmlNode& node) {
+    const bool is_foreign =
+        node.ToElement() != nullptr && node.ValueStr().find(':') != std::string::npos;
+    dropped = is_foreign ? node.ValueStr() : dropped;
+    return is_foreign;
+  });
   if (!dropped.empty() && element.FirstChildElement() == nullptr) {
     throw UserError(place, "has a <collision> whose only shape, <", dropped,
                     ">, is no URDF; use <box>, <cylinder>, <sphere> or <mesh>");
@@ -90,24 +90,19 @@ void check_geometry(TiXmlElement& collision, const std::string& place) {
   }
 }
 
-/// Makes the <visual> elements of a link <collision> elements.
-void collide_by_visuals(TiXmlElement& link) {
-  while (TiXmlElement* const visual = link.FirstChildElement("visual")) {
-    keep_only(*visual, {"origin", "geometry"});
-    visual->SetValue("collision");
-  }
-}
-
 UrdfLink trim_link(TiXmlElement& link, const std::string& path, bool visual_too) {
   UrdfLink trimmed;
   trimmed.name = attribute(&link, "name");
   trimmed.has_visual = link.FirstChildElement("visual") != nullptr;
   if (visual_too && link.FirstChildElement("collision") == nullptr) {
-    collide_by_visuals(link);
+    for (TiXmlElement* visual : elements_in(link, "visual")) {
+      keep_only(*visual, {"origin", "geometry"});
+      visual->SetValue("collision");
+    }
   }
   keep_only(link, {"collision"});
-  for (TiXmlElement* c = link.FirstChildElement(); c != nullptr; c = c->NextSiblingElement()) {
-    check_geometry(*c, at_element(path, "link", trimmed.name));
+  for (TiXmlElement* collision : elements_in(link)) {
+    check_geometry(*collision, at_element(path, "link", trimmed.name));
   }
   return trimmed;
 }
@@ -152,31 +147,25 @@ void trim_joint(TiXmlElement& joint, const std::string& path) {
   keep_only(joint, {"origin", "parent", "child", "axis", "limit", "mimic"});
 }
 
-using LinkNumbers = std::map<std::string, std::size_t>;
-
 /// The number of the link that <parent> or <child> names.
-std::size_t link_of(const TiXmlElement& joint, const char* which, const LinkNumbers& links,
-                    const std::string& path) {
+std::size_t link_of(const TiXmlElement& joint, const char* which,
+                    const std::vector<UrdfLink>& links, const std::string& path) {
   const std::string name = attribute(joint.FirstChildElement(which), "link");
-  const auto found = links.find(name);
+  const auto found = std::find_if(links.begin(), links.end(),
+                                  [&](const UrdfLink& link) { return link.name == name; });
   if (found == links.end()) {
     throw UserError(at_element(path, "joint", attribute(&joint, "name")), "has the ", which, " ",
                     tool::quoted(name), ", which is no link of the robot; name one that is");
   }
-  return found->second;
+  return static_cast<std::size_t>(found - links.begin());
 }
 
-void add_joints(const TiXmlElement& robot, const std::string& path, TrimmedRobot& trimmed) {
-  LinkNumbers numbers;
-  for (std::size_t i = 0; i < trimmed.links.size(); ++i) {
-    numbers.emplace(trimmed.links[i].name, i);
-  }
-  for (const TiXmlElement* e = robot.FirstChildElement("joint"); e != nullptr;
-       e = e->NextSiblingElement("joint")) {
+void add_joints(TiXmlElement& robot, const std::string& path, TrimmedRobot& trimmed) {
+  for (const TiXmlElement* e : elements_in(robot, "joint")) {
     UrdfJoint joint;
     joint.name = attribute(e, "name");
-    joint.parent = link_of(*e, "parent", numbers, path);
-    joint.child = link_of(*e, "child", numbers, path);
+    joint.parent = link_of(*e, "parent", trimmed.links, path);
+    joint.child = link_of(*e, "child", trimmed.links, path);
     trimmed.joints.push_back(std::move(joint));
   }
 }
@@ -185,8 +174,7 @@ void add_joints(const TiXmlElement& robot, const std::string& path, TrimmedRobot
 TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
   TiXmlElement* floating = nullptr;
   std::set<std::string> children;
-  for (TiXmlElement* e = robot.FirstChildElement("joint"); e != nullptr;
-       e = e->NextSiblingElement("joint")) {
+  for (TiXmlElement* e : elements_in(robot, "joint")) {
     children.insert(attribute(e->FirstChildElement("child"), "link"));
     if (attribute(e, "type") == "floating") {
       if (floating != nullptr) {
@@ -197,8 +185,7 @@ TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
   }
   const std::string root =
       floating == nullptr ? "" : attribute(floating->FirstChildElement("parent"), "link");
-  for (const TiXmlElement* e = robot.FirstChildElement("link"); e != nullptr;
-       e = e->NextSiblingElement("link")) {
+  for (const TiXmlElement* e : elements_in(robot, "link")) {
     const bool has_shapes = e->FirstChildElement("collision") != nullptr ||
                             (visual_too && e->FirstChildElement("visual") != nullptr);
     if (attribute(e, "name") == root && has_shapes) {
@@ -227,8 +214,7 @@ TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual
   parse_xml(std::move(text), path, "robot", document);
   TiXmlElement& robot = *document.RootElement();
   TrimmedRobot trimmed;
-  for (const TiXmlElement* e = robot.FirstChildElement(); e != nullptr;
-       e = e->NextSiblingElement()) {
+  for (const TiXmlElement* e : elements_in(robot)) {
     if (e->ValueStr().compare(0, 6, "xacro:") == 0) {
       throw UserError(path, "is a xacro (it has <", e->Value(),
                       ">), not yet a URDF; write one with `xacro IN.xacro > OUT.urdf`");
@@ -237,7 +223,7 @@ TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual
   keep_only(robot, {"link", "joint"});
   normalise_attributes(robot);
   fix_floating_base(robot, visual_too, path, warnings);
-  for (TiXmlElement* e = robot.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+  for (TiXmlElement* e : elements_in(robot)) {
     if (e->ValueStr() == "link") {
       trimmed.links.push_back(trim_link(*e, path, visual_too));
     } else {

@@ -81,6 +81,16 @@ void parse_xml(std::string text, const std::string& path, const char* root,
   }
 }
 
+std::vector<TiXmlElement*> elements_in(TiXmlElement& element, const char* name) {
+  std::vector<TiXmlElement*> elements;
+  for (TiXmlElement* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (name == nullptr || e->ValueStr() == name) {
+      elements.push_back(e);
+    }
+  }
+  return elements;
+}
+
 std::string attribute(const TiXmlElement* element, const char* name) {
   const char* const value = element == nullptr ? nullptr : element->Attribute(name);
   return value == nullptr ? "" : value;

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace flashbvh::tool {
 
@@ -19,6 +20,9 @@ void read_xml(const std::string& path, const char* root, TiXmlDocument& document
 /// Parses a text like read_xml(). `path`: for messages.
 void parse_xml(std::string text, const std::string& path, const char* root,
                TiXmlDocument& document);
+
+/// The elements directly inside, of this name or all, in order.
+std::vector<TiXmlElement*> elements_in(TiXmlElement& element, const char* name = nullptr);
 
 /// The attribute's value; empty if there is none, or if the element is null.
 std::string attribute(const TiXmlElement* element, const char* name);
