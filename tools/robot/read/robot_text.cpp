@@ -1,6 +1,8 @@
 #include "robot/read/robot_text.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "text/numbers.hpp"
@@ -8,47 +10,50 @@
 namespace flashbvh::tool {
 namespace {
 
-template <class Value>
-struct Word {
-  Value value;
-  const char* word;
-};
-constexpr Word<UrdfGeometry::Shape> kShapes[] = {{UrdfGeometry::Shape::box, "box"},
-                                                 {UrdfGeometry::Shape::cylinder, "cylinder"},
-                                                 {UrdfGeometry::Shape::sphere, "sphere"},
-                                                 {UrdfGeometry::Shape::capsule, "capsule"},
-                                                 {UrdfGeometry::Shape::ellipsoid, "ellipsoid"},
-                                                 {UrdfGeometry::Shape::mesh, "mesh"},
-                                                 {UrdfGeometry::Shape::triangles, "triangles"}};
-constexpr Word<UrdfJoint::Type> kJointTypes[] = {{UrdfJoint::Type::fixed, "fixed"},
-                                                 {UrdfJoint::Type::revolute, "revolute"},
-                                                 {UrdfJoint::Type::continuous, "continuous"},
-                                                 {UrdfJoint::Type::prismatic, "prismatic"}};
+// In the order of the enumerators.
+constexpr const char* kShapes[] = {"box",       "cylinder", "sphere",   "capsule",
+                                   "ellipsoid", "mesh",     "triangles"};
+constexpr const char* kJointTypes[] = {"fixed", "revolute", "continuous", "prismatic"};
 
-template <class Table, class Value>
-const char* word_of(const Table& table, Value value) {
-  for (const auto& [of, word] : table) {
-    if (of == value) {
-      return word;
-    }
-  }
-  return "";
+// The parts of lines, in order, for both directions: `line` writes them or takes them.
+
+template <class Line, class Shape>
+void pass_shape(Line& line, Shape& shape) {
+  auto& geometry = shape.geometry;
+  line.pass(geometry.shape, shape.origin, geometry.size, geometry.radius, geometry.length,
+            geometry.precision, geometry.mesh);
+}
+
+template <class Line, class Joint>
+void pass_joint(Line& line, Joint& joint) {
+  line.pass(joint.name, joint.type, joint.parent, joint.child, joint.origin, joint.anchor,
+            joint.axis, joint.lower, joint.upper);
+}
+
+template <class Line, class Mimic>
+void pass_mimic(Line& line, Mimic& mimic) {
+  line.pass(mimic.joint, mimic.multiplier, mimic.offset);
 }
 
 class Writer {
  public:
-  std::string text() && { return std::move(text_); }
+  std::string text() && { return std::move(text_) + "end\n"; }
 
-  template <class... Parts>
-  void line(const char* word, const Parts&... parts) {
+  /// Begins a line; pass() ends it.
+  Writer& begin(const char* word) {
     text_ += word;
+    return *this;
+  }
+  template <class... Parts>
+  void pass(const Parts&... parts) {
     (add(parts), ...);
     text_ += '\n';
   }
 
  private:
   void add(const std::string& part) { text_ += '\t' + one_line(part); }
-  void add(const char* part) { text_ += concat("\t", part); }
+  void add(UrdfGeometry::Shape shape) { add(kShapes[static_cast<std::size_t>(shape)]); }
+  void add(UrdfJoint::Type type) { add(kJointTypes[static_cast<std::size_t>(type)]); }
   void add(double number) { text_ += '\t' + shortest(number); }
   void add(std::size_t number) { text_ += concat("\t", number); }
   void add(std::uint32_t number) { text_ += concat("\t", number); }
@@ -59,9 +64,7 @@ class Writer {
     }
   }
   void add(const Transform& transform) {
-    for (const Vector3& row : transform.rotation) {
-      add(row);
-    }
+    add(transform.rotation);
     add(transform.translation);
   }
 
@@ -69,22 +72,12 @@ class Writer {
 };
 
 void write(const char* word, const UrdfCollision& shape, Writer& writer) {
-  const UrdfGeometry& geometry = shape.geometry;
-  writer.line(word, word_of(kShapes, geometry.shape), shape.origin, geometry.size, geometry.radius,
-              geometry.length, geometry.precision, geometry.mesh);
-  for (const Vector3& vertex : geometry.triangles.vertices) {
-    writer.line("vertex", vertex);
+  pass_shape(writer.begin(word), shape);
+  for (const Vector3& vertex : shape.geometry.triangles.vertices) {
+    writer.begin("vertex").pass(vertex);
   }
-  for (const bake::TriangleCorners& corners : geometry.triangles.triangles) {
-    writer.line("triangle", corners);
-  }
-}
-
-void write(const UrdfJoint& joint, Writer& writer) {
-  writer.line("joint", joint.name, word_of(kJointTypes, joint.type), joint.parent, joint.child,
-              joint.origin, joint.anchor, joint.axis, joint.lower, joint.upper);
-  if (joint.mimic) {
-    writer.line("mimic", joint.mimic->joint, joint.mimic->multiplier, joint.mimic->offset);
+  for (const bake::TriangleCorners& corners : shape.geometry.triangles.triangles) {
+    writer.begin("triangle").pass(corners);
   }
 }
 
@@ -103,7 +96,12 @@ class Parts {
     rest_.remove_prefix(is_empty_ ? rest_.size() : tab + 1);
     return part;
   }
+  template <class... Values>
+  void pass(Values&... values) {
+    (take(values), ...);
+  }
 
+ private:
   void take(std::string& text) { text = take(); }
   void take(double& number) {
     const std::optional<double> value = parse_number(take());
@@ -115,11 +113,9 @@ class Parts {
     is_good_ = is_good_ && value >= 0 && value <= 0xFFFFFFFF;
     number = static_cast<std::uint32_t>(value);
   }
-  /// Takes a number below `limit`.
-  void take_index(std::size_t& number, std::size_t limit) {
+  void take(std::size_t& number) {
     std::uint32_t value = 0;
     take(value);
-    is_good_ = is_good_ && value < limit;
     number = value;
   }
   template <class Value>
@@ -128,25 +124,16 @@ class Parts {
       take(value);
     }
   }
-  void take(Transform& transform) {
-    for (Vector3& row : transform.rotation) {
-      take(row);
-    }
-    take(transform.translation);
-  }
-  template <class Table, class Value>
-  void take(const Table& table, Value& value) {
-    const std::string_view part = take();
-    for (const auto& [of, word] : table) {
-      if (part == word) {
-        value = of;
-        return;
-      }
-    }
-    is_good_ = false;
+  void take(Transform& transform) { pass(transform.rotation, transform.translation); }
+  void take(UrdfGeometry::Shape& shape) { take(kShapes, shape); }
+  void take(UrdfJoint::Type& type) { take(kJointTypes, type); }
+  template <class Words, class Value>
+  void take(const Words& words, Value& value) {
+    const auto found = std::find(std::begin(words), std::end(words), take());
+    is_good_ = is_good_ && found != std::end(words);
+    value = static_cast<Value>(found - std::begin(words));
   }
 
- private:
   std::string_view rest_;
   bool is_good_ = true;
   bool is_empty_ = false;
@@ -160,51 +147,34 @@ class Reader {
   bool take_line(std::string_view line) {
     Parts parts(line);
     const std::string_view word = parts.take();
-    if (word == "robot") {
-      parts.take(read.robot.name);
-      parts.take_index(read.robot.root, 0xFFFFFFFF);
-    } else if (word == "refusal") {
-      parts.take(read.refusal);
-    } else if (word == "warning") {
-      parts.take(read.warnings.emplace_back().place);
-      parts.take(read.warnings.back().what);
-    } else if (word == "file") {
-      parts.take(read.robot.files.emplace_back());
-    } else if (word == "link") {
-      parts.take(read.robot.links.emplace_back().name);
-    } else if (word == "joint") {
-      take_joint(parts);
-    } else if (word == "mimic") {
-      return take_mimic(parts);
-    } else {
-      return take_shape(word, parts);
-    }
-    return parts.is_at_end();
+    return take_content(word, parts) && parts.is_at_end();
   }
 
  private:
-  void take_joint(Parts& parts) {
-    UrdfJoint& joint = read.robot.joints.emplace_back();
-    parts.take(joint.name);
-    parts.take(kJointTypes, joint.type);
-    parts.take_index(joint.parent, read.robot.links.size());
-    parts.take_index(joint.child, read.robot.links.size());
-    parts.take(joint.origin);
-    parts.take(joint.anchor);
-    parts.take(joint.axis);
-    parts.take(joint.lower);
-    parts.take(joint.upper);
-  }
-
-  bool take_mimic(Parts& parts) {
-    if (read.robot.joints.empty()) {
-      return false;
+  /// Takes all parts after the word. False if the line is out of place, or names no link or vertex.
+  bool take_content(std::string_view word, Parts& parts) {
+    UrdfRobot& robot = read.robot;
+    if (word == "robot") {
+      parts.pass(robot.name, robot.root);
+    } else if (word == "refusal") {
+      parts.pass(read.refusal);
+    } else if (word == "warning") {
+      PlacedWarning& warning = read.warnings.emplace_back();
+      parts.pass(warning.place, warning.what);
+    } else if (word == "file") {
+      parts.pass(robot.files.emplace_back());
+    } else if (word == "link") {
+      parts.pass(robot.links.emplace_back().name);
+    } else if (word == "joint") {
+      UrdfJoint& joint = robot.joints.emplace_back();
+      pass_joint(parts, joint);
+      return std::max(joint.parent, joint.child) < robot.links.size();
+    } else if (word == "mimic" && !robot.joints.empty()) {
+      pass_mimic(parts, robot.joints.back().mimic.emplace());
+    } else {
+      return take_shape(word, parts);
     }
-    UrdfMimic& mimic = read.robot.joints.back().mimic.emplace();
-    parts.take(mimic.joint);
-    parts.take(mimic.multiplier);
-    parts.take(mimic.offset);
-    return parts.is_at_end();
+    return true;
   }
 
   bool take_shape(std::string_view word, Parts& parts) {
@@ -214,26 +184,18 @@ class Reader {
       UrdfCollision& shape = (is_visual ? link.visuals : link.collisions).emplace_back();
       link.has_visual |= is_visual;
       geometry_ = &shape.geometry;
-      parts.take(kShapes, geometry_->shape);
-      parts.take(shape.origin);
-      parts.take(geometry_->size);
-      parts.take(geometry_->radius);
-      parts.take(geometry_->length);
-      parts.take(geometry_->precision);
-      parts.take(geometry_->mesh);
+      pass_shape(parts, shape);
     } else if (word == "vertex" && geometry_ != nullptr) {
-      parts.take(geometry_->triangles.vertices.emplace_back());
+      parts.pass(geometry_->triangles.vertices.emplace_back());
     } else if (word == "triangle" && geometry_ != nullptr) {
-      const std::size_t limit = geometry_->triangles.vertices.size();
-      for (std::uint32_t& corner : geometry_->triangles.triangles.emplace_back()) {
-        std::size_t index = 0;
-        parts.take_index(index, limit);
-        corner = static_cast<std::uint32_t>(index);
-      }
+      bake::TriangleCorners& corners = geometry_->triangles.triangles.emplace_back();
+      parts.pass(corners);
+      return *std::max_element(corners.begin(), corners.end()) <
+             geometry_->triangles.vertices.size();
     } else {
       return false;
     }
-    return parts.is_at_end();
+    return true;
   }
 
   UrdfGeometry* geometry_ = nullptr;  ///< of the last link's last shape
@@ -244,18 +206,18 @@ class Reader {
 std::string text_of(const ReadRobot& read) {
   Writer writer;
   if (!read.refusal.empty()) {
-    writer.line("refusal", read.refusal);
-    return std::move(writer).text() + "end\n";
+    writer.begin("refusal").pass(read.refusal);
+    return std::move(writer).text();
   }
-  writer.line("robot", read.robot.name, read.robot.root);
+  writer.begin("robot").pass(read.robot.name, read.robot.root);
   for (const PlacedWarning& warning : read.warnings) {
-    writer.line("warning", warning.place, warning.what);
+    writer.begin("warning").pass(warning.place, warning.what);
   }
   for (const std::string& file : read.robot.files) {
-    writer.line("file", file);
+    writer.begin("file").pass(file);
   }
   for (const UrdfLink& link : read.robot.links) {
-    writer.line("link", link.name);
+    writer.begin("link").pass(link.name);
     for (const UrdfCollision& shape : link.collisions) {
       write("collision", shape, writer);
     }
@@ -264,9 +226,12 @@ std::string text_of(const ReadRobot& read) {
     }
   }
   for (const UrdfJoint& joint : read.robot.joints) {
-    write(joint, writer);
+    pass_joint(writer.begin("joint"), joint);
+    if (joint.mimic) {
+      pass_mimic(writer.begin("mimic"), *joint.mimic);
+    }
   }
-  return std::move(writer).text() + "end\n";
+  return std::move(writer).text();
 }
 
 std::optional<ReadRobot> robot_of_text(std::string_view text) {
