@@ -59,7 +59,7 @@ TEST_CASE("the triangles of a witness are two that intersect there") {
   const BakedArm arm(model, kCell);
   const auto lit =
       triangles_at(model, arm.wholes().data(), kCell, {0, 1, MatrixVerdict::can, "", {0.1}, 0});
-  const Pose pose = link_poses(model, kCell, {0.1})[1];  // the base's link is at its origin
+  const Pose pose = pose_of(frame_between(model, joints_between(model, 0, 1), {0.1}), kCell);
   bool is_found = false;
   (void)for_each_pair(arm.wholes()[0], arm.wholes()[1], pose, [&](const auto& pair) {
     is_found = is_found || (pair.a == lit.a && pair.b == lit.b);

@@ -37,16 +37,6 @@ std::vector<double> any_variables(const Model& model, Random& random) {
 
 }  // namespace
 
-std::vector<Pose> link_poses(const Model& model, double cell,
-                             const std::vector<double>& variables) {
-  std::vector<Pose> poses;
-  poses.reserve(model.links.size());
-  for (const Transform& frame : link_frames(model, variables)) {
-    poses.push_back(pose_of(frame, cell));
-  }
-  return poses;
-}
-
 BodyTriangles triangles_at(const Model& model, const WholeMesh* meshes, double cell,
                            const PairVerdict& pair) {
   TrianglePair<WholeMesh::Index> found{};

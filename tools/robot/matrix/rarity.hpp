@@ -11,9 +11,6 @@
 
 namespace flashbvh::tool {
 
-/// The links' poses in the base's frame. `variables`: one value each. UserError like pose_of().
-std::vector<Pose> link_poses(const Model& model, double cell, const std::vector<double>& variables);
-
 /// Two bodies of a pair, and the id of a triangle of each.
 struct BodyTriangles {
   std::size_t a;

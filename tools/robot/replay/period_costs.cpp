@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "text/files.hpp"
 #include "text/messages.hpp"
@@ -31,13 +32,10 @@ constexpr MeasuredPart kMeasuredParts[] = {{"Cortex-M4F", "stm32f4-5ws", "STM32F
 using Figures = std::map<std::string, std::map<std::string, double>>;
 
 std::vector<std::string> cells_of(std::string_view line) {
-  std::vector<std::string> cells(1);
-  for (const char letter : line) {
-    if (letter == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += letter;
-    }
+  std::vector<std::string> cells;
+  std::istringstream rest{std::string(line)};
+  for (std::string cell; std::getline(rest, cell, ',');) {
+    cells.push_back(cell);
   }
   return cells;
 }
@@ -57,13 +55,9 @@ Figures measured_figures(const char* rows = kRows) {
   return figures;
 }
 
-std::uint32_t unknown_in(const std::vector<GuardAnswer>& answers) {
-  return static_cast<std::uint32_t>(
-      summary_of(answers).periods[static_cast<std::size_t>(Verdict::not_yet_known)]);
-}
-
 bool is_known_enough(const std::vector<GuardAnswer>& answers) {
-  return unknown_in(answers) * kOneUnknownIn < answers.size();
+  const auto unknown = static_cast<std::size_t>(Verdict::not_yet_known);
+  return summary_of(answers).periods[unknown] * kOneUnknownIn < answers.size();
 }
 
 }  // namespace

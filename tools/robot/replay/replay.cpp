@@ -166,16 +166,6 @@ std::vector<std::vector<std::optional<double>>> distances_over(const Robot& robo
   return distances;
 }
 
-std::vector<Pose> link_poses(const Robot& robot, const float* values) {
-  PosedPairs posed(robot);
-  (void)posed.take(values);
-  std::vector<Pose> poses;
-  for (std::uint8_t link = 0; link < robot.link_count; ++link) {
-    poses.push_back(posed.pose(link));
-  }
-  return poses;
-}
-
 std::size_t refused_joint(const Robot& robot, const float* values) {
   const std::vector<JointCoordinate> coordinates = coordinates_of(robot, values);
   std::vector<JointCoordinate> made(robot.joint_count);

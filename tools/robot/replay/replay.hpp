@@ -102,9 +102,6 @@ std::vector<std::vector<std::optional<double>>> distances_over(const Robot& robo
                                                                const Trajectory& trajectory,
                                                                std::size_t step);
 
-/// The links' poses in the base's frame. Precondition: firmware accepts the values.
-std::vector<Pose> link_poses(const Robot& robot, const float* values);
-
 /// The first joint whose value firmware refuses. Precondition: there is one.
 std::size_t refused_joint(const Robot& robot, const float* values);
 
@@ -148,7 +145,6 @@ class PosedPairs {
   Pose pose(const RobotPair& pair) const {
     return relative_pose(frame_of(pair.a), frame_of(pair.b));
   }
-  Pose pose(std::uint8_t link) const { return relative_pose(kIdentityFrame, frame_of(link)); }
 
   /// In 1/256 cell, rounded down; none if it is out of range. The last nearest pair is the hint.
   std::optional<std::uint32_t> distance_of(std::uint16_t pair);

@@ -17,18 +17,15 @@ namespace {
 /// A column of a joint, or of the time.
 struct TrajectoryColumn {
   std::string name;
-  bool is_time = false;
-  std::size_t joint = kNoJoint;  ///< of Model::joints; kNoJoint for a time
+  std::size_t joint;  ///< of Model::joints; kNoJoint for a time
+
+  bool is_time() const { return joint == kNoJoint; }
 };
 
 struct TrajectoryColumns {
   char separator;  ///< between the fields of a line: a semicolon, a comma or a tab
   std::vector<TrajectoryColumn> columns;
 };
-
-const std::string& name_of(const Model& model, std::size_t variable) {
-  return model.joints[model.variables[variable]].name;
-}
 
 /// "a,b": the joints that a trajectory must have.
 std::string variable_names(const Model& model) {
@@ -59,10 +56,10 @@ TrajectoryColumn column_named(const Model& model, std::string_view name, const s
   const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
                                   [&](const ModelJoint& j) { return j.name == name; });
   if (joint != model.joints.end()) {
-    return {std::string(name), false, static_cast<std::size_t>(joint - model.joints.begin())};
+    return {std::string(name), static_cast<std::size_t>(joint - model.joints.begin())};
   }
   if (names_time(name)) {
-    return {std::string(name), true, kNoJoint};
+    return {std::string(name), kNoJoint};
   }
   throw UserError(place, "the column ", quoted(name),
                   " is no joint of the robot that moves; its joints are ", variable_names(model));
@@ -70,11 +67,10 @@ TrajectoryColumn column_named(const Model& model, std::string_view name, const s
 
 void check_complete(const Model& model, const std::vector<TrajectoryColumn>& columns,
                     const std::string& place) {
-  for (std::size_t i = 0; i < model.variables.size(); ++i) {
-    if (std::none_of(columns.begin(), columns.end(), [&](const TrajectoryColumn& column) {
-          return column.joint == model.variables[i];
-        })) {
-      throw UserError(place, "has no column ", tool::quoted(name_of(model, i)),
+  for (const std::size_t joint : model.variables) {
+    if (std::none_of(columns.begin(), columns.end(),
+                     [&](const TrajectoryColumn& column) { return column.joint == joint; })) {
+      throw UserError(place, "has no column ", tool::quoted(model.joints[joint].name),
                       "; the first line names all joints that move: ", variable_names(model));
     }
   }
@@ -138,8 +134,8 @@ std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
   std::vector<std::optional<double>> numbers;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const TrajectoryColumn& column = header.columns[i];
-    numbers.push_back(column.is_time ? parse_number(fields[i])
-                                     : number_in(fields[i], column.name, place));
+    numbers.push_back(column.is_time() ? parse_number(fields[i])
+                                       : number_in(fields[i], column.name, place));
   }
   return numbers;
 }
@@ -162,7 +158,7 @@ class RowReader {
  public:
   RowReader(const Model& model, TrajectoryColumns columns)
       : model_(model), header_(std::move(columns)), last_(header_.columns.size()) {
-    while (times_in_ < last_.size() && !header_.columns[times_in_].is_time) {
+    while (times_in_ < last_.size() && !header_.columns[times_in_].is_time()) {
       ++times_in_;
     }
   }
@@ -174,12 +170,13 @@ class RowReader {
     keep_time(numbers);
     std::vector<double> values(model_.variables.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (is_variable(i)) {
-        values[model_.joints[header_.columns[i].joint].variable] = *numbers[i];
+      const TrajectoryColumn& column = header_.columns[i];
+      if (!column.is_time() && !is_mimic(model_, column.joint)) {
+        values[model_.joints[column.joint].variable] = *numbers[i];
       }
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (!header_.columns[i].is_time && !is_variable(i)) {
+      if (!header_.columns[i].is_time() && is_mimic(model_, header_.columns[i].joint)) {
         check_mimic(model_, header_.columns[i], *numbers[i], values, place);
       }
     }
@@ -195,7 +192,7 @@ class RowReader {
   std::vector<std::string> unused_times() const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < header_.columns.size(); ++i) {
-      if (header_.columns[i].is_time && !(has_times() && i == times_in_)) {
+      if (header_.columns[i].is_time() && !(has_times() && i == times_in_)) {
         names.push_back(header_.columns[i].name);
       }
     }
@@ -214,14 +211,9 @@ class RowReader {
     }
   }
 
-  bool is_variable(std::size_t column) const {
-    const std::size_t joint = header_.columns[column].joint;
-    return joint != kNoJoint && model_.variables[model_.joints[joint].variable] == joint;
-  }
-
   void check_times(const std::vector<std::optional<double>>& numbers, const std::string& place) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (!header_.columns[i].is_time || !numbers[i]) {
+      if (!header_.columns[i].is_time() || !numbers[i]) {
         continue;
       }
       if (last_[i] && *numbers[i] < *last_[i]) {
