@@ -107,7 +107,7 @@ void check_surface(Random& random, const Model& model, const JointZone& zone) {
 /// Checks that if the bodies are near, so are the parts.
 void check_parts(Random& random, const Neighbours& any, const JointZone& zone) {
   const auto is_near = [&](const WholeMesh& a, const WholeMesh& b, double value, double distance) {
-    const PairSpace space(any.model, {zone.a, &a, nullptr}, {zone.b, &b, nullptr}, kCell);
+    const PairSpace space(any.model, {zone.a, a}, {zone.b, b}, kCell);
     return distance == 0 ? space.intersect({value}) : !space.are_apart({value}, distance);
   };
   std::vector<std::pair<BakedPart, BakedPart>> parts;

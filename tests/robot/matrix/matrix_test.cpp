@@ -310,8 +310,7 @@ TEST_CASE("when the time is up, the rest is undecided, and guarded") {
     CHECK(pair.is_guarded);
     CHECK(pair.cells == 0);
     const BakedArm arm(model, kCell);
-    const PairSpace space(model, {0, &arm.wholes()[0], nullptr}, {1, &arm.wholes()[1], nullptr},
-                          kCell);
+    const PairSpace space(model, {0, arm.wholes()[0]}, {1, arm.wholes()[1]}, kCell);
     CHECK_FALSE(find_intersection(space, late, 256));
     std::uint64_t cells = 0;
     CHECK_FALSE(is_proven_swept(model, 0, 1, kCell, late, cells));

@@ -38,8 +38,8 @@ struct Pair {
         arm(model, cell),
         reaches_a(reaches_of(model, 0, cell)),
         reaches_b(reaches_of(model, model.links.size() - 1, cell)),
-        space(model, {0, &arm.wholes().front(), &reaches_a},
-              {model.links.size() - 1, &arm.wholes().back(), &reaches_b}, cell) {}
+        space(model, {0, arm.wholes().front(), &reaches_a},
+              {model.links.size() - 1, arm.wholes().back(), &reaches_b}, cell) {}
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ double default_value(const ModelJoint& joint) {
 
 /// True if the links intersect at the default configuration and at every other one that is tried.
 bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
-  const PairSpace space(decided.model, {pair.a, &decided.meshes[pair.a], nullptr},
-                        {pair.b, &decided.meshes[pair.b], nullptr}, decided.cell);
+  const PairSpace space(decided.model, {pair.a, decided.meshes[pair.a]},
+                        {pair.b, decided.meshes[pair.b]}, decided.cell);
   std::vector<double> at_default;
   for (const Dimension& dimension : space.dimensions()) {
     at_default.push_back(
@@ -32,10 +32,8 @@ bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
 /// The joint between two neighbours if the search for its zone ran out of time.
 std::optional<std::size_t> late_joint(const DecidedPairs& decided, const PairVerdict& pair) {
   const std::vector<std::size_t>& late = decided.late_joints;
-  const auto found = std::find_if(late.begin(), late.end(), [&](std::size_t joint) {
-    return joint_of_neighbours(decided.model, pair.a, pair.b) == joint;
-  });
-  return found == late.end() ? std::nullopt : std::optional(*found);
+  const auto joint = joint_of_neighbours(decided.model, pair.a, pair.b);
+  return joint && std::count(late.begin(), late.end(), *joint) != 0 ? joint : std::nullopt;
 }
 
 /// The verdict on a line that disables the pair.

@@ -124,18 +124,12 @@ class SweptDistanceTable {
  public:
   SweptDistanceTable(const Model& model, const RobotPair& pair, const SweptEnd& end, double radius,
                      double cell, const Deadline& deadline)
-      : pair_(swept_pair(model, pair.a, pair.b, cell, {end}, kFine)),
+      : end_(end),
+        pair_(swept_pair(model, pair.a, pair.b, cell, {end}, kFine)),
         scale_(pair_.cell / cell),
-        mesh_a_(pair_.a.view()),
-        mesh_b_(pair_.b.view()),
-        joints_(joints_between(pair_.model, pair.a, pair.b)),
-        is_a_swept_(end.link == pair.a),
-        space_(pair_.model, {pair.a, &mesh_a_, nullptr}, {pair.b, &mesh_b_, nullptr}, pair_.cell),
-        table_(space_, radius / scale_, 2 * kDeviation, kRowShares, deadline) {
-    while (space_.dimensions()[dimension_].variable != model.joints[end.joint].variable) {
-      ++dimension_;
-    }
-  }
+        space_(pair_.model, {pair.a, pair_.a.view()}, {pair.b, pair_.b.view()}, pair_.cell),
+        table_(space_, radius / scale_, 2 * kDeviation, kRowShares, deadline),
+        dimension_(space_.dimension_of(model.joints[end.joint].variable)) {}
 
   /// In the robot's cells. Cached for boxes that differ in the swept joint alone.
   double distance(std::vector<Interval> box) {
@@ -146,26 +140,18 @@ class SweptDistanceTable {
     if (place != kept_.end()) {
       return place->second;
     }
-    const double found = is_inside({box[0].lower, box[1].lower}) ? 0 : table_.distance(box);
+    const std::vector<double> variables = space_.variables_at({box[0].lower, box[1].lower});
+    const double found = is_any_inside(pair_, end_, variables) ? 0 : table_.distance(box);
     return kept_[row.lower] = scale_ * found;
   }
 
  private:
-  bool is_inside(const std::vector<double>& point) const {
-    const Transform frame = frame_between(pair_.model, joints_, space_.variables_at(point));
-    return is_a_swept_ ? is_any_inside(mesh_a_, mesh_b_, frame, pair_.cell)
-                       : is_any_inside(mesh_b_, mesh_a_, inverse(frame), pair_.cell);
-  }
-
+  SweptEnd end_;
   SweptPair pair_;
   double scale_;
-  WholeMesh mesh_a_;
-  WholeMesh mesh_b_;
-  JointsBetween joints_;
-  bool is_a_swept_;
   PairSpace space_;
   DistanceTable<PairSpace> table_;
-  std::size_t dimension_ = 0;
+  std::size_t dimension_;
   std::map<double, double> kept_;
 };
 
@@ -202,13 +188,9 @@ std::vector<Axis> axes_of(const Model& model, const Robot& robot, const RobotPai
   joints.insert(joints.end(), between.of_b.begin(), between.of_b.end());
   std::vector<Axis> axes;
   for (const std::size_t joint : joints) {
-    std::size_t dimension = 0;
-    while (space.dimensions()[dimension].variable != model.joints[joint].variable) {
-      ++dimension;
-    }
     const RobotJoint& fixed = robot.joints[joint];
-    axes.push_back(
-        {fixed, dimension, distance_table_axis(fixed), unit_of_coordinate(fixed.type, cell)});
+    axes.push_back({fixed, space.dimension_of(model.joints[joint].variable),
+                    distance_table_axis(fixed), unit_of_coordinate(fixed.type, cell)});
   }
   return axes;
 }
@@ -221,8 +203,8 @@ std::vector<std::uint8_t> distance_table_of(const Model& model, const Robot& rob
     return std::vector<std::uint8_t>(size);
   }
   const double cell = cell_of(robot);
-  const FirmwarePairSpace space(model, {pair.a, &robot.meshes[pair.a], nullptr},
-                                {pair.b, &robot.meshes[pair.b], nullptr}, cell);
+  const FirmwarePairSpace space(model, {pair.a, robot.meshes[pair.a]},
+                                {pair.b, robot.meshes[pair.b]}, cell);
   const std::vector<Axis> axes = axes_of(model, robot, pair, space, cell);
   const std::uint32_t radius =
       std::min(robot.links[pair.a].radius, robot.links[pair.b].radius) / kFrameCell;

@@ -101,10 +101,6 @@ std::uint8_t number_of(std::size_t joint) {
   return joint == kNoJoint ? kBase : static_cast<std::uint8_t>(joint);
 }
 
-double length_of(const Vector3& v) {
-  return bake::length(v[0], v[1], v[2]);
-}
-
 /// Sets how a mimic's coordinate follows from its variable.
 void set_mimic(const Model& model, const ModelJoint& joint, double cell, RobotJoint& fixed) {
   const ModelJoint& master = model.joints[model.variables[joint.variable]];
@@ -137,11 +133,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
                        const std::vector<GuardedPair>& pairs, const Reaches& reaches,
                        const std::vector<double>& deviations)
     : cell_(cell), meshes_(meshes) {
-  if (model.joints.size() > kMaxJoints || model.links.size() > kMaxLinks) {
-    throw UserError(model.path, "has ", model.joints.size(), " moving joints and ",
-                    model.links.size(), " links with collision geometry; at most ", kMaxJoints,
-                    " and ", kMaxLinks, " are taken");
-  }
+  check_counts(model, model.path);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     add_joint(model, i);
   }

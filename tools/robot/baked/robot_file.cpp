@@ -108,9 +108,9 @@ Model RobotFile::model() const {
     }
     model.joints.push_back(joint);
   }
-  for (ModelJoint& joint : model.joints) {
-    const std::size_t number = static_cast<std::size_t>(&joint - model.joints.data());
-    const RobotJoint& fixed = robot_.joints[number];
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    ModelJoint& joint = model.joints[i];
+    const RobotJoint& fixed = robot_.joints[i];
     const ModelJoint& master = model.joints[model.variables[joint.variable]];
     const double unit = unit_of_coordinate(joint.type, cell());
     joint.multiplier =

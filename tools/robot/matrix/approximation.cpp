@@ -17,8 +17,8 @@ constexpr double kLeastCellsOfLength = 8;
 /// The length as a part of the distance that counts as contact: a zone needs no better accuracy.
 constexpr double kPartOfTouching = 1.0 / 8;
 
-}  // namespace
-
+/// Coarsens within `length`, source by source, shell by shell. None if the link has few triangles,
+/// `length` is only a few cells, or the number of shells changes.
 std::optional<Approximation> approximation(const ModelLink& link, double cell, double length) {
   const std::size_t count = link.mesh.triangles.size();
   if (count < kManyTriangles || length < kLeastCellsOfLength * cell) {
@@ -48,6 +48,8 @@ std::optional<Approximation> approximation(const ModelLink& link, double cell, d
   made.baked = bake_part(made.link.mesh, cell);
   return made;
 }
+
+}  // namespace
 
 std::vector<std::optional<Approximation>> approximations(const Model& model, double cell,
                                                          const MatrixOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "robot/matrix/approximation.hpp"
 #include "robot/matrix/pair_space.hpp"
@@ -91,9 +92,7 @@ class Finder {
       }
       const BakedPart a = bake_part(sides_[0].mesh(), cell_);
       const BakedPart b = bake_part(sides_[1].mesh(), cell_);
-      const WholeMesh cut_a = a.view();
-      const WholeMesh cut_b = b.view();
-      shape_.radius = std::min(before, radius_of(contacts_in(space(cut_a, cut_b))));
+      shape_.radius = std::min(before, radius_of(contacts_in(space(a.view(), b.view()))));
       if (shape_.radius > 0.9 * before) {
         break;
       }
@@ -110,7 +109,7 @@ class Finder {
 
  private:
   PairSpace space(const WholeMesh& a, const WholeMesh& b) const {
-    return PairSpace(model_, {links_[0], &a, nullptr}, {links_[1], &b, nullptr}, cell_);
+    return PairSpace(model_, {links_[0], a}, {links_[1], b}, cell_);
   }
 
   void look_over(const Interval& range) {
@@ -132,20 +131,18 @@ class Finder {
 
   /// Finds the shells that touch at half of the samples or more.
   void find_touching_shells(const std::vector<std::vector<Contact>>& contacts) {
-    std::array<std::vector<std::size_t>, 2> counts;
     for (std::size_t side = 0; side < 2; ++side) {
-      counts[side].resize(sides_[side].shell_count());
+      std::vector<std::size_t> counts(sides_[side].shell_count());
       for (const std::vector<Contact>& look : contacts) {
-        std::vector<bool> touch(counts[side].size());
+        std::set<std::uint32_t> touching;
         for (const Contact& contact : look) {
-          touch[sides_[side].shell_of(side == 0 ? contact.a : contact.b)] = true;
+          touching.insert(sides_[side].shell_of(side == 0 ? contact.a : contact.b));
         }
-        for (std::size_t shell = 0; shell < touch.size(); ++shell) {
-          counts[side][shell] += touch[shell] ? 1 : 0;
+        for (const std::uint32_t shell : touching) {
+          ++counts[shell];
         }
       }
-      touching_shells_[side].clear();
-      for (const std::size_t count : counts[side]) {
+      for (const std::size_t count : counts) {
         touching_shells_[side].push_back(2 * count >= kLooks);
       }
     }
@@ -217,9 +214,7 @@ class Finder {
     }
     const BakedPart a = bake_part(part_of(sides_[0].mesh(), numbers_a), cell_);
     const BakedPart b = bake_part(part_of(sides_[1].mesh(), numbers_b), cell_);
-    const WholeMesh mesh_a = a.view();
-    const WholeMesh mesh_b = b.view();
-    const PairSpace outside = space(mesh_a, mesh_b);
+    const PairSpace outside = space(a.view(), b.view());
     const std::vector<double> farthest_a = sides_[0].farthest(shape_);
     const std::vector<double> farthest_b = sides_[1].farthest(shape_);
     const double largest_at_ends = kMoreAtEnds * shape_.radius;
@@ -328,10 +323,6 @@ StopDistance MatrixOptions::distances_of(std::size_t a, std::size_t b) const {
   return own != nullptr ? *own : StopDistance{a, b, stop, warn};
 }
 
-bool MatrixOptions::has_own_distances(std::size_t a, std::size_t b) const {
-  return find_pair(stops, a, b) != nullptr;
-}
-
 std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
   const JointsBetween joints = joints_between(model, a, b);
   if (joints.of_a.size() + joints.of_b.size() != 1) {
@@ -364,16 +355,13 @@ std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMe
       return;
     }
     Finder finder(model, a, b, *joint, cell, options);
-    WholeMesh mesh_a = meshes[a];
-    WholeMesh mesh_b = meshes[b];
     if (others[a] || others[b]) {
-      mesh_a = others[a] ? others[a]->baked.view() : mesh_a;
-      mesh_b = others[b] ? others[b]->baked.view() : mesh_b;
       finder.choose_by(others[a] ? others[a]->link : model.links[a],
                        others[b] ? others[b]->link : model.links[b],
                        (others[a] ? others[a]->length : 0) + (others[b] ? others[b]->length : 0));
     }
-    found[i] = finder.find(mesh_a, mesh_b, radius);
+    found[i] = finder.find(others[a] ? others[a]->baked.view() : meshes[a],
+                           others[b] ? others[b]->baked.view() : meshes[b], radius);
   });
   std::vector<JointZone> zones;
   for (std::optional<JointZone>& zone : found) {

@@ -60,7 +60,7 @@ class Decider {
       return false;
     }
     if (pair.verdict == MatrixVerdict::never) {
-      return !options_.has_own_distances(pair.a, pair.b);
+      return find_pair(options_.stops, pair.a, pair.b) == nullptr;
     }
     if (disabled->is_believed) {
       pair.verdict = MatrixVerdict::believed;
@@ -196,7 +196,7 @@ class Matrix {
     options.deadline = deadline;
     const JointZone* const zone = find_pair(zones_, a, b);
     if (zone == nullptr) {
-      Decider(model_, link(a, meshes_[a]), link(b, meshes_[b]), cell_, options).decide(pair);
+      decide(meshes_[a], meshes_[b], options, pair);
       return pair;
     }
     pair.zone = static_cast<std::size_t>(zone - zones_.data());
@@ -206,8 +206,10 @@ class Matrix {
   }
 
  private:
-  PairLink link(std::size_t number, const WholeMesh& mesh) const {
-    return {number, &mesh, &reaches_[number]};
+  void decide(const WholeMesh& a, const WholeMesh& b, const MatrixOptions& options,
+              PairVerdict& pair) const {
+    Decider(model_, {pair.a, a, &reaches_[pair.a]}, {pair.b, b, &reaches_[pair.b]}, cell_, options)
+        .decide(pair);
   }
 
   /// The worst verdict of all bodies.
@@ -219,9 +221,7 @@ class Matrix {
     worst.reason = "nothing is there of one of them";
     for (const ZoneBodies& bodies : zone.bodies) {
       PairVerdict of = pair;
-      const WholeMesh a = bodies.a.view();
-      const WholeMesh b = bodies.b.view();
-      Decider(model_, link(zone.a, a), link(zone.b, b), cell_, options).decide(of);
+      decide(bodies.a.view(), bodies.b.view(), options, of);
       const std::uint64_t cells = worst.cells + of.cells;
       const bool is_guarded = worst.is_guarded || of.is_guarded;
       const bool is_stopped = worst.is_stopped || of.is_stopped;
@@ -253,13 +253,12 @@ constexpr double kShareWithZone = 10;
 std::vector<PairVerdict*> in_order(std::vector<PairVerdict>& verdicts,
                                    const std::vector<JointZone>& zones) {
   std::vector<PairVerdict*> order;
-  for (const bool has_zone : {true, false}) {
-    for (PairVerdict& pair : verdicts) {
-      if ((find_pair(zones, pair.a, pair.b) != nullptr) == has_zone) {
-        order.push_back(&pair);
-      }
-    }
+  for (PairVerdict& pair : verdicts) {
+    order.push_back(&pair);
   }
+  std::stable_partition(order.begin(), order.end(), [&](const PairVerdict* pair) {
+    return find_pair(zones, pair->a, pair->b) != nullptr;
+  });
   return order;
 }
 

@@ -40,7 +40,6 @@ struct MatrixOptions {
   bool is_late() const { return deadline.is_past(); }
   /// The distances of two links, from `stops` if it has the pair.
   StopDistance distances_of(std::size_t a, std::size_t b) const;
-  bool has_own_distances(std::size_t a, std::size_t b) const;
 };
 
 }  // namespace flashbvh::tool

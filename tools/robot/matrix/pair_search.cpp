@@ -14,9 +14,7 @@ namespace {
 constexpr double kOutward = 1e-11;
 
 /// A closed joint box.
-struct Cell {
-  std::vector<Interval> sides;
-};
+using Cell = std::vector<Interval>;
 
 class Search {
  public:
@@ -29,7 +27,7 @@ class Search {
   SearchResult run() {
     Cell all;
     for (const Dimension& dimension : space_.dimensions()) {
-      all.sides.push_back(dimension.range);
+      all.push_back(dimension.range);
     }
     stack_.push_back(std::move(all));
     while (!stack_.empty()) {
@@ -52,7 +50,7 @@ class Search {
     ++result_.cells;
     std::vector<double> point;
     std::vector<double> halves;
-    for (const auto& [lower, upper] : cell.sides) {
+    for (const auto& [lower, upper] : cell) {
       const double middle = lower + (upper - lower) / 2;
       point.push_back(middle);
       halves.push_back(std::fmax(middle - lower, upper - middle) + kOutward);
@@ -80,7 +78,7 @@ class Search {
   void cut(const Cell& cell, std::size_t side, double middle) {
     for (const bool upper : {true, false}) {
       Cell half = cell;
-      (upper ? half.sides[side].lower : half.sides[side].upper) = middle;
+      (upper ? half[side].lower : half[side].upper) = middle;
       stack_.push_back(std::move(half));
     }
   }
@@ -98,14 +96,15 @@ constexpr std::uint64_t kShare = 4;
 
 /// Surfaces that meet nowhere in a joint box stay inside or outside each other: testing one point
 /// of the box suffices.
-bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
-               const std::vector<SweptEnd>& ends, const MatrixOptions& options,
-               std::uint64_t& cells, double distance) {
-  const WholeMesh mesh_a = pair.a.view();
-  const WholeMesh mesh_b = pair.b.view();
-  const std::vector<double> reaches_a = reaches_of(pair.model, a, pair.cell, options.deadline);
-  const std::vector<double> reaches_b = reaches_of(pair.model, b, pair.cell, options.deadline);
-  const PairSpace space(pair.model, {a, &mesh_a, &reaches_a}, {b, &mesh_b, &reaches_b}, pair.cell);
+bool is_proven(const SweptPair& pair, const std::vector<SweptEnd>& ends,
+               const MatrixOptions& options, std::uint64_t& cells, double distance) {
+  const auto reaches = [&](std::size_t link) {
+    return reaches_of(pair.model, link, pair.cell, options.deadline);
+  };
+  const std::vector<double> reaches_a = reaches(pair.link_a);
+  const std::vector<double> reaches_b = reaches(pair.link_b);
+  const PairSpace space(pair.model, {pair.link_a, pair.a.view(), &reaches_a},
+                        {pair.link_b, pair.b.view(), &reaches_b}, pair.cell);
   const SearchResult found = search_pair(space, options, distance);
   cells += found.cells;
   if (found.end != SearchEnd::apart) {
@@ -115,11 +114,8 @@ bool is_proven(const SweptPair& pair, std::size_t a, std::size_t b,
   for (const Dimension& dimension : space.dimensions()) {
     middle.push_back(dimension.range.lower);
   }
-  const Transform frame =
-      frame_between(pair.model, joints_between(pair.model, a, b), space.variables_at(middle));
   return std::none_of(ends.begin(), ends.end(), [&](const SweptEnd& end) {
-    return end.link == a ? is_any_inside(mesh_a, mesh_b, frame, pair.cell)
-                         : is_any_inside(mesh_b, mesh_a, inverse(frame), pair.cell);
+    return is_any_inside(pair, end, space.variables_at(middle));
   });
 }
 
@@ -246,7 +242,7 @@ bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double ce
       return false;
     }
     const SweptPair pair = swept_pair(model, a, b, cell, ends, kCoarse);
-    return is_proven(pair, a, b, ends, share, cells, distance);
+    return is_proven(pair, ends, share, cells, distance);
   });
 }
 

@@ -26,8 +26,8 @@ template <class MeshType>
 BasicPairSpace<MeshType>::BasicPairSpace(const Model& model, const Link& a, const Link& b,
                                          double cell)
     : model_(model),
-      a_(*a.mesh),
-      b_(*b.mesh),
+      a_(a.mesh),
+      b_(b.mesh),
       cell_(cell),
       joints_(joints_between(model, a.link, b.link)),
       bounds_a_(bounds_of(a_, cell)),
@@ -35,7 +35,11 @@ BasicPairSpace<MeshType>::BasicPairSpace(const Model& model, const Link& a, cons
   std::vector<std::size_t> path = joints_.of_a;
   path.insert(path.end(), joints_.of_b.rbegin(), joints_.of_b.rend());
   for (const std::size_t joint : path) {
-    const std::size_t dimension = dimension_of(model.joints[joint].variable);
+    const std::size_t variable = model.joints[joint].variable;
+    const std::size_t dimension = dimension_of(variable);
+    if (dimension == dimensions_.size()) {
+      dimensions_.push_back({variable, one_turn(variable)});
+    }
     const auto reach_of = [&](const Link& link) {
       const bool slides = model.joints[joint].type == JointType::prismatic;
       return link.reaches != nullptr ? (*link.reaches)[joint] : slides ? 1 : HUGE_VAL;
@@ -49,14 +53,10 @@ BasicPairSpace<MeshType>::BasicPairSpace(const Model& model, const Link& a, cons
 }
 
 template <class MeshType>
-std::size_t BasicPairSpace<MeshType>::dimension_of(std::size_t variable) {
-  for (std::size_t i = 0; i < dimensions_.size(); ++i) {
-    if (dimensions_[i].variable == variable) {
-      return i;
-    }
-  }
-  dimensions_.push_back({variable, one_turn(variable)});
-  return dimensions_.size() - 1;
+std::size_t BasicPairSpace<MeshType>::dimension_of(std::size_t variable) const {
+  const auto found = std::find_if(dimensions_.begin(), dimensions_.end(),
+                                  [&](const Dimension& of) { return of.variable == variable; });
+  return static_cast<std::size_t>(found - dimensions_.begin());
 }
 
 /// A variable's range, or one turn about the range's middle if all joints of the variable rotate by

@@ -14,8 +14,8 @@ namespace flashbvh::tool {
 template <class MeshType>
 struct BasicPairLink {
   std::size_t link;
-  const MeshType* mesh;
-  const std::vector<double>* reaches;  ///< from reaches_of(), or null: from the mesh's box
+  MeshType mesh;
+  const std::vector<double>* reaches = nullptr;  ///< of reaches_of(), or null: of the mesh's box
 };
 
 /// A variable that moves the links relative to each other.
@@ -37,11 +37,13 @@ class BasicPairSpace {
   using Link = BasicPairLink<MeshType>;
   using Hint = Witness<typename MeshType::Index>;
 
-  /// The model and the meshes must outlive the object.
+  /// The model, and the arrays that the meshes view, must outlive the object.
   BasicPairSpace(const Model& model, const Link& a, const Link& b, double cell);
 
   /// Empty if nothing moves the links.
   const std::vector<Dimension>& dimensions() const { return dimensions_; }
+  /// The number of a variable's dimension, or that of all dimensions if it has none.
+  std::size_t dimension_of(std::size_t variable) const;
   /// `point`: a value for each dimension. All other variables are in the middle of their ranges.
   std::vector<double> variables_at(const std::vector<double>& point) const;
 
@@ -77,7 +79,6 @@ class BasicPairSpace {
     double reach_b;
   };
   static Bounds bounds_of(const MeshType& mesh, double cell);
-  std::size_t dimension_of(std::size_t variable);
   Interval one_turn(std::size_t variable) const;
   std::vector<double> motions(const Bounds& bounds, const Transform& frame,
                               const std::vector<Transform>& joints,
@@ -87,8 +88,8 @@ class BasicPairSpace {
   Transform frame_at(const std::vector<double>& point) const;
 
   const Model& model_;
-  const MeshType& a_;
-  const MeshType& b_;
+  MeshType a_;
+  MeshType b_;
   double cell_;
   JointsBetween joints_;
   Bounds bounds_a_;

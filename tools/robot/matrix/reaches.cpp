@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
-#include "bake/length.hpp"
 #include "text/parallel.hpp"
 
 namespace flashbvh::tool {
@@ -23,8 +23,9 @@ class Support {
 
   /// At least h(direction), for a vector of any length.
   double operator()(const Vector3& direction) const;
-  /// The support in another frame, in which the body lies at `transform`.
+  /// The support in another frame, in which the body lies at `transform`, or at its inverse.
   Support moved(const Transform& transform) const;
+  Support moved_back(const Transform& transform) const { return moved(inverse(transform)); }
   /// The support of the volume swept by turning about z over an interval, in radians.
   Support turned(const Interval& angles) const;
   /// The support of the volume swept by sliding along z.
@@ -196,8 +197,7 @@ double Support::radius() const {
   for (std::size_t face = 0; face < 6; ++face) {
     for (std::size_t row = 0; row < kPoints; ++row) {
       for (std::size_t column = 0; column < kPoints; ++column) {
-        const Vector3 u = grid_direction(face, row, column);
-        most = std::max(most, values_[place++] / bake::length(u[0], u[1], u[2]));
+        most = std::max(most, values_[place++] / length_of(grid_direction(face, row, column)));
       }
     }
   }
@@ -206,6 +206,25 @@ double Support::radius() const {
   return most * kNearest * kRoundUp;
 }
 
+/// A ball about the origin that holds a body, in place of a Support.
+class Ball {
+ public:
+  explicit Ball(double radius) : radius_(radius) {}
+
+  Ball moved(const Transform& transform) const {
+    return Ball(radius_ + length_of(transform.translation) * kRoundUp);
+  }
+  Ball moved_back(const Transform& transform) const { return moved(transform); }
+  Ball turned(const Interval& /*angles*/) const { return *this; }
+  Ball slid(const Interval& distances) const {
+    return Ball(radius_ + std::max(std::fabs(distances.lower), std::fabs(distances.upper)));
+  }
+  double reach() const { return radius_; }
+
+ private:
+  double radius_;
+};
+
 /// Visits body after body over the joints, with the volume that the link sweeps. A body is all that
 /// is attached to a joint, in the joint's frame, or to the base.
 class Spread {
@@ -213,45 +232,29 @@ class Spread {
   Spread(const Model& model, const Deadline& deadline)
       : model_(model), deadline_(deadline), reaches_(model.joints.size()) {}
 
-  /// `from`: the joint crossed last, or none. `left`: joints over which the shape is kept, while
-  /// time lasts.
-  void visit(std::size_t body, std::size_t from, const Support& support, int left = kJointsKept) {
-    if (left == 0 || deadline_.is_past()) {
-      visit(body, from, support.radius());
-      return;
+  /// `from`: the joint crossed last, or none. `shape`: a Support, or the Ball that replaces it
+  /// after `left` joints, or when time is up.
+  template <class Shape>
+  void visit(std::size_t body, std::size_t from, const Shape& shape, int left = kJointsKept) {
+    if constexpr (std::is_same_v<Shape, Support>) {
+      if (left == 0 || deadline_.is_past()) {
+        visit(body, from, Ball(shape.radius()));
+        return;
+      }
     }
     if (body != kNoJoint && body != from) {
-      reach(body, support);
+      reach(body, shape);
       const std::size_t parent = model_.joints[body].parent;
       if (leads_on(parent, body)) {
-        visit(parent, body, swept(body, support, false).moved(model_.joints[body].fixed), left - 1);
+        visit(parent, body, swept(body, shape, false).moved(model_.joints[body].fixed), left - 1);
       }
     }
     for (std::size_t child = 0; child < model_.joints.size(); ++child) {
       if (model_.joints[child].parent == body && child != from) {
-        const Support seen = support.moved(inverse(model_.joints[child].fixed));
+        const Shape seen = shape.moved_back(model_.joints[child].fixed);
         reach(child, seen);
         if (leads_on(child, child)) {
           visit(child, child, swept(child, seen, true), left - 1);
-        }
-      }
-    }
-  }
-
-  /// Visits for a link that is only known to lie in a ball about the body's origin.
-  void visit(std::size_t body, std::size_t from, double radius) {
-    if (body != kNoJoint && body != from) {
-      reach(body, radius);
-      const std::size_t parent = model_.joints[body].parent;
-      if (leads_on(parent, body)) {
-        visit(parent, body, radius + slide_of(body) + step_of(body));
-      }
-    }
-    for (std::size_t child = 0; child < model_.joints.size(); ++child) {
-      if (model_.joints[child].parent == body && child != from) {
-        reach(child, radius + step_of(child));
-        if (leads_on(child, child)) {
-          visit(child, child, radius + step_of(child) + slide_of(child));
         }
       }
     }
@@ -271,37 +274,22 @@ class Spread {
     return body != kNoJoint && body != from;
   }
 
-  /// The distance of the joint's frame from its parent's.
-  double step_of(std::size_t number) const {
-    const Vector3& t = model_.joints[number].fixed.translation;
-    return bake::length(t[0], t[1], t[2]) * kRoundUp;
-  }
-
-  double slide_of(std::size_t number) const {
-    const Interval range = range_of_joint(model_, number);
-    return model_.joints[number].type == JointType::prismatic
-               ? std::max(std::fabs(range.lower), std::fabs(range.upper))
-               : 0;
-  }
-
-  /// `support`: in the joint's frame.
-  void reach(std::size_t number, const Support& support) {
-    reaches_[number] = model_.joints[number].type == JointType::prismatic ? 1 : support.reach();
-  }
-
-  void reach(std::size_t number, double radius) {
-    reaches_[number] = model_.joints[number].type == JointType::prismatic ? 1 : radius;
+  /// `shape`: in the joint's frame.
+  template <class Shape>
+  void reach(std::size_t number, const Shape& shape) {
+    reaches_[number] = model_.joints[number].type == JointType::prismatic ? 1 : shape.reach();
   }
 
   /// The volume swept beyond a joint, in the joint's frame. Outward, from the parent's side to the
   /// child's, the parent's side moves backwards.
-  Support swept(std::size_t number, const Support& support, bool outward) const {
+  template <class Shape>
+  Shape swept(std::size_t number, const Shape& shape, bool outward) const {
     Interval range = range_of_joint(model_, number);
     if (outward) {
       range = {-range.upper, -range.lower};
     }
-    return model_.joints[number].type == JointType::prismatic ? support.slid(range)
-                                                              : support.turned(range);
+    return model_.joints[number].type == JointType::prismatic ? shape.slid(range)
+                                                              : shape.turned(range);
   }
 
   const Model& model_;

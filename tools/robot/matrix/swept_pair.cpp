@@ -7,6 +7,7 @@
 #include "bake/quantise.hpp"
 #include "flashbvh/solid.hpp"
 #include "robot/matrix/reaches.hpp"
+#include "robot/read/primitive_mesh.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -131,22 +132,6 @@ void add_ring(bake::SourceMesh& mesh, double radius, double z, std::uint32_t sid
   }
 }
 
-/// Adds the sides between successive rings, and the lids. All vertices exist; the last two are the
-/// lids' middles.
-void add_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
-  const auto bottom = static_cast<std::uint32_t>(mesh.vertices.size() - 2);
-  const std::uint32_t last = bottom - sides;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t next = (i + 1) % sides;
-    mesh.triangles.push_back({bottom, next, i});
-    mesh.triangles.push_back({bottom + 1, last + i, last + next});
-    for (std::uint32_t ring = 0; ring < last; ring += sides) {
-      mesh.triangles.push_back({ring + i, ring + next, ring + sides + next});
-      mesh.triangles.push_back({ring + i, ring + sides + next, ring + sides + i});
-    }
-  }
-}
-
 /// Smaller ranges are not worth a solid, in radians.
 constexpr double kSmallTurn = 0.5;
 
@@ -165,15 +150,15 @@ bake::SourceMesh revolved(const bake::SourceMesh& mesh, const Transform& axis, d
   low -= margin;
   high += margin;
   bake::SourceMesh body;
+  body.vertices.push_back({0, 0, low});
   const double wider = 1 / std::cos(kPi / fineness.sides);
   const std::vector<double> cuts = cuts_of(seen, low, high, margin, fineness);
   for (const Slab& slab : few(slabs_of(seen, cuts, margin), fineness)) {
     add_ring(body, slab.radius * wider, slab.low, fineness.sides);
     add_ring(body, slab.radius * wider, slab.high, fineness.sides);
   }
-  body.vertices.push_back({0, 0, low});
   body.vertices.push_back({0, 0, high});
-  add_triangles(body, fineness.sides);
+  add_round_triangles(body, fineness.sides);
   for (Vector3& vertex : body.vertices) {
     vertex = placed(axis, vertex);
   }
@@ -210,20 +195,26 @@ SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double ce
     const bake::SourceMesh& mesh_a = swept.links[a].mesh;
     const bake::SourceMesh& mesh_b = swept.links[b].mesh;
     if (bake::fits(mesh_a, cell) && bake::fits(mesh_b, cell)) {
-      return {swept, cell, bake_part(mesh_a, cell), bake_part(mesh_b, cell)};
+      return {swept, a, b, cell, bake_part(mesh_a, cell), bake_part(mesh_b, cell)};
     }
   }
 }
 
-bool is_any_inside(const WholeMesh& solid, const WholeMesh& other, const Transform& frame,
-                   double cell) {
+bool is_any_inside(const SweptPair& pair, const SweptEnd& end,
+                   const std::vector<double>& variables) {
+  const bool is_a = end.link == pair.link_a;
+  const WholeMesh solid = (is_a ? pair.a : pair.b).view();
+  const WholeMesh other = (is_a ? pair.b : pair.a).view();
+  const JointsBetween joints =
+      joints_between(pair.model, end.link, is_a ? pair.link_b : pair.link_a);
+  const Transform frame = frame_between(pair.model, joints, variables);
   for (std::uint32_t i = 0; i < other.shell_count; ++i) {
     const Vertex& v = other.vertices[other.shell_vertices[i]];
     const Vector3 point =
-        placed(frame, {cell * (v.x + other.origin[0]), cell * (v.y + other.origin[1]),
-                       cell * (v.z + other.origin[2])});
+        placed(frame, {pair.cell * (v.x + other.origin[0]), pair.cell * (v.y + other.origin[1]),
+                       pair.cell * (v.z + other.origin[2])});
     const auto cells = [&](std::size_t axis) {
-      return static_cast<std::int32_t>(std::round(point[axis] / cell));
+      return static_cast<std::int32_t>(std::round(point[axis] / pair.cell));
     };
     if (inside(solid, {cells(0), cells(1), cells(2)}).side != PointSide::outside) {
       return true;

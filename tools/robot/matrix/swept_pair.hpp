@@ -42,6 +42,8 @@ std::optional<SweptEnd> swept_end(const Model& model, std::size_t link, std::siz
 /// The model with solids for links, and with the joints of their axes held.
 struct SweptPair {
   Model model;
+  std::size_t link_a;
+  std::size_t link_b;
   double cell;
   BakedPart a;
   BakedPart b;
@@ -53,9 +55,9 @@ struct SweptPair {
 SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double cell,
                      const std::vector<SweptEnd>& ends, const Fineness& fineness);
 
-/// True if a part of `other`, placed at `frame`, lies in the solid. `other` has to be more than a
-/// cell of the lattice away from the solid's surface.
-bool is_any_inside(const WholeMesh& solid, const WholeMesh& other, const Transform& frame,
-                   double cell);
+/// True if at these values of the variables a part of the other link lies in the solid of `end`.
+/// The other link has to be more than a cell away from the solid's surface.
+bool is_any_inside(const SweptPair& pair, const SweptEnd& end,
+                   const std::vector<double>& variables);
 
 }  // namespace flashbvh::tool

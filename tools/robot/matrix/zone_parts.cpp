@@ -42,9 +42,8 @@ class Sieve {
  private:
   bool may_come_near(const bake::SourceMesh& part, const WholeMesh& other) const {
     const BakedPart baked = bake_part(part, cell_);
-    const WholeMesh mesh = baked.view();
-    const PairSpace space(model_, {zone_.a, of_a_ ? &mesh : &other, nullptr},
-                          {zone_.b, of_a_ ? &other : &mesh, nullptr}, cell_);
+    const PairSpace space(model_, {zone_.a, of_a_ ? baked.view() : other},
+                          {zone_.b, of_a_ ? other : baked.view()}, cell_);
     return search_pair(space, options_, stop_).end != SearchEnd::apart;
   }
 
@@ -112,14 +111,12 @@ std::vector<ZoneParts> zone_parts(const Model& model, const JointZone& zone, dou
   std::vector<ZoneParts> all;
   for (const ZoneBodies& bodies : zone.bodies) {
     ZoneParts parts;
-    const WholeMesh other = bodies.b.view();
-    parts.a = of_a.near(bodies.mesh_a, other);
+    parts.a = of_a.near(bodies.mesh_a, bodies.b.view());
     if (parts.a.triangles.empty()) {
       continue;
     }
     const BakedPart near_a = bake_part(parts.a, cell);
-    const WholeMesh mesh_a = near_a.view();
-    parts.b = of_b.near(bodies.mesh_b, mesh_a);
+    parts.b = of_b.near(bodies.mesh_b, near_a.view());
     if (!parts.b.triangles.empty()) {
       all.push_back(std::move(parts));
     }

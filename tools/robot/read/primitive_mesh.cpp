@@ -173,7 +173,7 @@ PrimitiveMesh capsule_mesh(double radius, double length) {
   const double outer = end / std::cos(kPi / kSides) * kRoundingMargin;
   PrimitiveMesh capsule;
   capsule.excess = outer - radius;
-  auto& [vertices, triangles] = capsule.mesh;
+  auto& vertices = capsule.mesh.vertices;
   vertices.push_back({0, 0, -0.5 * length - end});
   for (std::uint32_t ring = 0; ring < kRings; ++ring) {
     const bool is_low = ring < kRings / 2;
@@ -185,18 +185,22 @@ PrimitiveMesh capsule_mesh(double radius, double length) {
                           (is_low ? -0.5 : 0.5) * length + end * std::sin(latitude)});
     }
   }
-  const auto last = static_cast<std::uint32_t>(vertices.size());
   vertices.push_back({0, 0, 0.5 * length + end});
-  for (std::uint32_t side = 0; side < kSides; ++side) {
-    const std::uint32_t next = (side + 1) % kSides;
-    triangles.push_back({0, 1 + next, 1 + side});
-    triangles.push_back({last, last - kSides + side, last - kSides + next});
-    for (std::uint32_t low = 1; low + kSides < last; low += kSides) {
-      triangles.push_back({low + side, low + next, low + kSides + next});
-      triangles.push_back({low + side, low + kSides + next, low + kSides + side});
+  add_round_triangles(capsule.mesh, kSides);
+  return capsule;
+}
+
+void add_round_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
+  const auto last = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+  for (std::uint32_t side = 0; side < sides; ++side) {
+    const std::uint32_t next = (side + 1) % sides;
+    mesh.triangles.push_back({0, 1 + next, 1 + side});
+    mesh.triangles.push_back({last, last - sides + side, last - sides + next});
+    for (std::uint32_t low = 1; low + sides < last; low += sides) {
+      mesh.triangles.push_back({low + side, low + next, low + sides + next});
+      mesh.triangles.push_back({low + side, low + sides + next, low + sides + side});
     }
   }
-  return capsule;
 }
 
 PrimitiveMesh ellipsoid_mesh(const Vector3& size) {

@@ -25,4 +25,8 @@ PrimitiveMesh capsule_mesh(double radius, double length);
 /// `size`: from side to side. The sphere's mesh, scaled.
 PrimitiveMesh ellipsoid_mesh(const Vector3& size);
 
+/// Adds the triangles of a closed surface round z. Its vertices exist: the lowest point, rings of
+/// `sides` vertices, the lowest first, and the highest point.
+void add_round_triangles(bake::SourceMesh& mesh, std::uint32_t sides);
+
 }  // namespace flashbvh::tool
