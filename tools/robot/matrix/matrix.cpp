@@ -177,51 +177,46 @@ class Decider {
   MatrixOptions options_;
 };
 
-/// Decides all pairs of a model.
-class Matrix {
- public:
-  Matrix(const Model& model, const std::vector<WholeMesh>& meshes,
-         const std::vector<JointZone>& zones, const Reaches& reaches, double cell,
-         const MatrixOptions& options)
-      : model_(model),
-        meshes_(meshes),
-        zones_(zones),
-        reaches_(reaches),
-        cell_(cell),
-        options_(options) {}
+/// A call of decide_pairs().
+struct Matrix {
+  const Model& model;
+  const std::vector<WholeMesh>& meshes;
+  const std::vector<JointZone>& zones;
+  const Reaches& reaches;
+  double cell;
+  const MatrixOptions& options;
 
   PairVerdict decide(std::size_t a, std::size_t b, const Deadline& deadline) const {
     PairVerdict pair = {a, b, MatrixVerdict::undecided, "", {}, 0};
-    MatrixOptions options = options_;
-    options.deadline = deadline;
-    const JointZone* const zone = find_pair(zones_, a, b);
+    MatrixOptions own = options;
+    own.deadline = deadline;
+    const JointZone* const zone = find_pair(zones, a, b);
     if (zone == nullptr) {
-      decide(meshes_[a], meshes_[b], options, pair);
+      decide(meshes[a], meshes[b], own, pair);
       return pair;
     }
-    pair.zone = static_cast<std::size_t>(zone - zones_.data());
-    decide_outside(*zone, options, pair);
-    pair.reason = concat("outside ", zone_text(model_, *zone), ": ", pair.reason);
+    pair.zone = static_cast<std::size_t>(zone - zones.data());
+    decide_outside(*zone, own, pair);
+    pair.reason = concat("outside ", zone_text(model, *zone), ": ", pair.reason);
     return pair;
   }
 
- private:
-  void decide(const WholeMesh& a, const WholeMesh& b, const MatrixOptions& options,
+  void decide(const WholeMesh& a, const WholeMesh& b, const MatrixOptions& own,
               PairVerdict& pair) const {
-    Decider(model_, {pair.a, a, &reaches_[pair.a]}, {pair.b, b, &reaches_[pair.b]}, cell_, options)
+    Decider(model, {pair.a, a, &reaches[pair.a]}, {pair.b, b, &reaches[pair.b]}, cell, own)
         .decide(pair);
   }
 
   /// The worst verdict of all bodies.
-  void decide_outside(const JointZone& zone, MatrixOptions& options, PairVerdict& pair) const {
+  void decide_outside(const JointZone& zone, MatrixOptions& own, PairVerdict& pair) const {
     // Vertices at cuts are rounded again.
-    options.slack += 2 * kDeviation;
+    own.slack += 2 * kDeviation;
     PairVerdict worst = pair;
     worst.verdict = MatrixVerdict::never;
     worst.reason = "nothing is there of one of them";
     for (const ZoneBodies& bodies : zone.bodies) {
       PairVerdict of = pair;
-      decide(bodies.a.view(), bodies.b.view(), options, of);
+      decide(bodies.a.view(), bodies.b.view(), own, of);
       const std::uint64_t cells = worst.cells + of.cells;
       const bool is_guarded = worst.is_guarded || of.is_guarded;
       const bool is_stopped = worst.is_stopped || of.is_stopped;
@@ -234,13 +229,6 @@ class Matrix {
     }
     pair = std::move(worst);
   }
-
-  const Model& model_;
-  const std::vector<WholeMesh>& meshes_;
-  const std::vector<JointZone>& zones_;
-  const Reaches& reaches_;
-  double cell_;
-  const MatrixOptions& options_;
 };
 
 /// A pair's share of the remaining time, as a multiple of an equal share: most pairs need less.
@@ -273,7 +261,7 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Whol
                                       const std::vector<JointZone>& zones, const Reaches& reaches,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress) {
-  const Matrix matrix(model, meshes, zones, reaches, cell, options);
+  const Matrix matrix = {model, meshes, zones, reaches, cell, options};
   std::vector<PairVerdict> verdicts;
   for (std::size_t a = 0; a < model.links.size(); ++a) {
     for (std::size_t b = a + 1; b < model.links.size(); ++b) {
