@@ -2,6 +2,7 @@
 // corners of closed meshes.
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
+#include "query/aimed_rays.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
 #include "support/points.hpp"
@@ -153,6 +154,13 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
     }
   });
   CHECK(changes > 1000 / kShare);
+}
+
+TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
+  const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
+  const AnyMesh mesh(bake::build_default(lattice), lattice);
+  const AimedRays rays(mesh);
+  for_rounds(3000 / kShare, [&](Random& random, int) { REQUIRE(rays.is_right(random)); });
 }
 
 TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
