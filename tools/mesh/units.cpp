@@ -28,7 +28,7 @@ constexpr std::array<Measure, kUnitCount - 1> kUnits = {{{"nm", 1},
                                                          {"ft", 304'800'000}}};
 
 /// In nanometres; 0 if there is no such unit.
-std::uint64_t length_of(std::string_view name) {
+std::uint64_t nanometres_in(std::string_view name) {
   const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
                                  [&](const Measure& known) { return known.name == name; });
   return unit == kUnits.end() ? 0 : unit->nanometres;
@@ -50,7 +50,7 @@ Units::Units(const std::vector<std::string>& given, const std::vector<std::strin
   for (const std::string& option : given) {
     const std::size_t equals = option.rfind('=');
     const std::string unit = equals == std::string::npos ? option : option.substr(equals + 1);
-    if (length_of(unit) == 0) {
+    if (nanometres_in(unit) == 0) {
       throw UserError("--unit " + option, "'", unit, "' is no unit; give ", kNames);
     }
     if (equals == std::string::npos) {
@@ -105,8 +105,8 @@ Units::Ratio Units::ratio_of(const std::string& file) const {
   if (own == own_.end()) {
     return {};
   }
-  const std::uint64_t from = length_of(own->second);
-  const std::uint64_t to = length_of(common_);
+  const std::uint64_t from = nanometres_in(own->second);
+  const std::uint64_t to = nanometres_in(common_);
   const std::uint64_t common_part = std::gcd(from, to);
   const std::uint64_t numerator = from / common_part;
   const std::uint64_t denominator = to / common_part;
