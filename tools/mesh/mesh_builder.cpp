@@ -91,6 +91,7 @@ std::vector<bake::SourceMesh> meshes_of_bodies(const FileMesh& whole) {
     triangles[whole.body_of[i]].push_back(i);
   }
   std::vector<bake::SourceMesh> meshes;
+  meshes.reserve(triangles.size());
   for (const std::vector<std::uint32_t>& of_body : triangles) {
     meshes.push_back(part_of(whole.mesh, of_body));
   }

@@ -241,6 +241,7 @@ constexpr double kShareWithZone = 10;
 std::vector<PairVerdict*> in_order(std::vector<PairVerdict>& verdicts,
                                    const std::vector<JointZone>& zones) {
   std::vector<PairVerdict*> order;
+  order.reserve(verdicts.size());
   for (PairVerdict& pair : verdicts) {
     order.push_back(&pair);
   }
