@@ -213,8 +213,8 @@ py::array hits_of(const Baked& baked, const py::object& from, const py::object& 
       }
       hits.data[i] = {false, HUGE_VAL, -1};
       if (answer.yes) {
-        const std::uint32_t along = distance_along(made.segment, answer.hit.along);
-        hits.data[i] = {true, tool::unit_length(along, baked.cell()), answer.hit.triangle};
+        const std::uint32_t cells = distance_along(made.segment, answer.hit.along);
+        hits.data[i] = {true, tool::unit_length(cells, baked.cell()), answer.hit.triangle};
       }
     }
     return true;
