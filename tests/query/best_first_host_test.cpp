@@ -128,11 +128,11 @@ struct RotatedNearest {
 std::uint32_t best_first(const Pairs& pairs, Fraction& least, Witness<std::uint16_t>& witness) {
   const GapLimit limit((std::int64_t{1} << 30) - 1);  // in whole cells
   if (pairs.transform.is_rotated()) {
-    const RotatedGap gap(pairs.transform.rotated(), limit);
-    return best_first(pairs, RotatedNearest{gap, limit}, least, witness);
+    return best_first(pairs, RotatedNearest{RotatedGap(pairs.transform.rotated(), limit), limit},
+                      least, witness);
   }
-  const WideGap gap(pairs.transform.translated().offset, limit);
-  return best_first(pairs, TranslatedNearest{gap}, least, witness);
+  return best_first(pairs, TranslatedNearest{WideGap(pairs.transform.translated().offset, limit)},
+                    least, witness);
 }
 
 /// The end of the descent of a query without a hint, and its visits.
