@@ -1,18 +1,13 @@
-// flashbvh info: prints the contents of an image, or the cost of baking a mesh with the finest
-// cell.
-#include <algorithm>
+// flashbvh info: prints the contents of an image.
 #include <array>
-#include <filesystem>
-#include <iomanip>
 #include <iostream>
 
 #include "bake/bending.hpp"
-#include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
+#include "cli/mesh/info_mesh.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "cli/robot/robot_output.hpp"
-#include "image/baking.hpp"
 #include "image/image_file.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
@@ -27,37 +22,7 @@ std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
           static_cast<double>(point[2]) * cell};
 }
 
-std::string text_of(const Json& value) {
-  if (value.is_string()) {
-    const std::string text = value.get<std::string>();
-    return text.empty() ? "unknown" : text;
-  }
-  if (value.is_boolean()) {
-    return value.get<bool>() ? "yes" : "no";
-  }
-  if (value.is_number_float()) {
-    return shortest(value.get<double>());
-  }
-  if (value.is_array()) {
-    std::string text;
-    for (const Json& element : value) {
-      text += (text.empty() ? "" : " ") + text_of(element);
-    }
-    return text;
-  }
-  if (value.is_object()) {
-    return text_of(value["lower"]) + "  to  " + text_of(value["upper"]);
-  }
-  return value.dump();
-}
-
-void print_line(std::string label, const std::string& text) {
-  std::replace(label.begin(), label.end(), '_', ' ');
-  std::cout << std::left << std::setw(20) << label << text << "\n";
-}
-
-// Facts are names and values, in the order of both outputs.
-
+/// Names and values, in the order of both outputs.
 Json facts_of(const ImageFile& image) {
   const ImageHeader& header = image.header();
   const NodeBox bounds = root_box(image.tree());
@@ -98,6 +63,30 @@ Json facts_of(const ImageFile& image) {
   };
 }
 
+std::string text_of(const Json& value) {
+  if (value.is_string()) {
+    const std::string text = value.get<std::string>();
+    return text.empty() ? "unknown" : text;
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>() ? "yes" : "no";
+  }
+  if (value.is_number_float()) {
+    return shortest(value.get<double>());
+  }
+  if (value.is_array()) {
+    std::string text;
+    for (const Json& element : value) {
+      text += (text.empty() ? "" : " ") + text_of(element);
+    }
+    return text;
+  }
+  if (value.is_object()) {
+    return text_of(value["lower"]) + "  to  " + text_of(value["upper"]);
+  }
+  return value.dump();
+}
+
 /// The unit of a value; empty if the name implies it.
 std::string unit_of(const std::string& name, Unit unit) {
   if (name == "origin" || name == "box_cells") {
@@ -111,105 +100,6 @@ std::string unit_of(const std::string& name, Unit unit) {
   return !length ? "" : unit == Unit::none ? "of the mesh's unit" : unit_name(unit);
 }
 
-void print_image(const Json& facts, Unit image_unit) {
-  for (const auto& [name, value] : facts.items()) {
-    const std::string unit = unit_of(name, image_unit);
-    print_line(name, concat(name == "bytes_per_triangle" ? fixed(value.get<double>(), 2)
-                            : name == "size"             ? size_text(value.get<Size>(), "")
-                                                         : text_of(value),
-                            unit.empty() ? "" : "  ", unit));
-  }
-}
-
-constexpr std::array<std::uint32_t, 4> kLeafSizes = {1, 2, 4, 8};
-
-/// Bakes with 16-bit indices if they suffice.
-AnyBakedTree tree_of(const InputMesh& mesh, const RoundedMesh& rounded, BakeOptions options) {
-  try {
-    return build_tree(mesh, rounded, options);
-  } catch (const UserError&) {
-    options.index_width = IndexWidth::bits_32;
-    return build_tree(mesh, rounded, options);
-  }
-}
-
-/// The bytes of flash; the image contains the file's name.
-Json flash_of(AnyBakedTree tree, const std::string& path, std::uint32_t leaf_size) {
-  return std::visit(
-      [&](auto& baked) {
-        baked.name = std::filesystem::path(path).stem().string().substr(0, bake::kMaxNameSize);
-        const std::uint64_t bytes = image_size(baked);
-        return Json{{"leaf_size", leaf_size},
-                    {"index_bits", 8 * sizeof baked.triangle_ids[0]},
-                    {"bytes", bytes},
-                    {"bytes_per_triangle",
-                     static_cast<double>(bytes) / static_cast<double>(baked.triangles.size())}};
-      },
-      tree);
-}
-
-Json box_of(const bake::SourceMesh& mesh) {
-  auto lower = mesh.vertices.front();
-  auto upper = lower;
-  for (const auto& vertex : mesh.vertices) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      lower[axis] = std::min(lower[axis], vertex[axis]);
-      upper[axis] = std::max(upper[axis], vertex[axis]);
-    }
-  }
-  return {{"lower", lower}, {"upper", upper}};
-}
-
-Json defects_as_json(const MeshDefects& defects) {
-  return {{"degenerate", defects.degenerate.size()},
-          {"collapsed", defects.collapsed.size()},
-          {"duplicate", defects.duplicates.size()},
-          {"boundary_edges", defects.edges.boundary},
-          {"non_manifold_edges", defects.edges.non_manifold},
-          {"twisted_edges", defects.edges.twisted}};
-}
-
-Json facts_of(const InputMesh& mesh, Warnings& warnings) {
-  BakeOptions options;
-  options.cell = finest_cell(mesh);
-  Json facts = {{"name", mesh.path},
-                {"triangles", mesh.mesh.triangles.size()},
-                {"vertices", mesh.mesh.vertices.size()},
-                {"bodies", mesh.bodies},
-                {"box", box_of(mesh.mesh)},
-                {"size", size_of(mesh.mesh)},
-                {"finest_cell", *options.cell}};
-  const RoundedMesh rounded = round_mesh(mesh, options);
-  warn_of_mesh(mesh, rounded.defects, options, warnings);
-  facts["deviation"] = rounded.lattice.deviation;
-  facts["defects"] = defects_as_json(rounded.defects);
-  for (const std::uint32_t leaf_size : kLeafSizes) {
-    options.leaf_size = leaf_size;
-    facts["flash"].push_back(flash_of(tree_of(mesh, rounded, options), mesh.path, leaf_size));
-  }
-  return facts;
-}
-
-void print_mesh(const Json& facts) {
-  print_line("name", one_line(facts["name"].get<std::string>()));
-  print_line("triangles", facts["triangles"].dump());
-  print_line("vertices", facts["vertices"].dump());
-  print_line("bodies", concat(facts["bodies"].size()));
-  print_line("box", text_of(facts["box"]));
-  print_line("size", size_text(facts["size"].get<Size>(), ""));
-  print_line("finest cell", text_of(facts["finest_cell"]));
-  print_line("deviation", text_of(facts["deviation"]));
-  for (const Json& flash : facts["flash"]) {
-    print_line("flash, leaf size " + flash["leaf_size"].dump(),
-               concat(flash["bytes"].dump(), " bytes, ",
-                      fixed(flash["bytes_per_triangle"].get<double>(), 1), " a triangle, with ",
-                      flash["index_bits"].dump(), "-bit indices"));
-  }
-  print_line(
-      "",
-      "larger leaves make the worst pose more expensive: see `collide --bound` on the baked image");
-}
-
 struct InfoArguments {
   std::string image;
   bool json = false;
@@ -217,21 +107,31 @@ struct InfoArguments {
 
 void info(const InfoArguments& arguments) {
   const auto& [path, json] = arguments;
+  if (is_mesh_name(path)) {
+    return info_of_mesh(path, json);
+  }
   if (is_robot_file_name(path)) {
     return (json ? print_robot_file_json : print_robot_file)(RobotFile(path));
-  }
-  if (is_mesh_name(path)) {
-    Warnings warnings;
-    const Json facts = facts_of(read_mesh(path, Units(), warnings), warnings);
-    warnings.print();
-    return (json ? print_object : print_mesh)(facts);
   }
   const ImageFile image(path);
   const Json facts = facts_of(image);
   if (json) {
-    return print_object(facts);
+    print_object(facts);
+    return;
   }
-  print_image(facts, image.unit());
+  for (const auto& [name, value] : facts.items()) {
+    const std::string unit = unit_of(name, image.unit());
+    std::string label = name;
+    for (char& c : label) {
+      c = c == '_' ? ' ' : c;
+    }
+    label.resize(20, ' ');
+    std::cout << label
+              << (name == "bytes_per_triangle" ? fixed(value.get<double>(), 2)
+                  : name == "size"             ? size_text(value.get<Size>(), "")
+                                               : text_of(value))
+              << (unit.empty() ? "" : "  " + unit) << "\n";
+  }
 }
 
 }  // namespace
