@@ -14,7 +14,7 @@
 namespace flashbvh::test {
 
 /// Pairs of triangles of A and B, by their numbers in the source.
-using Pairs = NodePairs;
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
 

@@ -14,6 +14,8 @@ namespace {
 constexpr const char* kShapes[] = {"box",       "cylinder", "sphere",   "capsule",
                                    "ellipsoid", "mesh",     "triangles"};
 constexpr const char* kJointTypes[] = {"fixed", "revolute", "continuous", "prismatic"};
+static_assert(std::size(kShapes) == 1 + static_cast<std::size_t>(UrdfGeometry::Shape::triangles));
+static_assert(std::size(kJointTypes) == 1 + static_cast<std::size_t>(UrdfJoint::Type::prismatic));
 
 // The parts of lines, in order, for both directions: `line` writes them or takes them.
 
