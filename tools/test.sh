@@ -2,7 +2,7 @@
 # test.sh           Everything that has to hold before a change is one: formatting, lint, and all tests,
 #                   natively with sanitizers, on each board under QEMU, and as WebAssembly in node.
 # test.sh --quick   What most changes of the library break: formatting, the library's tests on this
-#                   machine with sanitizers, answers and arithmetic on a Cortex-M4F.
+#                   machine without sanitizers, answers and arithmetic on a Cortex-M4F.
 # test.sh --all     Also an Xtensa LX106 and a plain RV32IM; on every board all tests that fit it, which
 #                   otherwise run natively and on the Cortex-M4F (on a Cortex-M0 what a core has of
 #                   its own: answers, arithmetic, stack, bounds, figures; of the others answers and

@@ -1,12 +1,13 @@
 #!/bin/sh
 # test_step.sh STEP    One step of tools/test.sh:
 #   formatting   clang-format and the checks of style report nothing
-#   configured   a build folder of this machine, with the address and undefined-behaviour sanitizers
+#   configured   a build folder of this machine, with the address and undefined-behaviour sanitizers; for --quick that
+#                of the preset dev, without
 #   tool         the host program, which bakes for all that follows, what tests it, and what figures
 #                are measured on
 #   native       the tests on this machine, but for
 #   long         those that damage meshes and images in many ways, or compile projects of their own
-#   library      of native what needs nothing of the host program: --quick
+#   library      the tests that need nothing of the host program but `bake`: --quick
 #   python       the Python package, and one hash of queries and guard periods in it and in C++
 #   lint         clang-tidy: the library and the host program
 #   PRESET       the tests on a board, under QEMU, or in node; on cortex-m4f tools/demo.sh as well. Without --all
@@ -67,7 +68,11 @@ run() {
       tools/rooms.py
       python3 -B tools/words.py ;;
     configured)
-      cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES= # `tool` bakes them again
+      if [ "${FLASHBVH_QUICK:-}" ]; then
+        cmake --preset dev
+      else
+        cmake --preset native-sanitize -DFLASHBVH_KR5_FIGURES= # `tool` bakes them again
+      fi
       cp tools/bake_once.sh build/ ;;
     tool) tool ;;
     native)
@@ -75,8 +80,8 @@ run() {
       ctest --preset native-sanitize -LE long -j "$(nproc)" ;;
     long) ctest --preset native-sanitize -L long ;;
     library)
-      cmake --build --preset native-sanitize --target library_tests
-      ctest --preset native-sanitize -L library -j "$(nproc)" ;;
+      cmake --build --preset dev
+      ctest --preset dev ;;
     python)
       cmake --preset dev -B build/python -DFLASHBVH_BUILD_PYTHON=ON -DFLASHBVH_WASM_COMPILER=OFF \
         -DFLASHBVH_HOST_TOOL="$PWD/build/native-sanitize/bin/flashbvh"
