@@ -10,9 +10,9 @@ function(flashbvh_as_one_source target)
   endif()
 endfunction()
 
-# In a fast build: inlines small functions although the sanitizers' checks lengthen them.
+# Inlines small functions although the sanitizers' checks lengthen them.
 set(flashbvh_inlined "")
-if(FLASHBVH_FAST_BUILD)
+if(FLASHBVH_SANITIZE)
   set(flashbvh_inlined -O2)
   if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
     list(APPEND flashbvh_inlined -mllvm -inline-threshold=1000)
@@ -21,7 +21,7 @@ endif()
 
 # flashbvh_room(SOURCES source... [USES room...] [OPTIMISED | INLINED]): adds flashbvh_FOLDER for the calling
 # folder. In a fast build only OPTIMISED rooms are optimised, which takes three times as long to compile.
-# INLINED: uses the options above, for code that nearly all tests run.
+# INLINED: optimised, with the options above; for code that nearly all tests run.
 function(flashbvh_room)
   cmake_parse_arguments(arg "OPTIMISED;INLINED" "" "SOURCES;USES" ${ARGN})
   get_filename_component(room ${CMAKE_CURRENT_SOURCE_DIR} NAME)
@@ -35,7 +35,7 @@ function(flashbvh_room)
     target_link_libraries(flashbvh_${room} PUBLIC flashbvh_${used})
   endforeach()
   flashbvh_warnings(flashbvh_${room})
-  if(FLASHBVH_FAST_BUILD AND arg_INLINED)
+  if(arg_INLINED)
     target_compile_options(flashbvh_${room} PRIVATE ${flashbvh_inlined})
   elseif(FLASHBVH_FAST_BUILD AND NOT arg_OPTIMISED)
     target_compile_options(flashbvh_${room} PRIVATE -O0)

@@ -32,7 +32,8 @@ ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packa
 
 # The cache avoids repeated compilations by boards of one core and tests that build the library.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=include_file_ctime,pch_defines,time_macros
+export CCACHE_DIR="$PWD/build/ccache" CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+export CCACHE_SLOPPINESS=include_file_ctime,pch_defines,time_macros
 
 [ -n "$cores" ] || cores=$(tools/cores.py $list)
 
