@@ -17,12 +17,12 @@ cd "$(dirname "$0")/.."
 . tools/packages.sh
 
 host_steps="tool lint native long python"
-cores= list=--steps
+cores= list=--steps at_once=$(nproc)
 packages="$riscv_packages $wasm_packages $digest_packages $python_packages clang-tidy"
 release=
 case ${1:-} in
   "") ;;
-  --quick) host_steps=library cores=netduinoplus2 packages=
+  --quick) host_steps=library cores=netduinoplus2 packages= at_once=1
     export FLASHBVH_QUICK=ON ;;
   --all) list=--all packages="$packages $xtensa_packages" release=yes
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;
@@ -43,7 +43,7 @@ mkdir -p build/log
 echo formatting configured | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 # The longest steps start first, so that none is left over at the end. All wait for `tool` except lint, which keeps
 # the other core busy while `tool` bakes.
-echo $host_steps $cores | xargs -n 1 -P "$(nproc)" tools/test_step.sh
+echo $host_steps $cores | xargs -n 1 -P "$at_once" tools/test_step.sh
 [ -z "$release" ] || tools/release.sh --test
 python3 - "$(($(date +%s) - began))" "$(nproc)" <<'PYTHON'
 import sys

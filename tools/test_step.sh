@@ -14,7 +14,7 @@
 #                of cores that run another one's code the digest alone, of a Cortex-M3 and M55,
 #                which have forms of their own, answers and arithmetic; in the core's form. For
 #                --quick the digest and the arithmetic
-# On one core but for the tool, which the others wait for, native and library. What it prints goes to
+# On one core but for the tool, which the others wait for, native and those of --quick. What it prints goes to
 # build/log/STEP, its duration and the time it computed to build/log/seconds.
 set -eu
 cd "$(dirname "$0")/.."
@@ -33,7 +33,8 @@ tool() {
 
 board() {
   all=${FLASHBVH_ALL_TESTS:-OFF}
-  figures=
+  figures= jobs=1
+  [ -z "${FLASHBVH_QUICK:-}" ] || jobs=$(nproc)
   case $1-$all in
     cortex-m4f-* | *-ON) figures=$PWD/build/figures ;;
     *) echo "Of the figures those of the KR5 are left to the Cortex-M4F: --all measures them here, too" ;;
@@ -47,8 +48,8 @@ board() {
       ctest --preset "$1" -R "the digest is every core's$"
       return ;;
     *-quick-* | arithmetic-OFF)
-      cmake --build --preset "$1" -j 1 --target digest board_tests
-      ctest --preset "$1" -R "the digest is every core's$|_board_test$"
+      cmake --build --preset "$1" -j $jobs --target digest board_tests
+      ctest --preset "$1" -j $jobs -R "the digest is every core's$|_board_test$"
       return ;;
   esac
   cmake --build --preset "$1" -j 1
@@ -63,7 +64,7 @@ board() {
 run() {
   case $1 in
     formatting)
-      sources | xargs clang-format --dry-run -Werror
+      sources | xargs -n 200 -P "$(nproc)" clang-format --dry-run -Werror
       tools/cores.py --check
       tools/rooms.py
       python3 -B tools/words.py ;;
