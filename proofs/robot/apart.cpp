@@ -6,8 +6,6 @@
 namespace robot_check {
 namespace {
 
-/// The error of doubles, in cells: coordinates below 2^22 cells have 30 fraction bits.
-constexpr double kOutward = 1e-6;
 /// Two parts that the box moves by less than this are not divided again.
 constexpr double kResolution = 0.1;
 /// The least step of a descent, as a part of a variable's range.

@@ -12,6 +12,9 @@
 
 namespace robot_check {
 
+/// The error of doubles, in cells: coordinates below 2^22 cells have 30 fraction bits.
+constexpr double kOutward = 1e-6;
+
 using Moment = std::chrono::steady_clock::time_point;
 
 /// The range of a variable that moves the two links against each other: radians or cells.

@@ -16,8 +16,6 @@ namespace {
 /// some parts in a thousand; beyond, by the difference between balls and shapes.
 constexpr double kLoosest = 4;
 constexpr std::size_t kMostJoints = 64;
-/// The error of doubles, in cells.
-constexpr double kOutward = 1e-6;
 /// The stored unit, 2^-26 of 1/256 cell per 2^-28 turn, in cells per radian.
 const double kStored = std::ldexp(1, -26 - 8) * (1 << 28) / (2 * M_PI);
 
