@@ -14,8 +14,8 @@
 #                of cores that run another one's code the digest alone, of a Cortex-M3 and M55,
 #                which have forms of their own, answers and arithmetic; in the core's form. For
 #                --quick the digest and the arithmetic
-# On one core but for the tool, which the others wait for, native and those of --quick. What it prints goes to
-# build/log/STEP, its duration and the time it computed to build/log/seconds.
+# On one core but for formatting, the tool, which the others wait for, native and those of --quick. What it prints goes
+# to build/log/STEP, its duration and the time it computed to build/log/seconds.
 set -eu
 cd "$(dirname "$0")/.."
 

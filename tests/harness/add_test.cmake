@@ -7,8 +7,9 @@
 # FLASHBVH_ALL_TESTS or ICOUNT is set. All other tests run on every board, down to 8 KB of RAM, with
 # tests/harness/small_catch, and link no heap.
 # ICOUNT: instruction counts on the board are exact, and each test case is a test of CTest, "<preset>/<test case>";
-# -R and -V show its figures. LONG: a label of tests that run separately. Tests that need no component of the host
-# program but `bake` get the label `library`; the target library_tests builds them: tools/test.sh --quick.
+# -R and -V show its figures. LONG: a label of tests that run separately. Tests that link nothing but what is
+# listed below, of the host program `bake` alone, get the label `library`; the target library_tests builds them:
+# tools/test.sh --quick.
 # OPTIMISED: optimised in a fast build, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
@@ -29,9 +30,12 @@ function(flashbvh_add_test name)
     math(EXPR arg_TIMEOUT "3 * ${arg_TIMEOUT}")  # each 64-bit product is a call
   endif()
   set(labels "")
+  set(components ${arg_LIBRARIES})
+  list(FILTER components EXCLUDE REGEX
+    "^(flashbvh::robot|flashbvh_(golden|kept_images|small_trees|test_support)|gmp(xx)?)$")
   if(arg_LONG)
     set(labels LABELS long)
-  elseif(NOT "${arg_LIBRARIES}" MATCHES "flashbvh_(evaluate|mesh|robot|simplify|test_arm|test_near|text)|_arm(;|$)")
+  elseif(NOT components)
     set(labels LABELS library)
   endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
