@@ -252,7 +252,8 @@ TEST_CASE(
   whole();
   REQUIRE(test::same(bent.nodes[0].box, box_below(bent.mesh.mesh(), 0)));
 
-  DeformableQuery<ClearanceQuery> near(bent.mesh, rigid, Pose::translated(200, 0, 0));
+  const Pose beside = Pose::translated(200, 0, 0);
+  DeformableQuery<ClearanceQuery> near(bent.mesh, rigid, beside);
   REQUIRE(near.run(UINT32_MAX).status == Status::done);
   const auto nearest = near.cursor();
   whole();

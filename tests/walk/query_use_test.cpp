@@ -2,20 +2,69 @@
 // finished query, and refusing temporary arguments before the first run.
 #include <type_traits>
 
+#include "flashbvh/clearance.hpp"
+#include "flashbvh/deformable.hpp"
+#include "flashbvh/first_contact.hpp"
+#include "flashbvh/self.hpp"
 #include "support/any_mesh.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-template <class A, class B, class P>
-constexpr bool kTakes = std::is_constructible<PairQuery, A, B, P>::value;
-static_assert(kTakes<const Mesh&, const Mesh&, const Pose&>);
-static_assert(kTakes<const MeshWithLevels&, const Mesh&, Pose&>);
-static_assert(!kTakes<Mesh, const Mesh&, const Pose&>, "a mesh gone before the first run");
-static_assert(!kTakes<const Mesh&, Mesh, const Pose&>);
-static_assert(!kTakes<const Mesh&, const Mesh&, Pose>);
-static_assert(!kTakes<Mesh, Mesh, Pose>);
-static_assert(!kTakes<MeshWithLevels, const Mesh&, const Pose&>);
+template <class Query, class A, class B, class P, class... With>
+constexpr bool kTakes = std::is_constructible<Query, A, B, P, With...>::value;
+
+/// The query takes meshes and a pose with these further arguments, and no temporary ones, which
+/// would be gone before the first run. `A`, `B`: kinds of meshes.
+template <class Query, class A, class B, class P, class... With>
+constexpr bool refuses_temporaries() {
+  static_assert(kTakes<Query, const A&, const B&, const P&, With...>);
+  static_assert(kTakes<Query, A&, B&, P&, With...>);
+  static_assert(!kTakes<Query, A, const B&, const P&, With...>);
+  static_assert(!kTakes<Query, const A&, B, const P&, With...>);
+  static_assert(!kTakes<Query, const A&, const B&, P, With...>);
+  static_assert(!kTakes<Query, A, B, P, With...>);
+  return true;
+}
+static_assert(refuses_temporaries<PairQuery, Mesh, Mesh, Pose>());
+static_assert(refuses_temporaries<PairQuery, MeshWithLevels, Mesh, Pose>());
+static_assert(refuses_temporaries<PairQuery, Mesh, Mesh, Pose, PairQuery::Cursor>());
+static_assert(refuses_temporaries<WithinQuery, Mesh, Mesh, Pose, WithinQuery::Cursor, Within>());
+static_assert(refuses_temporaries<ClearanceQuery, Mesh, Mesh, Pose>());
+static_assert(refuses_temporaries<ClearanceQuery, Mesh, Mesh, Pose, ClearanceQuery::Hint>());
+static_assert(refuses_temporaries<ClearanceQuery, Mesh, Mesh, Pose, ClearanceQuery::Options>());
+static_assert(refuses_temporaries<FirstContact, Mesh, Mesh, BodyMotion, std::uint32_t>());
+
+template <class A, class B>
+constexpr bool deformable_queries_refuse_temporaries() {
+  using Near = DeformableQuery<WithinQuery>;
+  using Nearest = DeformableQuery<ClearanceQuery>;
+  static_assert(refuses_temporaries<DeformableQuery<PairQuery>, A, B, Pose>());
+  static_assert(refuses_temporaries<Near, A, B, Pose, WithinQuery::Cursor, Within>());
+  static_assert(refuses_temporaries<Nearest, A, B, Pose, ClearanceQuery::Options>());
+  return true;
+}
+static_assert(deformable_queries_refuse_temporaries<DeformableMesh, DeformableMesh>());
+static_assert(deformable_queries_refuse_temporaries<DeformableMesh, Mesh>());
+static_assert(deformable_queries_refuse_temporaries<Mesh, DeformableMesh>());
+
+template <class Query, class M, class... With>
+constexpr bool kTakesOne = std::is_constructible<Query, M, With...>::value;
+static_assert(kTakesOne<SelfQuery, const Mesh&> && !kTakesOne<SelfQuery, Mesh>);
+static_assert(kTakesOne<SelfWithinQuery, const Mesh&, Within>);
+static_assert(!kTakesOne<SelfWithinQuery, Mesh, Within>);
+static_assert(kTakesOne<DeformableQuery<SelfWithinQuery>, const DeformableMesh&, Within>);
+static_assert(!kTakesOne<DeformableQuery<SelfWithinQuery>, DeformableMesh, Within>);
+
+/// Whether a ClearanceQuery takes the pose if its options are in braces.
+template <class P, class = void>
+constexpr bool kTakesBraces = false;
+template <class P>
+constexpr bool kTakesBraces<
+    P, std::void_t<decltype(ClearanceQuery(std::declval<const Mesh&>(), std::declval<const Mesh&>(),
+                                           std::declval<P>(), {ClearanceQuery::Hint(), 16}))>> =
+    true;
+static_assert(kTakesBraces<const Pose&> && !kTakesBraces<Pose>);
 
 Scene overlapping_scene(Random& random) {
   const auto mesh = [&] { return any_mesh(random, random_mesh(random, 25, 30, 25)); };

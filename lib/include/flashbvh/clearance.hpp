@@ -110,12 +110,13 @@ class BasicClearanceQuery
       : Base(a, b, pose, {}, predicate(0)) {
     begin_at(pose, hint);
   }
-  template <class... With>
-  BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const With&...) = delete;
-  template <class... With>
-  BasicClearanceQuery(const Mesh&, const Mesh&&, const Pose&, const With&...) = delete;
-  template <class... With>
-  BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const With&...) = delete;
+  /// Rejects temporary meshes and poses. `With`: Options or Hint; Options for braces.
+  template <class With = Options>
+  BasicClearanceQuery(const Mesh&&, const Mesh&, const Pose&, const With& = With()) = delete;
+  template <class With = Options>
+  BasicClearanceQuery(const Mesh&, const Mesh&&, const Pose&, const With& = With()) = delete;
+  template <class With = Options>
+  BasicClearanceQuery(const Mesh&, const Mesh&, const Pose&&, const With& = With()) = delete;
 
   /// `suspended` while there is work left.
   Status status() const {

@@ -19,6 +19,7 @@
 
 #include "flashbvh/detail/query/refit.hpp"
 #include "flashbvh/mesh.hpp"
+#include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"
 
 namespace flashbvh {
@@ -127,6 +128,24 @@ class DeformableQuery {
   template <class... With>
   explicit DeformableQuery(const Deformable& mesh, const With&... with)
       : query_(mesh.mesh(), with...), a_(&mesh), b_(nullptr), refits_(refits()) {}
+
+  /// Rejects temporary meshes and poses, which would be gone before the first run.
+  template <class... With>
+  explicit DeformableQuery(const Deformable&&, const With&...) = delete;
+  template <class... With>
+  DeformableQuery(const Mesh&&, const Deformable&, const With&...) = delete;
+  template <class... With>
+  DeformableQuery(const Deformable&, const Deformable&&, const With&...) = delete;
+  template <class... With>
+  DeformableQuery(const Deformable&, const Mesh&&, const With&...) = delete;
+  template <class... With>
+  DeformableQuery(const Mesh&, const Deformable&&, const With&...) = delete;
+  template <class... With>
+  DeformableQuery(const Deformable&, const Deformable&, const Pose&&, const With&...) = delete;
+  template <class... With>
+  DeformableQuery(const Deformable&, const Mesh&, const Pose&&, const With&...) = delete;
+  template <class... With>
+  DeformableQuery(const Mesh&, const Deformable&, const Pose&&, const With&...) = delete;
 
   /// True if a mesh was refit since the query was made, or its refit is not done.
   [[nodiscard]] bool is_outdated() const {

@@ -49,9 +49,12 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
       : Base(a, b, pose, start, predicate) {}
 
   /// Rejects temporary meshes and poses, which would be gone before the first run.
-  Query(const Mesh&&, const Mesh&, const Pose&, const Cursor& = Cursor()) = delete;
-  Query(const Mesh&, const Mesh&&, const Pose&, const Cursor& = Cursor()) = delete;
-  Query(const Mesh&, const Mesh&, const Pose&&, const Cursor& = Cursor()) = delete;
+  Query(const Mesh&&, const Mesh&, const Pose&, const Cursor& = Cursor(),
+        const Predicate& = Predicate()) = delete;
+  Query(const Mesh&, const Mesh&&, const Pose&, const Cursor& = Cursor(),
+        const Predicate& = Predicate()) = delete;
+  Query(const Mesh&, const Mesh&, const Pose&&, const Cursor& = Cursor(),
+        const Predicate& = Predicate()) = delete;
 
   /// `suspended` while there is work left.
   using Base::status;
