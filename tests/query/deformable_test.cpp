@@ -6,6 +6,7 @@
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
 #include "support/bending.hpp"
+#include "support/refused.hpp"
 #include "support/test.hpp"
 #include "support/torus.hpp"
 #include "support/transformed_mesh.hpp"
@@ -194,12 +195,35 @@ TEST_CASE(
         REQUIRE(step.vertex == v);
         REQUIRE(intersects(mesh, rigid, Pose::translated(0, 0, 0)).status == Status::cell_mismatch);
         REQUIRE(DeformableQuery<SelfQuery>(bent.mesh).status() == Status::mesh_changed);
+        REQUIRE(intersects_itself(mesh).status == Status::cell_mismatch);
+        REQUIRE(intersects_itself(mesh).yes);
       }
       coordinate(v, axis) = 0;
       REQUIRE(bent.mesh.refit().status == Status::done);
       REQUIRE(intersects(mesh, rigid, Pose::translated(0, 0, 0)).status == Status::done);
     }
   }
+}
+
+TEST_CASE("no query takes two meshes whose refits are not done, nor one of them with itself") {
+  const bake::LatticeMesh ring = torus(6, 4, 60, 20);
+  Bending<Mesh> first(bake::build_default(ring), ring);
+  Bending<Mesh> second(bake::build_default(ring), ring);
+  const Mesh& a = first.mesh.mesh();
+  const Mesh& b = second.mesh.mesh();
+  const Mesh rigid = first.baked.view();
+  REQUIRE(first.mesh.refit(2).status == Status::suspended);
+  second.vertices[0].x = 20000;
+  REQUIRE(second.mesh.refit().status == Status::vertex_out_of_lattice);
+  CHECK(are_refused(a, b));
+  CHECK(are_refused(b, a));
+  CHECK(are_refused(a, a));
+  CHECK(are_refused(rigid, a));
+  CHECK(are_refused(b, rigid));
+  REQUIRE(first.mesh.refit().status == Status::done);
+  CHECK(are_refused(a, b));
+  CHECK(are_refused(b, a));
+  CHECK_FALSE(are_refused(a, rigid));
 }
 
 TEST_CASE(

@@ -6,6 +6,7 @@
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
 #include "support/points.hpp"
+#include "support/refused.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -83,7 +84,7 @@ TEST_CASE("a sphere and a capsule are a point and a segment with a radius") {
   }
 }
 
-TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
+TEST_CASE("a shape that no mesh can be says so, and keeps its points for rays") {
   Random random = test_random();
   const AnyMesh like = any_mesh(random, random_mesh(random, 1, 10, 10));
   SegmentShape segment(like, {1 << 29, 0, 0}, {(1 << 29) - 32766, 5, 5});
@@ -111,7 +112,7 @@ TEST_CASE("a shape that no mesh can be stays as it was, and says so") {
   CHECK(segment.mesh().longest_edge >= 1);
 }
 
-TEST_CASE("queries of a shape that was never set are refused, until it is") {
+TEST_CASE("queries of a shape that does not fit are refused, until it does") {
   Random random = test_random();
   bake::LatticeMesh box;
   add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
@@ -119,12 +120,7 @@ TEST_CASE("queries of a shape that was never set are refused, until it is") {
   const Pose still = Pose::translated(0, 0, 0);
   constexpr Point far = {INT32_MAX, INT32_MAX, INT32_MAX};
   const auto is_refused = [&](const Mesh& shape) {
-    PairQuery query(mesh, shape, still);
-    return query.status() == Status::cell_mismatch && intersects(shape, mesh, still).yes &&
-           distance(mesh, shape, still).status == Status::cell_mismatch &&
-           closer_than(mesh, shape, still, 0).yes &&
-           solids_intersect(mesh, shape, still).status == Status::cell_mismatch &&
-           one_is_inside(shape, mesh, still).yes &&
+    return are_refused(mesh, shape) && are_refused(shape, mesh) &&
            inside(shape, {100, 0, 0}).status == Status::not_closed;
   };
   CHECK(is_refused(PointShape(mesh, far).mesh()));
@@ -138,7 +134,19 @@ TEST_CASE("queries of a shape that was never set are refused, until it is") {
   zone.set({-1, -1, -1}, {1, 1, 1});
   CHECK_FALSE(is_refused(zone.mesh()));
   CHECK(zone.mesh().cell_bits == mesh.cell_bits);
+  CHECK(zone.mesh().is_closed);
   CHECK_FALSE(intersects(mesh, zone.mesh(), still).yes);
   CHECK(solids_intersect(mesh, zone.mesh(), still).status == Status::done);
   CHECK(solids_intersect(mesh, zone.mesh(), still).yes);
+  // Set to a place that does not fit, it is no longer at the place before.
+  zone.set({-1, -1, -1}, far);
+  CHECK(is_refused(zone.mesh()));
+  CHECK(any_hit(zone.mesh(), {{-9, 0, 0}, {9, 0, 0}}).yes);
+  zone.set({-1, -1, -1}, {1, 1, 1});
+  CHECK_FALSE(is_refused(zone.mesh()));
+  // Nor do queries take two shapes that do not fit, or one and itself.
+  const PointShape point(mesh, far);
+  const SegmentShape segment(mesh, {0, 0, 0}, {40000, 0, 0});
+  CHECK(are_refused(segment.mesh(), point.mesh()));
+  CHECK(are_refused(point.mesh(), point.mesh()));
 }

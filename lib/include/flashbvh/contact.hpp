@@ -43,7 +43,7 @@ template <class Mesh>
                                   Triangle& triangle_a, Triangle& triangle_b) {
   const uint32_t of_a = slot_of(a, pair.a);
   const uint32_t of_b = slot_of(b, pair.b);
-  if (pose.status() != Status::done || a.cell_bits != b.cell_bits || of_a == a.triangle_count ||
+  if (pose.status() != Status::done || !detail::have_one_cell(a, b) || of_a == a.triangle_count ||
       of_b == b.triangle_count) {
     return false;
   }

@@ -6,9 +6,9 @@
 // a stack, and can be cut into slices like a query.
 //
 // From the first move of a vertex until a refit ends `done`, boxes and vertices disagree and no
-// query may use the mesh. During a refit, queries of it and another mesh end with `cell_mismatch`,
-// and inside() with `not_closed`. A query begun before a refit must not resume after it:
-// DeformableQuery and its cursor detect that.
+// query may use the mesh. During a refit, queries of it, with any mesh or itself, end with
+// `cell_mismatch`, and inside() with `not_closed`. A query begun before a refit must not resume
+// after it: DeformableQuery and its cursor detect that.
 //
 // RAM: 16 bytes a node and 6 a vertex (20 with 32-bit indices), and this object, 104 bytes on a
 // 32-bit core. Stack of a refit: 176 bytes on a Cortex-M4 at -O2.
@@ -75,8 +75,6 @@ class BasicDeformableMesh {
   [[nodiscard]] uint32_t refits() const { return refits_; }
 
  private:
-  static constexpr uint64_t kNegative = uint64_t{1} << 63;  // no baked mesh's cell has this sign
-
   void begin();
   RefitResult end(uint32_t work);
 
@@ -197,7 +195,7 @@ template <class MeshType>
 void BasicDeformableMesh<MeshType>::begin() {
   if (refits_ % 2 == 0) {
     ++refits_;
-    mesh_.cell_bits |= kNegative;
+    mesh_.cell_bits |= detail::kUnusableCell;
     mesh_.is_closed = false;
   }
   node_ = mesh_.node_count;
@@ -234,7 +232,7 @@ RefitResult BasicDeformableMesh<MeshType>::end(uint32_t work) {
   }
   mesh_.longest_edge = detail::longest_edge_in(root);
   mesh_.is_closed = is_closed_;
-  mesh_.cell_bits &= ~kNegative;
+  mesh_.cell_bits &= ~detail::kUnusableCell;
   ++refits_;
   return {Status::done, 0, work};
 }

@@ -149,6 +149,26 @@ struct BasicMesh : Tree<IndexType, layout> {
   }
 };
 
+namespace detail {
+
+/// The sign of a cell. A mesh whose cell has it is *unusable*: a refit of it is not done, or a
+/// shape does not fit the lattice. No baked mesh's cell is negative.
+constexpr uint64_t kUnusableCell = uint64_t{1} << 63;
+
+/// True if no query may use the mesh.
+template <class Mesh>
+bool is_unusable(const Mesh& mesh) {
+  return (mesh.cell_bits & kUnusableCell) != 0;
+}
+
+/// True if a query may use two meshes together: their cells are equal, and neither is unusable.
+template <class Mesh>
+bool have_one_cell(const Mesh& a, const Mesh& b) {
+  return a.cell_bits == b.cell_bits && !is_unusable(a);
+}
+
+}  // namespace detail
+
 using PreTree = Tree<uint16_t, Layout::pre_indexed>;
 using PostTree = Tree<uint16_t, Layout::post_indexed>;
 

@@ -43,7 +43,7 @@ typedef struct flashbvh_box_shape {
 } flashbvh_box_shape;
 
 /** PointShape: makes it, or makes it again. Takes the cell and the unit of `like`, which need not
- * outlive it. SHAPE_TOO_LARGE: queries of the shape and a mesh then end with CELL_MISMATCH. */
+ * outlive it. SHAPE_TOO_LARGE: queries of the shape then end with CELL_MISMATCH. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_point_shape_make(flashbvh_point_shape* shape,
                                                              const flashbvh_mesh* like,
                                                              const flashbvh_point* at);

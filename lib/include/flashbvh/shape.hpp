@@ -33,13 +33,13 @@ class Shape {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
   /// Returns `done`, or `shape_too_large`: a coordinate is more than 16,383 cells from the middle,
-  /// or beyond 2^29; the shape does not change. A shape that was never set has no valid cell and no
-  /// inside: queries of it and a mesh end with `cell_mismatch`, inside() with `not_closed`. Only
-  /// rays can hit it, at the origin.
+  /// or beyond 2^29. Until it is set again, such a shape has no valid cell and no inside: queries
+  /// of it end with `cell_mismatch`, inside() with `not_closed`. Only rays can hit it, at its last
+  /// points, or at the origin if it has none.
   [[nodiscard]] Status status() const { return status_; }
 
  protected:
-  /// Takes the cell of `like`, made negative until the points are set; no mesh has a negative one.
+  /// Takes the cell of `like`, unusable until the points are set.
   FLASHBVH_NOINLINE explicit Shape(const Mesh& like, const uint8_t (&corners)[triangles][3]) {
     for (uint16_t i = 0; i < triangles; ++i) {
       corners_[i] = {{corners[i][0], corners[i][1], corners[i][2]}};
@@ -58,7 +58,7 @@ class Shape {
     mesh_.vertex_count = vertices;
     mesh_.shell_count = 1;
     mesh_.unit = like.unit;
-    mesh_.cell_bits = like.cell_bits | kNegative;
+    mesh_.cell_bits = like.cell_bits | detail::kUnusableCell;
   }
 
   /// Sets all vertices.
@@ -72,10 +72,12 @@ class Shape {
     const Point middle = {half(least.x, most.x), half(least.y, most.y), half(least.z, most.z)};
     if (!fits(least, middle) || !fits(most, middle)) {
       status_ = Status::shape_too_large;
+      mesh_.cell_bits |= detail::kUnusableCell;
+      mesh_.is_closed = false;
       return;
     }
     status_ = Status::done;
-    mesh_.cell_bits &= ~kNegative;
+    mesh_.cell_bits &= ~detail::kUnusableCell;
     mesh_.is_closed = kIsClosed;
     mesh_.origin[0] = middle.x;
     mesh_.origin[1] = middle.y;
@@ -94,8 +96,7 @@ class Shape {
 
  private:
   static constexpr int32_t kMostOrigin = 1 << 29;
-  static constexpr uint64_t kNegative = uint64_t{1} << 63;  // a double's sign
-  static constexpr bool kIsClosed = triangles > 1;          // a box
+  static constexpr bool kIsClosed = triangles > 1;  // a box
 
   static int32_t lesser(int32_t u, int32_t v) { return u < v ? u : v; }
   static int32_t greater(int32_t u, int32_t v) { return u < v ? v : u; }

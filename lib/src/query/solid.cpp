@@ -125,7 +125,7 @@ namespace {
 
 template <class MeshType>
 Status solids_error(const MeshType& a, const MeshType& b, const Pose& pose) {
-  if (a.cell_bits != b.cell_bits) {
+  if (!detail::have_one_cell(a, b)) {
     return Status::cell_mismatch;
   }
   if (pose.status() != Status::done) {

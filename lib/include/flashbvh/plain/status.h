@@ -11,7 +11,7 @@ typedef enum flashbvh_status {
   /** The caller's array is full; empty it and run again to continue. Nothing is lost. */
   FLASHBVH_STATUS_FULL = 2,
 
-  /** The two meshes have different cells. */
+  /** The two meshes have different cells, or a refit is not done, or a shape does not fit. */
   FLASHBVH_STATUS_CELL_MISMATCH = 16,
   /** A stack traversal's array is shorter than stack_entries(). C++ only. */
   FLASHBVH_STATUS_STACK_TOO_SMALL = 17,

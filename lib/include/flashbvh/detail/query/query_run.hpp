@@ -178,7 +178,7 @@ class QueryRun : protected Predicate {
   }
 
   static Status error_of(const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start) {
-    if (a.cell_bits != b.cell_bits) {
+    if (!have_one_cell(a, b)) {
       return Status::cell_mismatch;
     }
     if (pose.status() != Status::done) {
