@@ -1,4 +1,4 @@
-; the test of two boxes under a translation is that of unpacked integers, for all boxes and all translations within +-2^30
+; the test of two boxes under a translation is that of unpacked integers, for all boxes and all translations within +-3 * 2^29
 ;
 ; Bounds are within +-kMaxCoordinate. Compares packing, packed sums and thresholds of box.hpp with
 ; max(lower) <= min(upper) in 64 bits. For the other forms of the comparison: box_forms.smt2.
@@ -59,7 +59,7 @@
 (define-fun least0 () Word (join (threshold tx) (threshold ty)))
 (define-fun least1 () Word (join (threshold (bvneg tx)) (threshold (bvneg ty))))
 (define-fun least2 () Word (join (threshold tz) (threshold (bvneg tz))))
-(define-fun near ((t Word)) Bool (and (bvsle #xc0000000 t) (bvsle t #x40000000)))
+(define-fun near ((t Word)) Bool (and (bvsle #xa0000000 t) (bvsle t #x60000000)))
 (assert (and (near tx) (near ty) (near tz)))
 
 ; ---- halves_reach_portable()

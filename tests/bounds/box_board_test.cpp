@@ -12,6 +12,9 @@ using namespace flashbvh::test;
 
 namespace {
 
+/// The largest translation of a box: a pose's and both origins, each up to 2^29.
+constexpr std::int32_t kMostTranslation = 3 << 29;
+
 std::int32_t translation(Random& random) {
   constexpr std::int32_t ends[] = {0, 1, -1, 32765, 32766, 32767, 32768, 32769, 65535, 65536};
   const std::int32_t end = random.one_of(ends);
@@ -23,7 +26,7 @@ std::int32_t translation(Random& random) {
     case 2:
       return random.between(-40000, 40000);
     default:
-      const auto far = (1 << 30) - static_cast<std::int32_t>(random.below(3));
+      const auto far = kMostTranslation - static_cast<std::int32_t>(random.below(3));
       return random.below(2) == 0 ? -far : far;
   }
 }
@@ -56,6 +59,8 @@ TEST_CASE("packed boxes overlap exactly when the boxes do, at every translation"
     const BoxInNode of_b = in_node(random, b);
     REQUIRE(test(of_a.box, of_b.box) == expected);
     REQUIRE(test.portable(of_a.box, of_b.box) == expected);
+    const auto by_axis = [&](int axis) { return by.*kPointAxes[axis]; };
+    REQUIRE(boxes_disjoint(of_a.box, of_b.box, by_axis) == !expected);
   });
   CHECK(overlaps > 1000);
 }

@@ -19,7 +19,7 @@ namespace flashbvh::detail {
 
 /// True if two boxes, the second one translated, are disjoint; for a single test, where making the
 /// thresholds of TranslatedBoxTest would not pay. `along(axis)`: the translation in cells, within
-/// +-2^30; it is not called for axes after the first gap.
+/// +-3 * 2^29: a pose's and both origins. It is not called for axes after the first gap.
 template <class Along>
 FLASHBVH_INLINE constexpr bool boxes_disjoint(const PackedBox& a, const PackedBox& b,
                                               const Along& along) {
@@ -48,7 +48,7 @@ class TranslatedBoxTest {
  public:
   /// Must be assigned to before it is called.
   TranslatedBoxTest() = default;
-  /// `x, y, z`: the translation of B in cells, within +-2^30.
+  /// `x, y, z`: the translation of B in cells, within +-3 * 2^29.
   TranslatedBoxTest(int32_t x, int32_t y, int32_t z)
       : least_{{join_halves(threshold(x), threshold(y)), join_halves(threshold(-x), threshold(-y)),
                 join_halves(threshold(z), threshold(-z))}} {}
