@@ -135,7 +135,8 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_within(const flashbvh_mesh*
  * negative, not a number or too large. */
 uint32_t flashbvh_fine_distance(float length, float cells_per_unit);
 
-/** length_in_unit(): a length in 1/256 cell in the mesh's unit, to the nearest float. */
+/** length_in_unit(): a length in the mesh's unit, to the nearest float. `fine`: in 1/256 cell,
+ * within +-2^39. */
 float flashbvh_length_in_unit(int64_t fine, const flashbvh_mesh* mesh);
 
 #ifdef __cplusplus

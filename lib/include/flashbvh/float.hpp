@@ -71,7 +71,8 @@ inline uint32_t fine_distance(float length, float cells_per_unit) {
                                                              : static_cast<uint32_t>(fine);
 }
 
-/// Returns a length in 1/256 cell in the mesh's unit, to the nearest float.
+/// Returns a length in the mesh's unit, to the nearest float. `fine`: in 1/256 cell, within +-2^39,
+/// as every query's result is.
 inline float length_in_unit(int64_t fine, uint64_t cell_bits) {
   return detail::float_of(detail::length_bits(fine, cell_bits));
 }

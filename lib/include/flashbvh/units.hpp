@@ -15,7 +15,7 @@ int64_t millionths_of(int64_t fine, uint64_t cell_bits);
 
 namespace detail {
 
-/// Returns the bits of the binary32 nearest to the length in the unit.
+/// Returns the bits of the binary32 nearest to the length in the unit. Arguments as above.
 uint32_t length_bits(int64_t fine, uint64_t cell_bits);
 
 /// Returns the bits of the binary32 nearest to the number of cells in a unit.

@@ -32,7 +32,7 @@ void multiply(Wide& wide, uint32_t factor) {
   wide.low = (middle << 32) | (low & UINT32_MAX);
 }
 
-/// |fine| / 256 cells of this length; the two words are below 2^92.
+/// |fine| / 256 cells of this length. `fine`: within +-2^39; the two words are at most 2^92.
 Wide wide_product(int64_t fine, uint64_t cell_bits) {
   const uint64_t size = static_cast<uint64_t>(fine < 0 ? -fine : fine);
   const Cell cell = cell_of(cell_bits);
