@@ -165,6 +165,7 @@ def robot():
     words = (r"flashbvh_add_robot\(arm\): give URDF file and options with their values, PACKAGE as name=folder, PAIR "
              "as link,link=length, ZONE as joint=length; not understood:")
     refuses(f"{words} CEL;1", *WITH_TOOL, "-DROBOT=CEL;1")
+    refuses(f"{words} WAR=1", *WITH_TOOL, "-DROBOT=VISUAL_TOO;WAR=1")
     refuses(f"{words} CELL", *WITH_TOOL, "-DROBOT=CELL")
     refuses(f"{words} parts", *WITH_TOOL, "-DROBOT=PACKAGE;parts")
     edit("firmware/CMakeLists.txt", ("URDF arm.urdf PACKAGE", "PACKAGE"))
