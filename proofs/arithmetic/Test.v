@@ -4,7 +4,7 @@ From Coq Require Import ZArith Lia Bool.
 Require Import Triangle Segment Flat Lines.
 Local Open Scope Z_scope.
 
-(* The results of tip_of(): kSeparated is kAllCorners, and no corner is above if all lie on the plane.
+(* The values of Upper: kSeparated is kAllCorners, and no corner is above if all lie on the plane.
    code: src/predicates/triangle.cpp | constexpr Upper kSeparated = kAllCorners; *)
 Definition separate g0 g1 g2 : bool :=
   (0 <? g0) && (0 <? g1) && (0 <? g2) || (g0 <? 0) && (g1 <? 0) && (g2 <? 0).

@@ -9,7 +9,7 @@ Import ListNotations.
 
 (* ============================================================== Part 1: definitions *)
 
-(* QueryPosition; `untested`: the number of remaining pairs of triangles of the pair of leaves. *)
+(* QueryCursor; `untested`: the number of remaining pairs of triangles of the pair of leaves. *)
 Inductive Position :=
 | Fresh
 | At_pair (p : nat * nat)

@@ -4,8 +4,9 @@
 // gives the same pairs in the same order, however it is cut into runs.
 //
 // Work: a visit to a pair of boxes is 1. Preparing the planes of a leaf is 8, plus 1 for each
-// triangle after its first. Testing two triangles is 32, or 8 if the test is for a distance. The
-// work of a run bounds its time (time_bound.hpp, lib/docs/bounded_time.md).
+// triangle after its first. Testing two triangles is 32. In a band (clearance.hpp) it is 8, and 32
+// more if only the exact distance decides. The work of a run bounds its time (time_bound.hpp,
+// lib/docs/bounded_time.md).
 //
 // A query writes only to itself and to the caller's array. So any number of queries, in tasks and
 // in interrupts, may share meshes and poses. A query has one caller at a time: an interrupt of its

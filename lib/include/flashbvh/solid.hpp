@@ -56,8 +56,8 @@ Answer one_is_inside(const BasicMesh<Index, Layout::post_indexed>& a,
                      const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
 
 /// True if A and B, which is at `pose` in A's frame, have any point in common, on surfaces or
-/// inside. Their triangles intersect, or a shell of one is inside the other. `not_closed` unless
-/// both are closed; `yes` is true after any error. Stack: 752 bytes.
+/// inside. Their triangles intersect, or a shell of one is inside the other. `not_closed` if no
+/// triangles intersect and a mesh is open; `yes` is true after any error. Stack: 752 bytes.
 template <class Index>
 Answer solids_intersect(const BasicMesh<Index, Layout::post_indexed>& a,
                         const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;

@@ -62,8 +62,8 @@ inline __m128i sum_lanes(const PackedBox& a, const PackedBox& b) {
   return _mm_add_epi16(word_lanes(a.upper_xy), swapped);
 }
 
-/// True if the gaps, by which halves miss `least`, are within a limit, which is below 2^15. At most
-/// one of an axis's two bounds is missed.
+/// True if the gaps, by which halves miss `least`, are within a squared limit, which is below 2^30.
+/// At most one of an axis's two bounds is missed.
 inline bool is_within_lanes(__m128i least, __m128i halves, uint32_t limit) {
   const __m128i missing = _mm_subs_epu16(least, halves);
   if ((_mm_movemask_epi8(missing) & 0xAAAA) != 0) {

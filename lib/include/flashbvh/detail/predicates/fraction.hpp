@@ -55,7 +55,8 @@ Int128 full_product(int64_t u, int64_t v) noexcept;
 Int128 times(const Int128& u, int32_t v) noexcept;
 /// `bits`: up to 127; bits shifted out at the top are lost.
 Int128 shifted_up(const Int128& u, unsigned bits) noexcept;
-/// The quotient, rounded down: `u` not negative, `v` positive. Takes a step for each of its bits.
+/// The quotient, rounded down: `u` not negative, `v` positive. A core without 128-bit division
+/// takes a step for each 29 bits of it.
 Int128 quotient(const Int128& u, const Int128& v) noexcept;
 /// The largest number whose square is not above `u`, which is not negative.
 uint64_t square_root(const Int128& u) noexcept;
