@@ -48,6 +48,24 @@ TEST_CASE("the nearest triangle is as near as brute force says, degenerate ones 
   });
 }
 
+TEST_CASE("a triangle on a line is as near as its ends, however doubles round its area") {
+  for_rounds(1000, 3, [](Random& random, int) {
+    const double step = random.between(1, 1000) / 777.0;
+    const simplify::Point along = {random.between(-9, 9) / 7.0, random.between(-9, 9) / 7.0, 1};
+    const auto at = [&](double times) {
+      return simplify::Point{times * step * along[0], times * step * along[1],
+                             times * step * along[2]};
+    };
+    const double length = std::hypot(along[0], along[1], along[2]) * step;
+    const simplify::PointTriangle triangle = {at(0), at(33), at(15)};
+    const double beyond = random.between(0, 100) / 10.0;
+    for (const simplify::Point& point : {at(33 + beyond), at(-beyond)}) {
+      const double distance = std::sqrt(simplify::squared_distance(point, triangle));
+      REQUIRE(std::fabs(distance - beyond * length) <= 1e-9);
+    }
+  });
+}
+
 TEST_CASE("no sample is farther than the certificate says, and it says hardly more") {
   const int samples = is_thorough() ? 1'000'000 : 1000;
   for_rounds(3, 2, [&](Random& random, int round) {

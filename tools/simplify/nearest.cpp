@@ -11,6 +11,9 @@ namespace {
 constexpr std::uint32_t kLeafSize = 4;
 /// More than the depth of any tree of halves.
 constexpr std::size_t kStackSize = 64;
+/// A triangle is thin if its area, squared, is below this part of its sides': doubles leave few
+/// correct digits of it, so its edges are tested, too.
+constexpr double kThin = 0x1p-40;
 
 Point between(const Point& p, const Point& q, double part) {
   return {p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1]), p[2] + part * (q[2] - p[2])};
@@ -144,20 +147,24 @@ double squared_distance(const Point& p, const PointTriangle& triangle) {
   const double area = uu * vv - uv * uv;
   const double s = uv * av - vv * au;
   const double t = uv * au - uu * av;
+  const bool is_thin = !(area > kThin * uu * vv);
+  double squared = dot(a, a);
   if (area > 0 && s >= 0 && t >= 0 && s + t <= area) {
     const Point at = {a[0] + (s * u[0] + t * v[0]) / area, a[1] + (s * u[1] + t * v[1]) / area,
                       a[2] + (s * u[2] + t * v[2]) / area};
-    return dot(at, at);
+    squared = std::min(squared, dot(at, at));
+    if (!is_thin) {
+      return squared;
+    }
   }
   // Only edges beyond which the point lies can be nearest, or the one corner between two of them.
-  double squared = dot(a, a);
-  if (!(area > 0) || t < 0) {
+  if (is_thin || t < 0) {
     squared = std::min(squared, squared_to_segment(a, u));
   }
-  if (!(area > 0) || s < 0) {
+  if (is_thin || s < 0) {
     squared = std::min(squared, squared_to_segment(a, v));
   }
-  if (!(area > 0) || s + t > area) {
+  if (is_thin || s + t > area) {
     const Point b = minus(triangle[1], p);
     squared = std::min(squared, squared_to_segment(b, minus(triangle[2], triangle[1])));
   }
