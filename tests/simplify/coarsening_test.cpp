@@ -27,6 +27,15 @@ bool is_on_lattice(const bake::SourceMesh& mesh, double cell) {
   });
 }
 
+/// A flat, open grid of `squares` x `squares`, in steps of 10, with one inner vertex 1 up.
+bake::SourceMesh bumpy(std::uint32_t squares) {
+  bake::SourceMesh mesh = grid(squares, squares, false, [&](double u, double v) -> simplify::Point {
+    return {std::round(10 * squares * u), std::round(10 * squares * v), 0};
+  });
+  mesh.vertices[squares / 2 * (squares + 1) + squares / 2][2] = 1;
+  return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("neither mesh is farther from the other than certified, and that is within the limit") {
@@ -52,6 +61,30 @@ TEST_CASE("neither mesh is farther from the other than certified, and that is wi
         CHECK(bake::is_closed(coarse.triangles));
       }
       before = coarse.triangles.size();
+    }
+  }
+}
+
+TEST_CASE("a mesh that can deviate by exactly the limit is certified") {
+  for (const std::uint32_t squares : {2U, 4U, 8U, 40U}) {
+    for (const double cell : {1.0 / 8, 1.0 / 64, 1.0 / 128}) {
+      for (const double limit : {0.5, 1.0, std::nextafter(1, 2)}) {
+        CAPTURE(squares, cell, limit);
+        Coarsening coarsening(bumpy(squares), cell);
+        coarsening.coarsen(limit);
+        CHECK(coarsening.deviation().most <= limit);
+      }
+    }
+  }
+}
+
+TEST_CASE("the least limit is certified") {
+  for (const Specimen& specimen : specimens()) {
+    for (const double parts : {1.0, 8.0, 1000.0}) {
+      CAPTURE(specimen.name, parts);
+      Coarsening coarsening(specimen.mesh, parts * bake::finest_cell(specimen.mesh));
+      coarsening.coarsen(coarsening.rounding());
+      CHECK(coarsening.deviation().most <= coarsening.rounding());
     }
   }
 }

@@ -112,8 +112,9 @@ void drop_repeated(bake::SourceMesh& mesh) {
 }  // namespace
 
 Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
-    : rounding_(bake::deviation(mesh, cell)), cell_(cell) {
+    : lattice_error_(bake::deviation(mesh, cell)), cell_(cell) {
   const bake::SourceMesh placed = on_lattice(mesh, cell);
+  margin_ = kErrors * std::max(arithmetic_error(mesh), arithmetic_error(placed));
   std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
   const std::vector<std::uint32_t> first =
       bake::shells_of(placed.triangles, placed.vertices.size());
@@ -163,7 +164,7 @@ void Coarsening::collapse(Shell& shell, double limit) const {
     }
     const std::size_t before = shell.coarse.triangles.size();
     const std::size_t gone =
-        collapse_edges(shell.coarse, parts, shell.nearest, cell_, limit, is_changed);
+        collapse_edges(shell.coarse, parts, shell.nearest, cell_, limit - margin_, is_changed);
     if (gone == 0 || static_cast<double>(gone) < kLastPass * static_cast<double>(before)) {
       return;
     }
@@ -171,12 +172,14 @@ void Coarsening::collapse(Shell& shell, double limit) const {
 }
 
 void Coarsening::coarsen(double limit) {
+  // deviation() has the larger arithmetic error of the whole mesh.
+  const double of_shell = std::max(limit - margin_, 0.0);
   for (Shell& shell : shells_) {
     if (limit_ == 0) {
-      propose(shell, limit);
+      propose(shell, of_shell);
       shell.coarse = without_unused_vertices(shell.coarse);
     }
-    collapse(shell, limit);
+    collapse(shell, of_shell);
   }
   limit_ = limit;
 }
@@ -186,7 +189,11 @@ Deviation Coarsening::deviation() const {
   for (const Shell& shell : shells_) {
     append(shell.original, original);
   }
-  return deviation_between(original, mesh(), limit_);
+  Deviation found = deviation_between(original, mesh(), limit_);
+  if (found.at_least <= limit_) {
+    found.most = std::min(found.most, limit_);  // the certificate gives up very near the limit
+  }
+  return found;
 }
 
 std::size_t Coarsening::estimate(double limit) const {

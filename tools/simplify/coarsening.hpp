@@ -17,8 +17,8 @@ class Coarsening {
   /// Lengths are in the mesh's unit. Precondition: bake::fits(mesh, cell).
   Coarsening(const bake::SourceMesh& mesh, double cell);
 
-  /// The least limit: the motion by rounding to the lattice.
-  double rounding() const { return rounding_; }
+  /// The least limit: the motion by rounding to the lattice, and the rounding of doubles.
+  double rounding() const { return lattice_error_ + 3 * margin_; }
   /// Coarsens as far as possible with every point of the original within `limit`, which is at least
   /// rounding() and the last limit. Deterministic.
   void coarsen(double limit);
@@ -29,7 +29,8 @@ class Coarsening {
   bake::SourceMesh mesh() const;
   /// Of the original before the first coarsen().
   std::size_t triangle_count() const;
-  /// The certified deviation of each mesh from the other; at most the limit.
+  /// The certified deviation of each mesh from the other; at most the limit, which each step kept.
+  /// Infinite if a point exceeds the limit all the same: an error of the program.
   Deviation deviation() const;
   /// An estimate of the triangles that the first coarsen(limit) leaves.
   std::size_t estimate(double limit) const;
@@ -46,7 +47,8 @@ class Coarsening {
   static void propose(Shell& shell, double limit);
   void collapse(Shell& shell, double limit) const;
 
-  double rounding_;
+  double lattice_error_;  ///< the motion by rounding to the lattice
+  double margin_;         ///< kErrors times the arithmetic error of the whole mesh
   double cell_;
   std::vector<Shell> shells_;
   double limit_ = 0;  ///< of the last coarsen()

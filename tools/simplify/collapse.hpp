@@ -13,7 +13,8 @@ namespace flashbvh::simplify {
 /// their area. Tries each vertex once if it or a neighbour has changed; failed collapses would fail
 /// again without a change. `is_changed`: of each vertex; returns the changes by this call.
 /// `parts`: all of the original, covered by triangles of `coarse`. Each stays within `limit` of
-/// one, and no moved triangle is farther than `limit` from the original. A closed mesh stays
+/// one, and no moved triangle is farther than `limit` from the original, up to
+/// arithmetic_error(). So pass the certificate's limit less kErrors of these. A closed mesh stays
 /// closed. Returns the number of removed vertices. Deterministic.
 std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
                            const NearestTriangle& original, double cell, double limit,

@@ -17,16 +17,6 @@ constexpr double kCut = 1.0 / 8;
 /// The rounding of doubles in some tens of operations, as a part of the largest coordinate.
 constexpr double kRounding = 0x1p-44;
 
-double largest_coordinate(const bake::SourceMesh& mesh) {
-  double most = 0;
-  for (const Point& vertex : mesh.vertices) {
-    for (const double coordinate : vertex) {
-      most = std::max(most, std::fabs(coordinate));
-    }
-  }
-  return most;
-}
-
 class Certificate {
  public:
   Certificate(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
@@ -34,8 +24,8 @@ class Certificate {
       : coarse_(coarse),
         mesh_(mesh),
         parts_(parts),
-        rounding_(kRounding * largest_coordinate(mesh)),
-        limit_(limit - rounding_) {}
+        arithmetic_error_(arithmetic_error(mesh)),
+        limit_(limit - arithmetic_error_) {}
 
   Deviation made() {
     std::uint32_t hint = 0;
@@ -45,7 +35,7 @@ class Certificate {
     for (std::size_t i = 0; i < mesh_.triangles.size() && !is_refuted(); ++i) {
       hint = cover(triangle_of(mesh_, mesh_.triangles[i]), hint);
     }
-    found_.most = is_refuted() ? HUGE_VAL : within_ + rounding_;
+    found_.most = is_refuted() ? HUGE_VAL : within_ + arithmetic_error_;
     return found_;
   }
 
@@ -112,7 +102,7 @@ class Certificate {
   const NearestTriangle& coarse_;
   const bake::SourceMesh& mesh_;
   std::vector<CoveredPart>* parts_;
-  double rounding_;
+  double arithmetic_error_;
   double limit_;
   double within_ = 0;
   bool is_refuted_ = false;
@@ -120,6 +110,16 @@ class Certificate {
 };
 
 }  // namespace
+
+double arithmetic_error(const bake::SourceMesh& mesh) {
+  double most = 0;
+  for (const Point& vertex : mesh.vertices) {
+    for (const double coordinate : vertex) {
+      most = std::max(most, std::fabs(coordinate));
+    }
+  }
+  return kRounding * most;
+}
 
 Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
                          std::vector<CoveredPart>* parts) {

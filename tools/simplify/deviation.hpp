@@ -29,6 +29,13 @@ struct CoveredPart {
 
 constexpr double kTightness = 1.02;
 
+/// A bound on the error of a distance from points of `mesh`, by the rounding of doubles. A
+/// certificate adds it to each distance.
+double arithmetic_error(const bake::SourceMesh& mesh);
+/// A certificate confirms a distance, computed another way, if it is below the limit by this many
+/// arithmetic errors: one of the computed distance, one of its own, and the one that it adds.
+constexpr double kErrors = 3;
+
 /// `mesh` and the coarse mesh are in the same frame and unit. Gives up at a point farther than
 /// `limit`. O(n log m) except where the two meshes cross edges of each other.
 Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
