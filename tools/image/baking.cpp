@@ -39,7 +39,7 @@ void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
   if (!most || rounded.deviation <= *most) {
     return;
   }
-  const double cell = sure_cell(*most);
+  const double cell = sure_cell(*most - input.reading_error());
   throw UserError(input.path, "rounding moves a vertex by ", text_of(rounded.deviation, options),
                   ", --max-deviation allows ", text_of(*most, options),
                   cell >= finest_cell(input)
@@ -143,6 +143,7 @@ RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options) {
   check_range(input, cell, options);
   RoundedMesh rounded;
   rounded.lattice = bake::round_to_lattice(input.mesh, cell);
+  rounded.lattice.deviation += input.reading_error();
   check_deviation(input, rounded.lattice, options);
   rounded.defects = defects_of(input.mesh, rounded.lattice, input.degenerate);
   rounded.kept = drop(rounded.lattice, rounded.defects, options);
@@ -176,6 +177,9 @@ std::string offer_of(const InputMesh& input, const BakeOptions& options, double 
   BakeOptions own = options;
   own.cell = cell;
   const double bytes = coarse_bytes(input, coarsening, own, "");
+  if (!std::isfinite(bytes)) {
+    return concat("not even --simplify ", shortest(length), " makes it fit: cut it in parts");
+  }
   return concat("with --simplify ", shortest(length), " ", coarsening.triangle_count(),
                 " of them are left, in ", fixed(bytes, 0), " bytes");
 }
@@ -213,7 +217,12 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options,
   MeshDefects defects = round_mesh(input, options).defects;
   const InputMesh made = in_place_of(input, coarse);
   RoundedMesh rounded = round_mesh(made, without_limit(options));
-  rounded.lattice.deviation = coarse.deviation().most;
+  rounded.lattice.deviation = coarse.deviation().most + input.reading_error();
+  if (!std::isfinite(rounded.lattice.deviation)) {
+    throw UserError(input.path,
+                    "the simplified mesh's deviation can't be certified; simplify to "
+                    "another length");
+  }
   if (options.max_deviation && rounded.lattice.deviation > *options.max_deviation) {
     throw UserError(input.path, "the simplified mesh deviates by ",
                     text_of(rounded.lattice.deviation, options), ", --max-deviation allows ",

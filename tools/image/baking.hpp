@@ -60,8 +60,9 @@ struct RoundedMesh {
   MeshDefects defects;        ///< before any triangle was dropped
 };
 
-/// Rounds a mesh. UserError, naming the mesh's file, if the mesh is too large for the cell, if
-/// rounding moves a vertex too far, or if no triangle is left.
+/// Rounds a mesh. The deviation includes the reader's rounding. UserError, naming the mesh's file,
+/// if the mesh is too large for the cell, if rounding moves a vertex too far, or if no triangle is
+/// left.
 RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options);
 /// Builds a tree. UserError if the mesh or its tree is too large for the indices.
 AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
@@ -74,7 +75,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options,
                const simplify::Coarsening& coarse);
 
 /// For messages: the result of simplifying to `length`, "with --simplify 0.1 1200 of them are left,
-/// in 31000 bytes".
+/// in 31000 bytes", or that it does not fit.
 std::string offer_of(const InputMesh& input, const BakeOptions& options, double length);
 
 /// The image's size in bytes for such a mesh of this name; infinite if it can't be baked. Does not

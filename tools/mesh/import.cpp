@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -91,6 +92,10 @@ FileMesh import_mesh(const std::string& path, Warnings& warnings) {
     warnings.add(path, warning);
   }
   return mesh;
+}
+
+double InputMesh::reading_error() const {
+  return std::sqrt(3.0) * precision;
 }
 
 InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings) {

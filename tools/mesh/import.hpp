@@ -20,8 +20,9 @@ bool is_mesh_name(const std::string& path);
 
 /// Reads a mesh file. Keeps all triangles in the file's order, also those without area and repeated
 /// ones. Cuts polygons into triangles in place. Joins equal vertices, in order of first use. Omits
-/// points and lines with a warning. UserError if the file is missing, empty, truncated, not a mesh,
-/// without triangles, or has a coordinate that is not finite.
+/// points and lines with a warning; OFF and PLY refuse polygons of fewer than three corners.
+/// UserError if the file is missing, empty, truncated, not a mesh, without triangles, or has a
+/// coordinate that is not finite.
 FileMesh import_mesh(const std::string& path, Warnings& warnings);
 
 /// A mesh to bake.
@@ -31,6 +32,9 @@ struct InputMesh {
   bake::SourceMesh mesh;            ///< converted to the common unit
   TriangleIds degenerate;           ///< before conversion
   double precision = 0;  ///< bound on the reader's rounding of a coordinate, in the common unit
+
+  /// A bound on the distance of a vertex from the file's, by the reader's rounding.
+  double reading_error() const;
 };
 
 /// Reads a mesh with import_mesh() and converts it to the common unit.

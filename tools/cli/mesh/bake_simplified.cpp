@@ -20,6 +20,15 @@ double side_of_largest(const std::vector<InputMesh>& meshes) {
   return longest;
 }
 
+/// The most by which a reader rounds; it reduces the length left for simplifying.
+double reading_error(const std::vector<InputMesh>& meshes) {
+  double most = 0;
+  for (const InputMesh& mesh : meshes) {
+    most = std::max(most, mesh.reading_error());
+  }
+  return most;
+}
+
 std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& meshes, double cell) {
   std::vector<simplify::Coarsening> all;
   for (const InputMesh& mesh : meshes) {
@@ -48,13 +57,14 @@ simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>&
 Simplified simplified_to(double length, const std::vector<InputMesh>& meshes, double cell) {
   Simplified made{coarsenings(meshes, cell), length};
   for (std::size_t i = 0; i < made.meshes.size(); ++i) {
-    if (length < made.meshes[i].rounding()) {
+    const double least = made.meshes[i].rounding() + meshes[i].reading_error();
+    if (length < least) {
       throw UserError("--simplify " + shortest(length), "is less than rounding moves a vertex of ",
-                      meshes[i].path, ", ", shortest(made.meshes[i].rounding()),
+                      meshes[i].path, ", ", shortest(least),
                       "; give that or more, or a finer --cell");
     }
   }
-  simplify::coarsen_all(made.meshes, length);
+  simplify::coarsen_all(made.meshes, length - reading_error(meshes));
   return made;
 }
 
@@ -69,21 +79,26 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
     return {};
   }
   Simplified made{coarsenings(meshes, *options.cell), 0};
-  const double longest = std::min(simplify::kLongestPart * side_of_largest(meshes),
-                                  options.max_deviation.value_or(HUGE_VAL));
+  const double twentieth = simplify::kLongestPart * side_of_largest(meshes);
+  const double allowed = options.max_deviation
+                             ? std::max(*options.max_deviation - reading_error(meshes), 0.0)
+                             : HUGE_VAL;
+  const bool is_limited = allowed < twentieth;
+  const double longest = is_limited ? allowed : twentieth;
   const auto found = simplify::fit(made.meshes, static_cast<double>(*order.fit), longest,
                                    order.leaf_sizes, bytes_of(order, meshes, names, options));
   if (!found) {
-    throw UserError(
-        concat("--fit ", *order.fit), "is not reached by simplifying to ", significant(longest, 3),
-        options.max_deviation ? ", --max-deviation" : ", a twentieth of the largest mesh",
-        "; give more bytes",
-        options.max_deviation ? " or a larger --max-deviation" : " or bake fewer meshes");
+    throw UserError(concat("--fit ", *order.fit), "is not reached by simplifying to ",
+                    significant(is_limited ? *options.max_deviation : twentieth, 3),
+                    is_limited ? ", --max-deviation" : ", a twentieth of the largest mesh",
+                    "; give more bytes",
+                    is_limited ? " or a larger --max-deviation" : " or bake fewer meshes");
   }
   options.leaf_size = found->leaf_size;
-  made.length = found->length;
-  if (made.length == 0) {
+  if (found->length == 0) {
     made.meshes.clear();
+  } else {
+    made.length = found->length + reading_error(meshes);
   }
   return made;
 }

@@ -162,7 +162,8 @@ double firmware_deviation(const ModelLink& link, const BakedLink& baked) {
 
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
                     const std::string& path, const simplify::Coarsening* coarse) {
-  const InputMesh input = link_input(link, path);
+  InputMesh input = link_input(link, path);
+  input.precision = 0;  // firmware_deviation() adds it
   BakeOptions options;
   options.unit = "m";
   options.cell = cell;
