@@ -31,11 +31,11 @@ struct Lit {
 
 /// The answers for B at the pose. Points are in cells of A's frame.
 struct Measured {
-  uint32_t status;     ///< of the first refused query; all other fields are then undefined
-  uint32_t pairs;      ///< number of intersecting triangle pairs, at most kMostCounted
-  uint32_t is_inside;  ///< without such a pair: one mesh is inside the other
-  uint32_t in_range;   ///< if 0, there are no triangles or points
-  uint32_t lower;      ///< lower bound of the distance, in 1/256 cell
+  uint32_t status;    ///< of the first refused query; all other fields are then undefined
+  uint32_t pairs;     ///< number of intersecting triangle pairs, at most kMostCounted
+  uint32_t inside;    ///< without such a pair: 1 if one mesh is inside the other, 2 if not tested
+  uint32_t in_range;  ///< if 0, there are no triangles or points
+  uint32_t lower;     ///< lower bound of the distance, in 1/256 cell
   uint32_t triangles[2];
   double points[2][3];
 };
@@ -137,8 +137,9 @@ EXPORT const void* measure(uint32_t a, uint32_t b) {
     measured.status = code(found.status == Status::done ? run.status : found.status);
     return &measured;
   }
-  if (measured.pairs == 0 && meshes[a].is_closed && meshes[b].is_closed) {
-    measured.is_inside = one_is_inside(meshes[a], meshes[b], pose).yes;
+  if (measured.pairs == 0) {
+    const bool are_closed = meshes[a].is_closed && meshes[b].is_closed;
+    measured.inside = !are_closed ? 2 : one_is_inside(meshes[a], meshes[b], pose).yes ? 1 : 0;
   }
   measured.lower = found.lower;
   measured.in_range = found.in_range;

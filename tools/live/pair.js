@@ -57,7 +57,7 @@ class Meshes {
     const points = this.#doubles(place + 32, 6).map((part, i) => part - this.all[a].origin[i % 3]);
     const lit = Math.min(pairs, 1000);
     const corners = new Float32Array(new Int32Array(this.library.memory.buffer, this.library.lit_triangles(), 18 * lit));
-    return { status, pairs, inside: inside === 1, in_range: in_range === 1, triangles, lower: lower >>> 0,
+    return { status, pairs, inside: inside === 1, is_untested: inside === 2, in_range: in_range === 1, triangles, lower: lower >>> 0,
       distance: (lower >>> 0) / FINE_ONE * this.all[a].cell, points: [points.slice(0, 3), points.slice(3)],
       lit, corners, ids: this.#words(this.library.ids_of_lit(), 2 * lit) };
   }

@@ -127,7 +127,7 @@ class PairStage extends Stage {
 
   // The verdict and details about it.
   #text() {
-    const { status, pairs, inside, in_range, distance, triangles } = this.answer;
+    const { status, pairs, inside, is_untested, in_range, distance, triangles } = this.answer;
     const [a, b] = this.names;
     if (status !== 0) return ["Refused", `: no pose, or out of range, status ${status}`];
     if (pairs) {
@@ -136,7 +136,7 @@ class PairStage extends Stage {
     const length = this.meshes.length(this.a, distance);
     const least = in_range ? `, triangles ${triangles[0]} and ${triangles[1]}` : " at least";
     if (inside) return [`Of ${b} and ${a} one lies inside the other`, `: their surfaces ${length} apart${least}`];
-    return [`${b} does not touch ${a}`, `: ${length} apart${least}` +
+    return [is_untested ? `${b} and ${a}: surfaces apart, insides not tested` : `${b} does not touch ${a}`, `: ${length} apart${least}` +
       (this.limit > 0 ? `; ${this.closer ? "closer" : "not closer"} than ${this.meshes.length(this.a, this.limit)}` : "")];
   }
 

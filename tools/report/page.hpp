@@ -77,7 +77,9 @@ struct PairCosts {
 /// The relation of B and A at a pose, or in their source frames.
 struct Standing {
   std::uint64_t pairs;  ///< number of intersecting triangle pairs
-  bool is_inside;       ///< without such a pair: one of two closed meshes is inside the other
+  /// Without such a pair: one of the meshes is inside the other. Nothing: not tested, since a mesh
+  /// is not closed, or pre-indexed.
+  std::optional<bool> is_inside;
   bool has_distance;
   double distance;  ///< lower bound, in the meshes' unit
 };

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "evaluate/poses.hpp"
 #include "report/html.hpp"
@@ -118,6 +120,17 @@ std::string closeness_table(const QueriedPair& pair) {
          "</div>\n";
 }
 
+/// The number of pairs of two meshes; a pair and its reverse count once.
+std::size_t count_different(const std::vector<QueriedPair>& pairs) {
+  std::set<std::pair<std::size_t, std::size_t>> different;
+  for (const QueriedPair& pair : pairs) {
+    if (pair.a != pair.b) {
+      different.insert(std::minmax(pair.a->number, pair.b->number));
+    }
+  }
+  return different.size();
+}
+
 /// Reasons why there may be fewer poses than requested.
 std::string shortfall(const PairCosts& costs) {
   return (costs.costly ? note("Stopped after " + grouped(kMostVisits) +
@@ -150,9 +163,10 @@ std::string shown_at(const QueriedPair& pair, const Pose& pose) {
 std::string pairs_section(const Subjects& subjects, const std::vector<QueriedPair>& pairs,
                           const ReportOptions& options) {
   const std::size_t different = subjects.size() * (subjects.size() - 1) / 2;
+  const std::size_t tested = count_different(pairs);
   std::string html;
-  if (pairs.size() < different) {
-    html += note(counted(different - pairs.size(), "pair is", "pairs are") + " not tested: " +
+  if (tested < different) {
+    html += note(counted(different - tested, "pair is", "pairs are") + " not tested: " +
                  (options.poses.empty() ? "baked with another cell, layout or index width, or "
                                           "beyond the first few."
                                         : "no poses are given."));

@@ -15,13 +15,21 @@ constexpr std::size_t kMostDecisions = 6;
 constexpr std::size_t kMostPoses = 200;
 
 bool touches(const Standing& standing) {
-  return standing.pairs != 0 || standing.is_inside;
+  return standing.pairs != 0 || standing.is_inside.value_or(false);
+}
+
+/// True if the surfaces are apart, and no query decided whether a mesh is inside the other.
+bool is_undecided(const Standing& standing) {
+  return standing.pairs == 0 && !standing.is_inside;
+}
+
+const char* colour_of(const Standing& standing) {
+  return touches(standing) ? "v3" : is_undecided(standing) ? "v1" : "v0";
 }
 
 /// Orders by distance; intersecting meshes come first.
 bool is_nearer(const Standing& p, const Standing& q) {
-  return std::tuple(q.pairs, q.is_inside, p.distance) <
-         std::tuple(p.pairs, p.is_inside, q.distance);
+  return std::tuple(q.pairs, touches(q), p.distance) < std::tuple(p.pairs, touches(p), q.distance);
 }
 
 const Standing& nearest_of(const QueriedPair& pair) {
@@ -30,12 +38,12 @@ const Standing& nearest_of(const QueriedPair& pair) {
 
 Standing standing_at(const ImageFile& a, const ImageFile& b, const Pose& pose, std::uint64_t pairs,
                      Witness<std::uint32_t>& hint) {
-  Standing standing = {pairs, false, false, 0};
+  Standing standing = {pairs, std::nullopt, false, 0};
   if (pairs != 0 || a.layout() != Layout::post_indexed) {
     return standing;
   }
   const ClearanceAnswer found = clearance(a.tree(), b.tree(), pose, hint);
-  standing.is_inside = one_is_inside(a, b, pose).value_or(false);
+  standing.is_inside = one_is_inside(a, b, pose);
   standing.has_distance = found.status == Status::done;
   standing.distance = found.lower * a.cell() / kFineOne;
   return standing;
@@ -53,9 +61,10 @@ std::string text_of(const Standing& standing, const Measure& measure) {
 std::string what_of(const QueriedPair& pair, const Standing& standing) {
   const std::string a = escaped(pair.a->name);
   const std::string b = (pair.a == pair.b ? "A second " : "") + escaped(pair.b->name);
-  return standing.pairs != 0  ? b + " intersects " + a
-         : standing.is_inside ? "Of " + b + " and " + a + " one lies inside the other"
-                              : b + " does not touch " + a;
+  return standing.pairs != 0      ? b + " intersects " + a
+         : touches(standing)      ? "Of " + b + " and " + a + " one lies inside the other"
+         : is_undecided(standing) ? b + " and " + a + ": surfaces apart, insides not tested"
+                                  : b + " does not touch " + a;
 }
 
 std::string decision_of(const QueriedPair& pair) {
@@ -75,7 +84,7 @@ std::string decision_of(const QueriedPair& pair) {
                       of.empty() ? "" : ": " + pose)
              : concat("at ", grouped(touching), " of ", poses, ", most at ", pose, ": ", of);
   }
-  return decision(touching == 0 ? "v0" : "v3", what_of(pair, nearest), of);
+  return decision(colour_of(nearest), what_of(pair, nearest), of);
 }
 
 }  // namespace
@@ -131,10 +140,9 @@ std::string poses_table(const std::vector<QueriedPair>& pairs) {
     all += count;
     for (std::size_t i = 0; i < count && rows.size() < kMostPoses; ++i) {
       const PoseCost& cost = pair.costs.poses[i];
-      rows.push_back(
-          {concat("<span", shown_at(pair, cost.pose), ">", i, "</span>"),
-           square(touches(pair.standings[i]) ? "v3" : "v0") + what_of(pair, pair.standings[i]),
-           text_of(pair.standings[i], measure_of(pair.a->image)), grouped(cost.work)});
+      rows.push_back({concat("<span", shown_at(pair, cost.pose), ">", i, "</span>"),
+                      square(colour_of(pair.standings[i])) + what_of(pair, pair.standings[i]),
+                      text_of(pair.standings[i], measure_of(pair.a->image)), grouped(cost.work)});
     }
   }
   return rows.empty() ? ""

@@ -55,6 +55,9 @@ void mark_defects(Subject& subject, const std::vector<SourceTriangle>& sources) 
   mark_edges(subject, edges, EdgeDefect::twisted, "p2",
              "edge of two triangles that face opposite ways.",
              "edges of two triangles that face opposite ways.");
+  if (edges.empty() && is_inside_out(mesh, duplicates)) {
+    subject.warnings.push_back({{"p2", {}}, "inside out: normals face into the solid."});
+  }
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
              "Folder for the results; made if there is none");
   command.add_flag(
       "--dry-run", a.order.dry_run,
-      "Print the table, what is wrong and what --simplify would save, and write nothing");
+      "Print the table, what is wrong and what --simplify would save, and write no image");
   add_json(command, a.order.json, "Print the table as one JSON object");
   add_option(
       command, "--report", a.order.page, "PAGE.html",

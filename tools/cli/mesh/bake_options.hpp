@@ -20,7 +20,7 @@ struct BakeOrder {
   bool writes_c = true;
   bool writes_images = true;
   bool levels = false;                    ///< stored in images of post-indexed trees
-  bool dry_run = false;                   ///< writes no file
+  bool dry_run = false;                   ///< writes no image
   bool deformable = false;                ///< the default cell leaves space for deformation
   std::optional<std::int64_t> max_bytes;  ///< of an image
   std::optional<double> simplify;         ///< the largest deviation of a simplified mesh

@@ -313,7 +313,8 @@ void add_collide(CLI::App& app) {
       app, "collide",
       "Find the triangles of A that intersect triangles of B, by the firmware's own code. Prints "
       "of "
-      "each pose:\nintersect; inside, if the one closed mesh lies in the other; or free.",
+      "each pose:\nintersect; inside, if the one closed mesh lies in the other; or free. Insides "
+      "of pre-indexed\nimages are not tested.",
       collide_all);
   (void)add_posed_images(command, a);
   command
