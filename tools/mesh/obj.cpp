@@ -21,13 +21,27 @@ constexpr std::array<std::string_view, 23> kNoShape = {
     "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech",
     "stech",  "deg",   "vg",       "call",     "csh", "bmat",       "step"};
 
+/// A # inside the name of a body begins no comment.
+std::string_view without_comment(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\v\f";
+  const std::size_t first = line.find_first_not_of(kBlanks);
+  const bool is_body =
+      first != std::string_view::npos && (line[first] == 'o' || line[first] == 'g');
+  std::size_t end = line.find('#');
+  while (is_body && end != std::string_view::npos &&
+         kBlanks.find(line[end - 1]) == std::string_view::npos) {
+    end = line.find('#', end + 1);
+  }
+  return line.substr(0, end);
+}
+
 /// Joins a line that ends with a backslash with the next one.
 bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
-  if (!lines.next_content()) {
+  if (!lines.next()) {
     return false;
   }
   number = lines.number();
-  joined = lines.line();
+  joined = without_comment(lines.line());
   while (!joined.empty() && joined.back() == '\\') {
     joined.back() = ' ';
     if (!lines.next()) {

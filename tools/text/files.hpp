@@ -27,14 +27,15 @@ class FileSet {
   /// `inputs`: files that were read.
   explicit FileSet(std::vector<std::string> inputs = {}) : inputs_(std::move(inputs)) {}
 
-  /// Adds a file; writes nothing yet. UserError if it would replace an input, or the path was added
-  /// before.
+  /// Adds a file, for a link the one that it leads to; writes nothing yet. UserError if it would
+  /// replace an input, the path was added before, or a link leads to no file.
   void add(std::filesystem::path path, std::string bytes);
 
   /// Writes every file under a temporary name next to its own, calls `report`, then renames all.
   /// Makes missing folders. UserError on failure. On failure, or if `report` throws, it removes all
   /// new files, unless a rename failed after another had replaced an older file. Signals that end
-  /// the program wait for this, too. Files that are not regular get their bytes first.
+  /// the program wait for this, too. Files that are not regular, and standard output, get their
+  /// bytes first.
   void write(const std::function<void()>& report = [] {}) const;
 
  private:
@@ -58,11 +59,13 @@ std::string lower_case(std::string_view text);
 /// The words of a line, separated by blanks.
 std::vector<std::string_view> words_of(std::string_view line);
 
-/// Iterates over the lines of a text. LF, CR LF and CR end a line.
+/// Iterates over the lines of a text, after its byte order mark if it has one. LF, CR LF and CR end
+/// a line.
 class Lines {
  public:
   /// `text` must outlive the object.
-  explicit Lines(std::string_view text) : rest_(text) {}
+  explicit Lines(std::string_view text)
+      : rest_(text.substr(text.substr(0, kMark.size()) == kMark ? kMark.size() : 0)) {}
 
   /// Moves to the next line; false after the last.
   bool next();
@@ -74,6 +77,8 @@ class Lines {
   std::string_view rest() const { return rest_; }  ///< the text after the line
 
  private:
+  static constexpr std::string_view kMark = "\xEF\xBB\xBF";
+
   std::string_view rest_;
   std::string_view line_;
   std::size_t number_ = 0;
