@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
@@ -115,11 +116,39 @@ void write_bytes(const fs::path& path, const fs::path& name, const std::string& 
   }
 }
 
-/// True for a device or a pipe: it receives the bytes, and no file may replace it.
+/// True for a name of standard output, which may be a file.
+bool is_standard_output(const fs::path& path) {
+  std::error_code error;
+  return fs::equivalent(path, "/dev/stdout", error);
+}
+
+/// True for a device, a pipe or standard output: it receives the bytes, and no file may replace it.
 bool is_special(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  return fs::exists(status) && !fs::is_regular_file(status);
+  return fs::exists(status) && (!fs::is_regular_file(status) || is_standard_output(path));
+}
+
+/// The file that a link leads to, so that no file replaces the link; other paths as they are.
+/// UserError if the link leads to no file.
+fs::path without_links(const fs::path& path) {
+  std::error_code error;
+  if (is_special(path) || !fs::is_symlink(fs::symlink_status(path, error))) {
+    return path;
+  }
+  const fs::path file = fs::canonical(path, error);
+  if (error) {
+    throw UserError(path.string(), "is a link that leads to no file: ", error.message(),
+                    "; remove it or write elsewhere");
+  }
+  return file;
+}
+
+void write_to_standard_output(const fs::path& name, const std::string& bytes) {
+  std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!std::cout.flush()) {
+    throw UserError(name.string(), "can't be written");
+  }
 }
 
 /// Renames the temporary file to the final name.
@@ -185,6 +214,7 @@ void refuse_to_replace_inputs(const std::string& output, const std::vector<std::
 
 void FileSet::add(fs::path path, std::string bytes) {
   refuse_to_replace_inputs(path.string(), inputs_);
+  path = without_links(path);
   if (!is_special(path) && !places_.insert(fs::absolute(path).lexically_normal()).second) {
     throw UserError(path.string(), "would be written twice; give each output a name of its own");
   }
@@ -221,7 +251,9 @@ void FileSet::write_special() const {
     if (fs::is_directory(file.path, error)) {
       throw UserError(file.path.string(), "is a folder; move it away or write elsewhere");
     }
-    if (is_special(file.path)) {
+    if (is_standard_output(file.path)) {
+      write_to_standard_output(file.path, file.bytes);
+    } else if (is_special(file.path)) {
       write_bytes(file.path, file.path, file.bytes);
     }
   }
