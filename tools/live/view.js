@@ -174,14 +174,33 @@ class View {
     return { from: turned([-eye[12], -eye[13], -eye[14]]), way: turned(seen.map(part => part / length)) };
   }
 
-  // The mesh at a pixel of the page, or -1.
+  // Calls draw() with a framebuffer of the canvas's size without samples: colours stay as they are drawn.
+  #unsmoothed(draw) {
+    const { gl } = this;
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    const buffers = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, place]) => {
+      const buffer = gl.createRenderbuffer();
+      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+      gl.renderbufferStorage(gl.RENDERBUFFER, format, this.canvas.width, this.canvas.height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+      return buffer;
+    });
+    draw();
+    gl.deleteFramebuffer(frame);  // binds the canvas again
+    for (const buffer of buffers) gl.deleteRenderbuffer(buffer);
+  }
+
+  // The mesh at a pixel of the page, or -1. Draws the meshes' numbers as colours.
   pick(matrices, x, y) {
     const { gl } = this;
     const ratio = this.canvas.width / this.canvas.clientWidth;
-    gl.clearColor(0, 0, 0, 0);
-    this.#draw(matrices, this.meshes.map((_, i) => [(i + 1) / 255, 0, 0, 1]), true);
     const pixel = new Uint8Array(4);
-    gl.readPixels(x * ratio, this.canvas.height - y * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    this.#unsmoothed(() => {
+      gl.clearColor(0, 0, 0, 0);
+      this.#draw(matrices, this.meshes.map((_, i) => [(i + 1) / 255, 0, 0, 1]), true);
+      gl.readPixels(x * ratio, this.canvas.height - y * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    });
     return pixel[0] - 1;
   }
 }
