@@ -120,8 +120,7 @@ std::optional<bool> one_is_inside(const ImageFile& a, const ImageFile& b, const 
 
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose) {
   if (answer.status != Status::done) {
-    throw UserError(place, "pose ", pose, " can't be answered: status ",
-                    static_cast<int>(answer.status));
+    throw UserError(place, "pose ", pose, " can't be answered: ", status_name(answer.status));
   }
 }
 

@@ -96,8 +96,8 @@ std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const 
                       significant(1e6 * a.cell(), 6));
     }
     if (found.back().status != Status::done) {
-      throw UserError(arguments.poses, "pose ", found.size() - 1, " can't be answered: status ",
-                      static_cast<int>(found.back().status));
+      throw UserError(arguments.poses, "pose ", found.size() - 1,
+                      " can't be answered: ", status_name(found.back().status));
     }
   }
   return found;
