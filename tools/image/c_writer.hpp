@@ -16,7 +16,8 @@ struct SourceFiles {
 };
 
 /// `unit`: the name of the unit of length; empty if unknown. All names in the text begin with the
-/// mesh's. Names of two meshes never coincide, since none ends in '_' and the rest of another.
+/// mesh's, but the include guard's holds it. Names of two meshes never coincide: no name's rest
+/// ends in '_' and another's rest.
 SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName& name,
                       const std::string& unit);
 

@@ -12,8 +12,8 @@ namespace flashbvh::tool {
 /// Numbers of triangles, ascending.
 using TriangleIds = std::vector<std::uint32_t>;
 
-/// Triangles without area, decided exactly on the given coordinates: their corners coincide or lie
-/// on a line.
+/// Triangles without area: their corners coincide or lie on a line. Decided exactly, on differences
+/// of coordinates rounded to doubles; those of a lattice are exact.
 TriangleIds degenerate_triangles(const bake::SourceMesh& mesh);
 TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh);
 

@@ -1,5 +1,5 @@
-// Needs POSIX, and Linux's /proc to limit memory. A platform without processes replaces this file
-// by one that calls the reader.
+// Needs POSIX, and Linux's /proc to limit memory. On a platform without processes, import_here.cpp
+// replaces this file and guarded_import.cpp.
 #include "mesh/guarded_child.hpp"
 
 #include <fcntl.h>

@@ -1,5 +1,6 @@
-// Replaces guarded_import.cpp where there are no processes: runs the reader in this one. A crash
-// ends the program, with a message and the exit code of a file that can't be read.
+// Replaces guarded_import.cpp and guarded_child.cpp where there are no processes: runs the reader
+// in this one. A crash ends the program, with a message and the exit code of a file that can't be
+// read.
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>

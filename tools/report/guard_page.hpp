@@ -28,7 +28,7 @@ struct GuardedTrajectory {
 
 /// One self-contained HTML file, the same bytes for the same robot and trajectory: the result,
 /// periods by verdict, their time on a core, distances and work over time, pairs and stretches that
-/// are not free, pictures of the closest moment, motions.
+/// are not free, the closest moment, motions; the robot, moved through all of it.
 std::string guard_page(const GuardedTrajectory& guarded);
 
 /// The largest number of pairs drawn as lines: the first near pairs, numbered from 1.

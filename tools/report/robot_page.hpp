@@ -31,7 +31,7 @@ struct DecidedRobot {
 };
 
 /// One self-contained HTML file, the same bytes for the same robot: the contents of firmware, the
-/// pairs that can collide, with reasons, frequencies and pictures. `step`: shares of two.
+/// pairs that can collide, with reasons and frequencies, the robot to move. `step`: shares of two.
 std::string robot_page(const DecidedRobot& decided, const OnStep& step);
 
 }  // namespace flashbvh::tool
