@@ -11,6 +11,10 @@ python3 -c 'for i in range(105): print(f"0.6 -0.8 0  0.8 0.6 0  0 0 1  {i % 9 * 
 need_answers page.html
 "$TOOLS/cli_live_pair_answers" ring.fbvh small.fbvh >known.js || fail "not all answers occur"
 try_in_node page.html pair_answers.js
+printf 'v 0 0 0\nv 5 0 0\nv 0 5 0\nf 1 3 2\n' >open.obj
+"$FLASHBVH" bake meshes/ring.stl open.obj -o . --format image --unit mm >/dev/null 2>&1
+"$FLASHBVH" report ring.fbvh open.fbvh --poses poses -o open.html
+try_in_node open.html open_answers.js
 
 can_browse || { echo "chromium's part is left out"; exit 0; }
 drive page.html 28 pair_answers.js drive_pair.js
