@@ -94,10 +94,11 @@ struct Separations {
   }
 };
 
-/// Moves B by whole cells, nearly normal to the direction: the planes must separate exactly if B
-/// gets no nearer. Returns how often B gets nearer by so little that high parts are equal.
+/// Moves B `moves` times by whole cells, nearly normal to the direction: the planes must separate
+/// exactly if B gets no nearer. Returns how often B gets nearer by so little that high parts are
+/// equal.
 long check_planes(Random& random, const Triangle& a, const Triangle& b, const Features& features,
-                  const RationalVector& apart, bool is_far) {
+                  const RationalVector& apart, bool is_far, int moves = 32) {
   SupportPlanes own(a, b, features);
   if (is_far) {
     own.widen();
@@ -105,7 +106,7 @@ long check_planes(Random& random, const Triangle& a, const Triangle& b, const Fe
   const FloatVector n = {apart[0].get_d(), apart[1].get_d(), apart[2].get_d()};
   const double length = length_of(n);
   long close = 0;
-  for (int i = 0; i < 32; ++i) {
+  for (int i = 0; i < moves; ++i) {
     const Point to = any_point(random, 400);
     const FloatVector way = vector_of<double>(to);
     const FloatVector across = plus(way, -test::dot(way, n) / (length * length), n);
@@ -153,7 +154,7 @@ RationalVector check_places(const Triangle& a, const Triangle& b, const Features
 }
 
 void check(Random& random, const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
-           Separations& separations) {
+           Separations& separations, int moves = 32) {
   const mpq_class truth = Differences(a, b).squared_distance();
   Features features{};
   const mpq_class found = squared_distance(a, b, features);
@@ -171,7 +172,7 @@ void check(Random& random, const Triangle& a, const Triangle& b, std::set<Featur
   if (truth != 0) {
     const RationalVector apart = check_places(a, b, features, truth);
     REQUIRE(rational_of(squared_between(a, b, features)) == truth);
-    separations.close += check_planes(random, a, b, features, apart, false);
+    separations.close += check_planes(random, a, b, features, apart, false, moves);
     // The exact distance, and its neighbour.
     const Fraction exact = fraction_of(truth);
     Fraction same = exact;
@@ -267,29 +268,28 @@ TEST_CASE("no order of corners changes a distance") {
   });
 }
 
-TEST_CASE("every small pair of triangles in a plane and next to it") {
+TEST_CASE("pairs of triangles of two unit cubes, which share an edge, a corner or nothing") {
   Random random = test_random();
-  // All triples of corners in a box of 2 x 2 x 1 cells: ties, flat and touching triangles.
-  std::vector<Triangle> all;
-  std::vector<Point> points;
+  // A corner, and each set of it and one or two others: ties, flat and touching triangles.
+  std::vector<Triangle> all = {{}};
   for (int i = 0; i < 8; ++i) {
-    points.push_back({i & 1, i >> 1 & 1, i >> 2});
-  }
-  for (const Point& p : points) {
-    for (const Point& q : points) {
-      all.push_back({{points[0], p, q}});
+    for (int j = 0; j < i; ++j) {
+      const Point p = {j & 1, j >> 1 & 1, j >> 2};
+      const Point q = {i & 1, i >> 1 & 1, i >> 2};
+      all.push_back({{{0, 0, 0}, p, q}});
     }
   }
   std::set<FeatureKind> seen;
   Separations separations;
   for (const Triangle& a : all) {
-    for (std::size_t i = 0; i < all.size(); i += 3) {
-      Triangle b = all[i];
-      b = shifted(b, {1, 1, static_cast<std::int32_t>(i % 3)});
-      check(random, a, b, seen, separations);
+    for (const Triangle& b : all) {
+      for (std::int32_t z = 0; z < 3; ++z) {
+        check(random, a, shifted(b, {1, 1, z}), seen, separations, 1);
+      }
     }
   }
   CHECK(seen.size() >= 4);
+  CHECK(separations.pairs > all.size() * all.size());  // all with z = 2 are apart, and others
 }
 
 TEST_CASE("distances at the ends of their range") {
