@@ -47,11 +47,9 @@ constexpr std::uint32_t kCompact = 5;
 constexpr double kMostBytes = 20;
 constexpr double kMostInstructions = 1.3;
 
-/// An image's bytes per triangle, without the levels, which only the paper's alternating rule uses.
+/// Bytes per triangle of an image without levels, which only the paper's alternating rule uses.
 double bytes_per_triangle(const Baked& baked) {
-  const std::uint64_t levels = 2 * sizeof(std::uint16_t) * baked.nodes.size();
-  return static_cast<double>(bake::image_size(baked) - levels) /
-         static_cast<double>(baked.triangles.size());
+  return static_cast<double>(bake::image_size(baked)) / static_cast<double>(baked.triangles.size());
 }
 
 }  // namespace
