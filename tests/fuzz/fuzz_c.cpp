@@ -1,6 +1,7 @@
-// Arbitrary calls of the C interface, with any poses, budgets, cursors and hints: each object
-// returns a status, writes within its arrays and ends. The answers equal the C++ interface's, with
-// any hint.
+// Calls of the C interface with any poses, budgets, cursors and hints: pairs of triangles, a
+// distance and a ray. Each returns a status, writes within its arrays and ends. The answers equal
+// the C++ interface's, but after a changed cursor the pairs may be any. A hint is refused or does
+// not change an answer.
 #include <vector>
 
 #include "flashbvh/clearance.h"
@@ -10,7 +11,6 @@
 #include "flashbvh/ray.hpp"
 #include "fuzz/any_pose.hpp"
 #include "golden/golden.hpp"
-#include "support/c_pose.hpp"
 
 using namespace flashbvh;
 using namespace flashbvh::test;
@@ -76,47 +76,106 @@ void query_pairs(const Meshes& meshes, const flashbvh_pose& pose, const Pose& sa
           "C gives another answer than C++");
 }
 
-/// Any hint is refused, or does not change the distance.
-void query_distance(const Meshes& meshes, const Pose& pose, Input& input) {
-  const Mesh& a = meshes.a;
-  const Mesh& b = meshes.b;
-  Witness<std::uint16_t> seed;
-  seed.a = input.take<std::uint16_t>();
-  seed.b = input.take<std::uint16_t>();
-  seed.a = static_cast<std::uint16_t>(
-      input.take<std::uint8_t>() % 4 != 0 ? seed.a % a.triangle_count : seed.a);
-  seed.b = static_cast<std::uint16_t>(
-      input.take<std::uint8_t>() % 4 != 0 ? seed.b % b.triangle_count : seed.b);
-  const auto blind = distance(a, b, pose);
-  const auto seeded = distance(a, b, pose, seed);
-  if (seeded.status == Status::hint_invalid) {
-    require(seed.a >= a.triangle_count || seed.b >= b.triangle_count, "a good seed is refused");
+template <class Coordinates, class Same>
+bool are_equal(const Coordinates& c, const Same& cpp) {
+  return c.x == cpp.x && c.y == cpp.y && c.z == cpp.z;
+}
+
+bool are_equal(const flashbvh_clearance& c, const Clearance<std::uint16_t>& cpp) {
+  return c.status == static_cast<flashbvh_status>(cpp.status) && c.in_range == cpp.in_range &&
+         c.lower == cpp.lower && c.upper == cpp.upper && c.triangles.a == cpp.triangles.a &&
+         c.triangles.b == cpp.triangles.b && c.witness.a == cpp.witness.a &&
+         c.witness.b == cpp.witness.b && are_equal(c.point_a, cpp.point_a) &&
+         are_equal(c.point_b, cpp.point_b) && are_equal(c.direction, cpp.direction);
+}
+
+/// The distance by C++, after it was compared with C's.
+Clearance<std::uint16_t> distance_by_both(const Meshes& meshes, const flashbvh_pose& pose,
+                                          const Pose& same, const flashbvh_witness* hint) {
+  const Witness<std::uint16_t> its_hint =
+      hint == nullptr ? Witness<std::uint16_t>() : Witness<std::uint16_t>{hint->a, hint->b};
+  const auto found = distance(meshes.a, meshes.b, same, its_hint);
+  flashbvh_clearance result;
+  std::memset(&result, 0xA5, sizeof result);
+  const flashbvh_status status = flashbvh_distance(&meshes.c_a, &meshes.c_b, &pose, hint, &result);
+  require(status == static_cast<flashbvh_status>(found.status), "C ends otherwise than C++");
+  require(found.status != Status::done || are_equal(result, found),
+          "C gives another distance than C++");
+  return found;
+}
+
+void query_distance(const Meshes& meshes, const flashbvh_pose& pose, const Pose& same,
+                    Input& input) {
+  const std::uint32_t count_a = meshes.a.triangle_count;
+  const std::uint32_t count_b = meshes.b.triangle_count;
+  flashbvh_witness hint;
+  hint.a = input.take<std::uint16_t>();
+  hint.b = input.take<std::uint16_t>();
+  hint.a =
+      static_cast<std::uint16_t>(input.take<std::uint8_t>() % 4 != 0 ? hint.a % count_a : hint.a);
+  hint.b =
+      static_cast<std::uint16_t>(input.take<std::uint8_t>() % 4 != 0 ? hint.b % count_b : hint.b);
+  const auto blind = distance_by_both(meshes, pose, same, nullptr);
+  const auto hinted = distance_by_both(meshes, pose, same, &hint);
+  if (hinted.status == Status::hint_invalid) {
+    require(hint.a >= count_a || hint.b >= count_b, "a good hint is refused");
     return;
   }
-  require(seeded.status == blind.status && seeded.lower == blind.lower &&
-              seeded.upper == blind.upper && seeded.in_range == blind.in_range,
-          "a seed changes the distance");
+  require(hinted.status == blind.status &&
+              (blind.status != Status::done ||
+               (hinted.lower == blind.lower && hinted.upper == blind.upper &&
+                hinted.in_range == blind.in_range)),
+          "a hint changes the distance");
+}
+
+bool are_equal(const flashbvh_hit& c, const RayHit<std::uint16_t>& cpp) {
+  return c.above == cpp.along.above && c.below == cpp.along.below && c.triangle == cpp.triangle &&
+         c.slot == cpp.slot && c.side == cpp.side;
+}
+
+/// The ray's hit by C++, after it was compared with C's.
+RayAnswer<std::uint16_t> hit_by_both(const Meshes& meshes, const Segment& segment,
+                                     std::uint16_t hint) {
+  const auto found = nearest_hit(meshes.a, segment, hint);
+  flashbvh_hit hit;
+  std::memset(&hit, 0xA5, sizeof hit);
+  bool yes = false;
+  const flashbvh_status status = flashbvh_nearest_hit(&meshes.c_a, &segment, hint, &yes, &hit);
+  require(status == static_cast<flashbvh_status>(found.status) && yes == found.yes,
+          "C's ray ends otherwise than C++'s");
+  require(found.status != Status::done || !found.yes || are_equal(hit, found.hit),
+          "C's ray hits otherwise than C++'s");
+  return found;
 }
 
 void query_ray(const Meshes& meshes, Input& input) {
-  const Mesh& mesh = meshes.a;
   const auto point = [&input] {
     return Point{input.take<std::int32_t>() >> 11, input.take<std::int16_t>(),
                  input.take<std::int16_t>()};
   };
   const Point from = point();
   const Segment segment = {from, point()};
-  const auto seed = input.take<std::uint16_t>();
-  const auto blind = nearest_hit(mesh, segment);
-  const auto seeded = nearest_hit(mesh, segment, seed);
-  if (seeded.status == Status::hint_invalid) {
-    require(seed >= mesh.triangle_count, "a good seed of a ray is refused");
+  const auto hint = input.take<std::uint16_t>();
+  const auto blind = hit_by_both(meshes, segment, FLASHBVH_NO_HINT);
+  const auto hinted = hit_by_both(meshes, segment, hint);
+  if (hinted.status == Status::hint_invalid) {
+    require(hint >= meshes.a.triangle_count, "a good hint of a ray is refused");
     return;
   }
   require(
-      seeded.status == blind.status && seeded.yes == blind.yes &&
-          (blind.status != Status::done || !blind.yes || seeded.hit.triangle == blind.hit.triangle),
-      "a seed changes what a ray hits");
+      hinted.status == blind.status && hinted.yes == blind.yes &&
+          (blind.status != Status::done || !blind.yes || hinted.hit.triangle == blind.hit.triangle),
+      "a hint changes what a ray hits");
+}
+
+flashbvh_pose c_pose_of(const PoseNumbers& numbers) {
+  flashbvh_pose pose;
+  std::memset(&pose, 0xA5, sizeof pose);
+  const std::int32_t(&cells)[3] = numbers.cells;
+  (void)(numbers.is_turned
+             ? flashbvh_pose_rigid(numbers.rotation[0], cells, numbers.fraction, &pose)
+             : flashbvh_pose_translated(cells[0], cells[1], cells[2], &pose));
+  return pose;
 }
 
 }  // namespace
@@ -129,11 +188,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                    kKeptImages[(chosen >> 4u) % kKeptImageCount])) {
     return 0;
   }
-  const Pose pose = any_pose(input);
-  if (pose.status() == Status::done) {
-    query_pairs(meshes, c_pose_of(pose), pose, input);
-  }
-  query_distance(meshes, pose, input);
+  const PoseNumbers numbers = any_pose_numbers(input);
+  const Pose pose = numbers.pose();
+  const flashbvh_pose c_pose = c_pose_of(numbers);
+  require(flashbvh_pose_status(&c_pose) == static_cast<flashbvh_status>(pose.status()),
+          "C's pose has another status than C++'s");
+  query_pairs(meshes, c_pose, pose, input);
+  query_distance(meshes, c_pose, pose, input);
   query_ray(meshes, input);
   return 0;
 }
