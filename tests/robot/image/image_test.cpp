@@ -102,7 +102,7 @@ TEST_CASE(
   CHECK(Opened(words).status == Status::done);
 }
 
-TEST_CASE("every flipped bit is refused") {
+TEST_CASE("a robot's flipped bit is refused: each before the meshes, each 13th of theirs") {
   Words words = arm_images()[0].words;
   const std::size_t meshes = detail::robot_meshes_offset(Parts(words).header);
   for (std::size_t bit = 0; bit < 8 * size_of(words); bit += bit < 8 * meshes ? 1 : 13) {
