@@ -32,13 +32,10 @@ def run_doxygen(folder, *options):
 
 
 def json_fields(command):
-    """The names of the fields in a command's --json output, from the sources that print it."""
-    sources = [path for path in sorted((ROOT / "tools/cli").rglob("*.cpp"))
-               if path.stem == command or path.stem.startswith(command + "_")]
-    text = "".join(path.read_text() for path in sources)
-    text = re.sub(r'(IsMember|add_choice)\(.*?\);|\{"\w+", "\w+",.*?\}', "", text, flags=re.S)  # values, not names
-    found = re.findall(r'\{"([a-z]\w*)",|\["([a-z]\w*)"\]', text)
-    return dict.fromkeys(f"`{first or second}`" for first, second in found)
+    """The names of the fields in a command's --json output, which runner.py compares with the outputs of its cases."""
+    text = (ROOT / "tests/cli/json_fields.txt").read_text()
+    found = re.search(rf"^{command}:((?:\s+[\w{{}}]+)*)$", text, re.M)
+    return [f"`{name.removesuffix('{}')}`" for name in found.group(1).split()]
 
 
 def filled(text, indent=""):
@@ -72,9 +69,36 @@ def public_functions(tree):
             yield member.find("location").get("file"), member.findtext("name")
 
 
+def inherited_functions():
+    """Yields (header, class, name) of each function that a class takes from its private base: `using Base::NAME;`."""
+    for path in sorted(INCLUDE.rglob("*.hpp")):
+        owner, access = "", ""
+        for line in path.read_text().splitlines():
+            if begun := re.match(r"class (\w+)", line):
+                owner, access = begun.group(1), "private"
+            elif level := re.match(r" *(public|protected|private):", line):
+                access = level.group(1)
+            elif (used := re.match(r" *using Base::(\w+);", line)) and access == "public" and used.group(1) != "Base":
+                yield str(path.relative_to(INCLUDE)), owner, used.group(1)
+
+
+def alias_of(owner):
+    """The name that users write for a class template: `Mesh` for `BasicMesh`."""
+    short = owner.removeprefix("Basic")
+    used = any(f"using {short} = {owner}<" in path.read_text() for path in INCLUDE.rglob("*.hpp"))
+    return short if used else owner
+
+
 def calls():
     """For each header its functions, and those of its classes prefixed by the class."""
     found = {}
+
+    def add(header, owner, name):
+        call = f"`{alias_of(owner)}::{name}`" if owner else f"`{name}`"
+        is_special = name.startswith(("~", "operator", owner or "~")) or name.isupper()  # a macro
+        if not is_special and "detail/" not in header:
+            found.setdefault(header, {})[call] = None
+
     with tempfile.TemporaryDirectory() as folder:
         run_doxygen(folder)
         for path in sorted(pathlib.Path(folder, "xml").glob("*.xml")):
@@ -86,12 +110,11 @@ def calls():
             if compound.get("kind") == "file" and not scope.endswith(".h") or "detail" in scope:
                 continue
             is_class = compound.get("kind") in ("class", "struct")
-            owner = re.sub(r"<.*", "", scope).strip().split("::")[-1] + "::" if is_class else ""
+            owner = re.sub(r"<.*", "", scope).strip().split("::")[-1] if is_class else ""
             for header, name in public_functions(root):
-                if not name.startswith(("~", "operator", owner[:-2] or "~")) and "detail/" not in header:
-                    names = found.setdefault(header, [])
-                    if f"`{owner}{name}`" not in names:
-                        names.append(f"`{owner}{name}`")
+                add(header, owner, name)
+    for inherited in inherited_functions():
+        add(*inherited)
     return found
 
 

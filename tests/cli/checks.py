@@ -56,8 +56,38 @@ def run(*command, code=0, **options):
     return said
 
 
+def listed_fields():
+    """json_fields.txt: for each command the names in its JSON, with {} if an object's own names are no fields."""
+    content = re.sub("^#.*\n", "", text(HERE / "json_fields.txt"), flags=re.M)
+    return {command: set(names.split()) for command, names in re.findall(r"^(\w+):((?:\s+[\w{}]+)*)$", content, re.M)}
+
+
+def fields_of(value, listed):
+    """The names of all fields in JSON's values."""
+    if isinstance(value, list):
+        for each in value:
+            yield from fields_of(each, listed)
+    elif isinstance(value, dict):
+        for name, inner in value.items():
+            is_keyed = isinstance(inner, dict) and f"{name}{{}}" in listed
+            yield f"{name}{{}}" if is_keyed else name
+            yield from fields_of(list(inner.values()) if is_keyed else inner, listed)
+
+
+SEEN_FIELDS = set()  # (command, name) in all outputs of this process
+
+
 def flashbvh(*arguments, **options):
-    return run(FLASHBVH, *arguments, **options)
+    said = run(FLASHBVH, *arguments, **options)
+    if "--json" in arguments:
+        command = arguments[0]
+        listed = listed_fields()[command]
+        found = set(fields_of(said.json(), listed))
+        # A field may be a number or null instead of such an object.
+        others = {name for name in found if name not in listed and f"{name}{{}}" not in listed}
+        hold(not others, f"tests/cli/json_fields.txt lists no {sorted(others)} of {command}")
+        SEEN_FIELDS.update((command, name) for name in found)
+    return said
 
 
 def elsewhere(*arguments, folder="elsewhere", **options):

@@ -265,8 +265,12 @@ def made_once(fixture, fixtures):
 
 
 def failure_of(numbered):
-    """Runs a case; returns the reason of a failure, or None."""
-    number, case, fixtures = numbered
+    """Runs a case; returns the reason of a failure, or None, and the JSON fields that it saw."""
+    checks.SEEN_FIELDS.clear()
+    return run_case(*numbered), checks.SEEN_FIELDS
+
+
+def run_case(number, case, fixtures):
     folder = WORK / f"{case.table}-{number}"
     folder.mkdir(parents=True)
     os.chdir(folder)
@@ -288,11 +292,18 @@ def main():
     fixtures = [case for case in found if case.fixture]
     cases = [case for case in found if case.wanted("--long" in sys.argv, words)]
     shutil.rmtree(WORK, ignore_errors=True)
+    failures, seen = [], set()
     with multiprocessing.Pool(os.cpu_count(), maxtasksperchild=1) as pool:
         numbered = [(number, case, fixtures) for number, case in enumerate(cases)]
-        failures = list(filter(None, pool.imap_unordered(failure_of, numbered)))
-    print("\n".join([*failures, f"{len(cases) - len(failures)} of {len(cases)} cases passed"]))
-    sys.exit(bool(failures) or not cases)
+        for failure, fields in pool.imap_unordered(failure_of, numbered):
+            failures += [failure] if failure else []
+            seen |= fields
+    unseen = set()
+    if not words and "--long" not in sys.argv:
+        listed = {(command, name) for command, names in checks.listed_fields().items() for name in names}
+        unseen = {f"FAILED: no case's JSON of {command} has {name}" for command, name in listed - seen}
+    print("\n".join([*failures, *sorted(unseen), f"{len(cases) - len(failures)} of {len(cases)} cases passed"]))
+    sys.exit(bool(failures) or bool(unseen) or not cases)
 
 
 if __name__ == "__main__":
