@@ -4,8 +4,7 @@
 // A frame is 10 ms. The sheet is a deformable mesh. Each frame copies the cloth's points to its
 // vertices, refits its boxes and runs four queries. Two report intersecting triangles: of link and
 // sheet, and of the sheet with itself. Two report those nearer than the cloth is thick, and push
-// them apart. All cores and the host compute the same numbers; on the host, an argument names a
-// page of pictures to write.
+// them apart. All cores and the host compute the same numbers.
 //
 // Prints each frame's pairs, a digest of all pairs so far, and instructions. Run it by hand with
 // FLASHBVH_ICOUNT to see the instruction counts (ports/README.md).
@@ -18,9 +17,6 @@
 #include "insn.hpp"
 #include "sheet.fbvh.h"
 #include "text.hpp"
-#if defined(FLASHBVH_CLOTH_PAGE)
-#include "page.hpp"
-#endif
 
 using namespace flashbvh;
 using cloth::Cloth;
@@ -105,7 +101,7 @@ void push_off_link(Cloth& cloth, uint32_t of_a, uint32_t of_b) {
   }
 }
 
-/// Runs all queries of a frame. Not inlined, because the stack measurement needs its frame.
+/// Runs all queries of a frame.
 Costs run_queries(const Mesh& mesh, Cloth& cloth, FrameAnswers& frame) {
   Costs costs;
   costs.link = port::instructions_of([&] {
@@ -151,15 +147,12 @@ void print_frame(int number, const FrameAnswers& frame, const Costs& costs) {
 
 }  // namespace
 
-int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
+int main() {
   DeformableMesh mesh(sheet, nodes, vertices);
   const float floor = -45.0f * kPerMm - static_cast<float>(sheet.origin[2]);
   Cloth cloth(sheet, {0.5f * kPerMm, 3.0f * kPerMm, floor, kThickness}, points, before);
   Costs most;
   uint32_t digest = 0;
-#if defined(FLASHBVH_CLOTH_PAGE)
-  cloth::Page page(argc > 1 ? argv[1] : nullptr);
-#endif
   for (int number = 0; number < kFrames; ++number) {
     cloth.put_into(mesh.vertices());
     RefitResult step{};
@@ -177,9 +170,6 @@ int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
     if (number % 10 == 0 || number == kFrames - 1) {
       print_frame(number, frame, costs);
     }
-#if defined(FLASHBVH_CLOTH_PAGE)
-    page.add(number, mesh.mesh(), link);
-#endif
     cloth.step();
   }
   port::print("at most: refit ", most.refit, " (", most.refit / sheet_NODE_COUNT,
