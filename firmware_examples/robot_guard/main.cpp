@@ -8,6 +8,7 @@
 // Prints the end of each motion, and the instructions of a period, from floats to the verdict. Run
 // it by hand with FLASHBVH_ICOUNT to see the instruction counts (ports/README.md).
 #include <flashbvh/clearance.hpp>
+#include <flashbvh/robot/guard.hpp>
 #include <flashbvh/robot/image.hpp>
 #include <flashbvh/robot/robot_float.hpp>
 #include <flashbvh/units.hpp>
@@ -148,7 +149,7 @@ bool run_motion(const Motion& motion) {
               time.most, " instructions at most, ",
               in_time == 0 ? 0 : static_cast<uint32_t>(time.instructions) / in_time,
               " in the mean, of ", kInstructionsAPeriod, ", late: ", time.late, "\n");
-  return is_right && (motion.end == Verdict::stop) == (run.last.verdict == Verdict::stop);
+  return is_right && motion.stops == (run.last.verdict == Verdict::stop);
 }
 
 }  // namespace

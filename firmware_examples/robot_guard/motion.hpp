@@ -1,7 +1,7 @@
 // Motions of an arm: from rest to rest, all joints in proportion.
 #pragma once
 
-#include <flashbvh/robot/guard.hpp>
+#include <stdint.h>
 
 constexpr uint32_t kMostVariables = 7;
 
@@ -14,7 +14,7 @@ struct Motion {
   Waypoint from;
   Waypoint to;
   int milliseconds;
-  flashbvh::Verdict end;
+  bool stops;  ///< the guard stops it
 };
 
 /// Joint values after so many milliseconds, on a cubic that begins and ends at rest.

@@ -20,9 +20,9 @@ constexpr Waypoint kHandInHand = {{0, 0.2f, 0.7f, 1.5f, 0.2f, 0.7f, 0}};
 constexpr Waypoint kHandOnTheOtherArm = {{0.3f, 0.1f, 1.9f, 0, 0.3f, 0, 0}};
 
 constexpr Motion kMotions[] = {
-    {"from rest to ready", kAtRest, kReady, 1500, flashbvh::Verdict::free},
-    {"one arm over the other", kReady, kOneOverTheOther, 1500, flashbvh::Verdict::warn},
-    {"and back", kOneOverTheOther, kReady, 1200, flashbvh::Verdict::free},
-    {"hand in hand", kReady, kHandInHand, 1200, flashbvh::Verdict::stop},
-    {"a hand on the other arm", kReady, kHandOnTheOtherArm, 1500, flashbvh::Verdict::stop},
+    {"from rest to ready", kAtRest, kReady, 1500, false},
+    {"one arm over the other", kReady, kOneOverTheOther, 1500, false},
+    {"and back", kOneOverTheOther, kReady, 1200, false},
+    {"hand in hand", kReady, kHandInHand, 1200, true},
+    {"a hand on the other arm", kReady, kHandOnTheOtherArm, 1500, true},
 };

@@ -13,15 +13,7 @@ constexpr uint32_t kInstructionsAPeriod = 96000;
 constexpr uint32_t kWork = 150;
 
 constexpr Motion kMotions[] = {
-    {"from side to side",
-     {-1.2f, 0.5f, 1, 0},
-     {1.2f, 0.3f, 1.3f, 7},
-     1500,
-     flashbvh::Verdict::free},
-    {"folded into itself",
-     {0, 0, 0.5f, 1.5f},
-     {0, 0.2f, 2.9f, 1.5f},
-     1500,
-     flashbvh::Verdict::stop},
-    {"into the fence", {-0.6f, 0.5f, 1, 0}, {0.3f, 1.2f, 0.5f, 0}, 1200, flashbvh::Verdict::stop},
+    {"from side to side", {-1.2f, 0.5f, 1, 0}, {1.2f, 0.3f, 1.3f, 7}, 1500, false},
+    {"folded into itself", {0, 0, 0.5f, 1.5f}, {0, 0.2f, 2.9f, 1.5f}, 1500, true},
+    {"into the fence", {-0.6f, 0.5f, 1, 0}, {0.3f, 1.2f, 0.5f, 0}, 1200, true},
 };
