@@ -24,8 +24,8 @@ for compiler in $native; do
     -x c++ cell_arm.robot.c -x none flashbvh.o flashbvh_robot.o -o guard
   ./guard >answer || fail "the guard ended with $?"
 done
-sed 's/#/[0-9]*/g; s/^/^/; s/$/$/' "$ROOT/firmware_examples/robot_guard/cell_arm/expected.txt" >expected
-[ "$(grep -cf expected answer)" -eq "$(wc -l <expected)" ] || fail "other answers: $(cat answer)"
+sed 's/#/[0-9]*/g' "$ROOT/firmware_examples/robot_guard/cell_arm/expected.txt" >expected
+is_expected "the guard"
 cat >c.c <<'end'
 #include "flashbvh.h"
 #include "flashbvh/version.hpp"

@@ -37,6 +37,14 @@ on_board() {
   FLASHBVH_TIMEOUT=120 "$ROOT/ports/run" mps2-an386 "$1" >answer || fail "$1 ended with $?: $(cat answer)"
 }
 
+# is_expected NAME: each line of `answer` must match the regular expression on the same line of `expected`.
+is_expected() {
+  [ "$(wc -l <answer)" -eq "$(wc -l <expected)" ] || fail "$1: $(cat answer)"
+  paste -d '\n' expected answer | while read -r line && read -r said; do
+    expr "x$said" : "x$line\$" >/dev/null || fail "$1 says '$said', not '$line'"
+  done
+}
+
 # same_digest PROGRAM [RUN]: the program must exit with 0, that is, print the digest of every core.
 same_digest() {
   ${2:-} "$1" >answer || fail "another digest: $(cat answer)"
