@@ -1,6 +1,6 @@
 """check_links.py ROOT    Checks the documents' references: relative links and their anchors, paths of this repository
-between backticks, and sections named after a document, as in `lib/docs/guide.md`, "Builds". External links are not
-fetched.
+and names of its sources between backticks, and sections named after a document, as in `lib/docs/guide.md`, "Builds".
+External links are not fetched.
 """
 from __future__ import annotations
 
@@ -10,7 +10,11 @@ from itertools import chain
 from pathlib import Path
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
-PATH = re.compile(r"`((?:\./)?(?:lib|ports|tools|tests|firmware_examples|\.github)/[A-Za-z0-9_./\-]+)(?::\d+)?`")
+PATH = re.compile(r"`((?:\./)?(?:lib|ports|tools|tests|proofs|firmware_examples|\.github)/[A-Za-z0-9_./\-]+)(?::\d+)?`")
+# The end of a source's path. Texts about other projects, and what earlier versions had, name other files.
+SOURCE = re.compile(r"`([A-Za-z0-9_./\-]+\.(?:cpp|hpp|inc|py|v|g|smt2|csv))(?::\d+)?`")
+FOREIGN = re.compile(r"/(changelog|packages|guide)\.md$")
+DROPPED = {"gap_dsp.hpp"}  # decisions name it with its figures
 # A reference may name several sections.
 SECTION = re.compile(r'`([A-Za-z0-9_./\-]+\.md)`[,:]? (?:section )?((?:"[^"]+"(?:, | and )?)+)')
 
@@ -53,13 +57,22 @@ def problems_of_links(root: Path, document: Path, text: str) -> list[str]:
     return problems
 
 
-def problems_of(root: Path, document: Path) -> list[str]:
+def sources(root: Path) -> list[str]:
+    folders = ("lib", "ports", "tests", "tools", "proofs", "firmware_examples")
+    return [str(path) for folder in folders for path in (root / folder).rglob("*.*")]
+
+
+def problems_of(root: Path, document: Path, files: list[str]) -> list[str]:
     text = document.read_text()
     problems = problems_of_links(root, document, text)
     prose = re.sub(r"\s+", " ", without_code(text))
     for name in PATH.findall(prose):
         if not (root / name).exists() and not list(root.glob(f"{name}.*")):
             problems.append(f"no `{name}`")
+    for name in () if FOREIGN.search(str(document)) else SOURCE.findall(prose):
+        ends = "/" + name.removeprefix("./")
+        if name not in DROPPED and not any(file.endswith(ends) for file in files):
+            problems.append(f"no source `{name}`")
     for name, quoted in SECTION.findall(prose):
         target = find(root, document, name)
         for section in re.findall(r'"([^"]+)"', quoted):
@@ -69,10 +82,12 @@ def problems_of(root: Path, document: Path) -> list[str]:
 
 
 def main(root: Path) -> int:
+    files = sources(root)
     documents = sorted(chain(root.glob("*.md"), root.glob("lib/docs/**/*.md"), root.glob("ports/*.md"),
-                             root.glob(".github/*.md")))
+                             root.glob(".github/*.md"), root.glob("tests/*.md"), root.glob("tools/npm/*.md"),
+                             root.glob("firmware_examples/*/*.md")))
     found = [f"{document.relative_to(root)}: {problem}" for document in documents
-             for problem in problems_of(root, document)]
+             for problem in problems_of(root, document, files)]
     print("\n".join(found) or f"{len(documents)} documents")
     return 1 if found or len(documents) < 10 else 0
 
