@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """words.py [FILE...]: fails if comments, documents or texts that the programs print use a word of tools/words.txt.
 
-Prints path:line: "word" -> what to write. Without arguments it reads all tracked files.
+Prints path:line: "word" -> what to write. Without arguments it reads all tracked files of the kinds below.
 """
 import pathlib
 import re
@@ -14,8 +14,8 @@ EXEMPT = re.compile(r"^(lib/docs/(changelog\.md|decisions/)|tools/words\.|LICENS
 TEXT = {".md"}
 C_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.S)
 HASH_COMMENT = re.compile(r'"""(?:.*?)"""|"(?:\\.|[^"\\\n])*"|(?<![\w$&{])#[^\n]*', re.S)
-OF_C = {".c", ".h", ".cpp", ".hpp", ".inc"}
-OF_HASH = {".py", ".sh", ".cmake", ".txt", ".yml", ".ini"}
+OF_C = {".c", ".h", ".cpp", ".hpp", ".inc", ".js", ".mjs", ".ts", ".css", ".ld"}
+OF_HASH = {".py", ".sh", ".cmake", ".txt", ".yml", ".yaml", ".toml", ".ini", ".g"}
 
 
 def rules():

@@ -10,6 +10,6 @@
 nine = 3 / @2 * kRotationOne@;
 six = 2.44949 / @2 * kRotationOne@;
 turn = 1.414214 * 1b-29;
-composed = e * nine + nine + nine;                  # beside e
+composed = e * nine + nine + nine;                  # in addition to e
 more = composed + (e + composed) * turn + turn + six;
 { e in [0,@kMaxJoints@b-27] -> more in [0,1b-27] }

@@ -1,4 +1,4 @@
-# composed poses: a product's defect is the sum of both and less than kRoundingDefect more, where it is not measured anew
+# composed poses: a product's defect is the sum of both and less than kRoundingDefect more, where it is not measured again
 #
 # a, b: defects of A and B; f: the norm of F, nine entries of half of 2^-22. By norms, of which
 # |A|^2 <= 1 + a: |(AB + F)^T (AB + F) - 1| <= a |B|^2 + b + 2 |F| |A| |B| + |F|^2.

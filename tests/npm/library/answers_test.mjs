@@ -182,7 +182,7 @@ const tests = {
     assert.equal(library.nearestHit(a, []).yes.length, 0);
   },
 
-  async "memory of what is dropped is used again"() {
+  async "the memory of dropped objects is used again"() {
     const robot = new Robot(image("arm.robot"));
     const batch = new Float32Array(4000);
     const held = () => process.memoryUsage().external;
