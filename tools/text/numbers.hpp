@@ -14,7 +14,9 @@ template <class... Parts>
 std::string concat(const Parts&... parts) {
   std::string text;
   const auto add = [&text](const auto& part) {
-    if constexpr (std::is_integral_v<std::decay_t<decltype(part)>>) {
+    using Part = std::decay_t<decltype(part)>;
+    static_assert(!std::is_same_v<Part, char>, "would be printed as a number");
+    if constexpr (std::is_integral_v<Part>) {
       text += std::to_string(part);
     } else {
       text += part;

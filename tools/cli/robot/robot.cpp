@@ -47,7 +47,9 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
   const auto escaped = [](const std::string& path) {
     std::string text;
     for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
-      text += c == ' ' || c == '#' ? concat("\\", c) : c == '$' ? "$$" : std::string(1, c);
+      const bool is_escaped = c == ' ' || c == '#';
+      text += is_escaped ? "\\" : c == '$' ? "$" : "";
+      text += c;
     }
     return text;
   };
