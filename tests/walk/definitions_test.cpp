@@ -1,5 +1,4 @@
-// The paper's definitions on baked trees of every form. For the paper's figures:
-// definitions_board_test.cpp.
+// The paper's definitions on baked trees of every form, and its figures.
 #include "support/record.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
@@ -99,6 +98,22 @@ NodePair test_next(std::uint32_t a, std::uint32_t b) {
   return {to_number(order.index_a()), to_number(order.index_b())};
 }
 
+template <Layout layout>
+Baked<layout> figure_1() {
+  const auto mesh = any_mesh(8);
+  return baked<layout>(full_tree(mesh, 3), mesh);
+}
+
+/// The values of a function of the nodes, in the order of the array.
+template <class Function>
+std::vector<std::uint32_t> values(Function function) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t node = 0; node < kEnd; ++node) {
+    found.push_back(function(node));
+  }
+  return found;
+}
+
 struct Step {
   std::uint32_t a, b;
   NodePair next;
@@ -164,6 +179,25 @@ const Step kSteps[] = {
 };
 
 }  // namespace
+
+TEST_CASE("figures 1, 3, 22 and 26: levels, right child levels and escape indices") {
+  using List = std::vector<std::uint32_t>;
+  const auto of_pre = figure_1<Layout::pre_indexed>();
+  const auto pre = of_pre.view();
+  const auto of_post = figure_1<Layout::post_indexed>();
+  const auto post = of_post.view();
+  REQUIRE((pre.node_count == kEnd && post.node_count == kEnd));
+  CHECK(values([&](std::uint32_t node) { return pre.escape(node); }) ==
+        List{15, 8, 5, 4, 5, 8, 7, 8, 15, 12, 11, 12, 15, 14, 15});
+  CHECK(values([&](std::uint32_t node) { return pre.level(node); }) ==
+        List{0, 1, 2, 3, 3, 2, 3, 3, 1, 2, 3, 3, 2, 3, 3});
+  CHECK(values([&](std::uint32_t node) { return pre.rcl(node); }) ==
+        List{0, 0, 0, 0, 1, 1, 0, 2, 1, 0, 0, 1, 2, 0, 3});
+  CHECK(values([&](std::uint32_t node) { return post.rcl(node); }) ==
+        List{0, 1, 2, 3, 0, 0, 1, 0, 0, 1, 2, 0, 0, 1, 0});
+  CHECK(values([&](std::uint32_t node) { return post.escape(node); }) ==
+        List{15, 15, 15, 15, 3, 2, 2, 6, 1, 1, 1, 10, 9, 9, 13});
+}
 
 TEST_CASE("section 8.2: a single child is a last child") {
   bake::BuildTree build;
