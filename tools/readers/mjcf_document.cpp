@@ -1,6 +1,7 @@
 #include "readers/mjcf_document.hpp"
 
 #include <filesystem>
+#include <utility>
 
 #include "robot/read/xml_file.hpp"
 #include "text/files.hpp"
@@ -17,7 +18,8 @@ using Names = std::set<std::string>;
 const std::map<std::string, Names> kKept = {
     {"body",
      {"name", "childclass", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "mocap"}},
-    {"compiler", {"angle", "autolimits", "coordinate", "eulerseq", "strippath"}},
+    {"compiler",
+     {"angle", "autolimits", "coordinate", "eulerseq", "exactmeshinertia", "fitaabb", "strippath"}},
     {"exclude", {"name", "body1", "body2"}},
     {"freejoint", {"name"}},
     {"geom",
@@ -28,6 +30,13 @@ const std::map<std::string, Names> kKept = {
       "polycoef", "active"}},
     {"mesh", {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat"}},
     {"pair", {"name", "class", "geom1", "geom2"}}};
+
+/// Attributes of <compiler>, of MuJoCo up to 3.3, that change neither shapes nor joints. The
+/// folders of meshes are read separately.
+const Names kOtherCompiler = {
+    "alignfree",  "assetdir",      "balanceinertia", "boundinertia",    "boundmass",
+    "convexhull", "discardvisual", "fusestatic",     "inertiafromgeom", "inertiagrouprange",
+    "meshdir",    "saveinertial",  "settotalmass",   "texturedir",      "usethread"};
 
 const Names kDropped = {
     // of the model
@@ -50,13 +59,25 @@ void keep_attributes(TiXmlElement& element, const Names& kept) {
   }
 }
 
+/// An attribute of neither list may change shapes: UserError.
+void check_compiler(const TiXmlElement& compiler, const std::string& path) {
+  const Names& kept = kKept.at("compiler");
+  for (const TiXmlAttribute* a = compiler.FirstAttribute(); a != nullptr; a = a->Next()) {
+    if (kept.count(a->Name()) == 0 && kOtherCompiler.count(a->Name()) == 0) {
+      throw UserError(path, "has a <compiler> with ", one_line(a->Name()),
+                      ", which flashbvh does not know and which may change shapes; leave it out");
+    }
+  }
+}
+
 class Trimmer {
  public:
-  explicit Trimmer(const std::string& path) : folder_(fs::absolute(path).parent_path()) {}
+  explicit Trimmer(const std::string& path)
+      : path_(path), folder_(fs::absolute(path).parent_path()) {}
 
-  MjcfDocument trimmed(const std::string& path) {
+  MjcfDocument trimmed() {
     TiXmlDocument document;
-    read_xml(path, "mujoco", document);
+    read_xml(path_, "mujoco", document);
     TiXmlElement& root = *document.RootElement();
     trim(root);
     for (const auto& [name, file] : made_.mesh_files) {
@@ -114,6 +135,7 @@ class Trimmer {
       made_.mesh_files[name.empty() ? fs::path(file).stem().string() : name] = file;
     }
     if (element.ValueStr() == "compiler") {
+      check_compiler(element, path_);
       for (const char* const name : {"assetdir", "meshdir"}) {
         const std::string given = attribute(&element, name);
         mesh_folder_ = given.empty() ? mesh_folder_ : given;
@@ -132,7 +154,9 @@ class Trimmer {
     TiXmlDocument document;
     parse_xml(std::move(text), path, root == "mujoco" ? "mujoco" : "mujocoinclude", document);
     made_.files.push_back(path);
+    const std::string outer = std::exchange(path_, path);
     trim(*document.RootElement());
+    path_ = outer;
     for (const TiXmlNode* child = document.RootElement()->FirstChild(); child != nullptr;
          child = child->NextSibling()) {
       parent.InsertBeforeChild(&included, *child);
@@ -147,6 +171,7 @@ class Trimmer {
     }
   }
 
+  std::string path_;  ///< of the file that is being trimmed
   const fs::path folder_;
   std::string mesh_folder_;
   Names seen_;
@@ -156,7 +181,7 @@ class Trimmer {
 }  // namespace
 
 MjcfDocument read_mjcf_document(const std::string& path) {
-  return Trimmer(path).trimmed(path);
+  return Trimmer(path).trimmed();
 }
 
 }  // namespace flashbvh::tool

@@ -16,7 +16,8 @@ struct MjcfDocument {
   std::set<std::string> dropped;                  ///< names of elements left out
 };
 
-/// UserError if the file or an included one is no XML.
+/// UserError if the file or an included one is no XML, or has a <compiler> with an unknown
+/// attribute, which may change shapes.
 MjcfDocument read_mjcf_document(const std::string& path);
 
 }  // namespace flashbvh::tool
