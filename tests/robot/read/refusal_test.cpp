@@ -23,6 +23,14 @@ std::string said_of_shape(const std::string& shape) {
   return said_of_link("<collision><geometry>" + shape + "</geometry></collision>");
 }
 
+std::string repeated(const std::string& part, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) {
+    text += part;
+  }
+  return text;
+}
+
 std::string said_of_file(const std::string& text) {
   RobotFiles files;
   files.write("x.urdf", text);
@@ -57,11 +65,14 @@ TEST_CASE("files that are no URDF") {
              Contains("is a xacro (it has <xacro:arm>)"));
   CHECK_THAT(said_of_file("<robot><link name=\"a\"/></robot>"), Contains("No name given"));
   CHECK_THAT(said_of_file("<robot name=\"r\"></robot>"), Contains("No link elements"));
-  std::string deep;
-  for (int i = 0; i < 100000; ++i) {
-    deep += "<a>";
+  const std::string deep = repeated("<a>", 100000);
+  const std::string ends = repeated("</a>/>", 100000);
+  for (const std::string& before :
+       {std::string(), "<!--" + ends + "-->", "<robot name='" + ends + "'>",
+        "<robot><![CDATA[" + ends + "]]>", "<robot name=\"\xC3\"" + ends + "\">"}) {
+    CHECK_THAT(said_of_file(before + deep), Contains("nests elements over 1000 deep"));
   }
-  CHECK_THAT(said_of_file(deep), Contains("nests elements over 1000 deep"));
+  CHECK_THAT(said_of_file("<robot><!--" + deep + "--></robot>"), Contains("No name given"));
   CHECK_THROWS_AS(tool::read_urdf("no such file", {}, "", warnings), tool::UserError);
 }
 

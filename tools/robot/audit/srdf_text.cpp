@@ -1,10 +1,12 @@
 #include "robot/audit/srdf_text.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string_view>
 
 #include "robot/read/xml_file.hpp"
+#include "robot/read/xml_markup.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 
@@ -25,51 +27,26 @@ struct SrdfSpans {
   Span root_end;  ///< "</robot>", or the "/>" of a root without content
 };
 
-/// The position after the '>' that ends a tag; skips quoted ones.
-std::size_t behind_tag(std::string_view text, std::size_t from) {
-  char quote = 0;
-  for (std::size_t i = from; i < text.size(); ++i) {
-    if (quote != 0) {
-      quote = text[i] == quote ? '\0' : quote;
-    } else if (text[i] == '"' || text[i] == '\'') {
-      quote = text[i];
-    } else if (text[i] == '>') {
-      return i + 1;
-    }
-  }
-  return text.size();
-}
-
 /// For XML that TinyXML reads; TinyXML ignores everything after the root.
 SrdfSpans spans_of(std::string_view text) {
   SrdfSpans spans;
   std::size_t depth = 0;
   std::size_t begin = 0;
-  for (std::size_t at = text.find('<'); at < text.size() && spans.root_end.end == 0;) {
-    std::size_t end = 0;
-    if (text.compare(at, 4, "<!--") == 0) {
-      end = behind(text, "-->", at);
-    } else if (text.compare(at, 9, "<![CDATA[") == 0) {
-      end = behind(text, "]]>", at);
-    } else if (text.compare(at, 2, "<?") == 0) {
-      end = behind(text, "?>", at);
-    } else if (text.compare(at, 2, "<!") == 0) {
-      end = behind(text, ">", at);
-    } else {
-      end = behind_tag(text, at);
-      const std::string_view tag = text.substr(at, end - at);
-      const bool closes = tag.substr(0, 2) == "</";
-      const bool is_empty = tag.size() > 2 && tag[tag.size() - 2] == '/';
-      begin = depth == 1 ? at : begin;
-      depth += closes || is_empty ? 0 : 1;
-      depth -= closes && depth != 0 ? 1 : 0;
-      if (depth == 1 && (closes || is_empty)) {
-        spans.elements.push_back({begin, end});
-      } else if (depth == 0) {
-        spans.root_end = {closes ? at : end - 2, end};
-      }
+  for (std::optional<Markup> found = next_markup(text, 0); found && spans.root_end.end == 0;
+       found = next_markup(text, found->end)) {
+    if (found->kind == Markup::Kind::other) {
+      continue;
     }
-    at = text.find('<', end);
+    const bool closes = found->kind == Markup::Kind::end;
+    const bool is_start = found->kind == Markup::Kind::start;
+    begin = depth == 1 ? found->begin : begin;
+    depth += is_start ? 1 : 0;
+    depth -= closes && depth != 0 ? 1 : 0;
+    if (depth == 1 && !is_start) {
+      spans.elements.push_back({begin, found->end});
+    } else if (depth == 0) {
+      spans.root_end = {closes ? found->begin : found->end - 2, found->end};
+    }
   }
   return spans;
 }
@@ -253,7 +230,8 @@ class SrdfEditor {
   /// The position after a comment that follows on the line, or `at`.
   std::size_t behind_comment(std::size_t at) const {
     const std::size_t next = std::min(text_.find_first_not_of(" \t", at), text_.size());
-    const std::size_t end = text_.compare(next, 4, "<!--") == 0 ? behind(text_, "-->", next) : at;
+    const std::size_t end =
+        text_.compare(next, 4, "<!--") == 0 ? behind(text_, "-->", next + 4) : at;
     return text_.find('\n', at) < end ? at : end;
   }
 

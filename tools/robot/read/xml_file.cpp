@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "robot/read/xml_markup.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 
@@ -9,32 +10,11 @@ namespace flashbvh::tool {
 namespace {
 
 /// TinyXML recurses once per level.
-constexpr int kMostLevels = 1000;
+constexpr std::size_t kMostLevels = 1000;
 /// TinyXML reads as many bytes of a character as its first byte announces, even beyond the end.
 constexpr std::size_t kLongestCharacter = 4;
 
-/// Computes a lower bound of the depth, also in malformed text.
-bool is_too_deep(std::string_view text) {
-  int level = 0;
-  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-    if (text[i] == '<' && text[i + 1] != '!' && text[i + 1] != '?') {
-      level += text[i + 1] == '/' ? -1 : 1;
-    } else if (text[i] == '/' && text[i + 1] == '>') {
-      --level;
-    }
-    if (level > kMostLevels) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
-
-std::size_t behind(std::string_view text, std::string_view mark, std::size_t from) {
-  const std::size_t at = text.find(mark, from);
-  return at == std::string_view::npos ? text.size() : at + mark.size();
-}
 
 std::string_view root_element(std::string_view text) {
   for (;;) {
@@ -58,11 +38,11 @@ void read_xml(const std::string& path, const char* root, TiXmlDocument& document
 
 void parse_xml(std::string text, const std::string& path, const char* root,
                TiXmlDocument& document) {
-  if (is_too_deep(text)) {
-    throw UserError(path, "nests elements over ", kMostLevels, " deep; write it again");
-  }
   if (text.find('\0') != std::string::npos) {
     throw UserError(path, "is no text, so no XML; name the robot's file");
+  }
+  if (levels_of(text) > kMostLevels) {
+    throw UserError(path, "nests elements over ", kMostLevels, " deep; write it again");
   }
   text.append(kLongestCharacter, '\0');
   document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);

@@ -9,8 +9,6 @@
 
 namespace flashbvh::tool {
 
-/// The position after `mark`, searched for from a position; the text's size if there is none.
-std::size_t behind(std::string_view text, std::string_view mark, std::size_t from = 0);
 /// The name of an XML text's outermost element, by its first bytes alone; empty if there is none.
 std::string_view root_element(std::string_view text);
 
