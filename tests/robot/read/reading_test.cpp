@@ -238,6 +238,34 @@ TEST_CASE("an SRDF's default is disabled for all pairs of a link but those that 
                                               "does not name a link; give it link"));
 }
 
+TEST_CASE("a mimic's own limits are not checked") {
+  const auto [limits, type, lower, upper] = GENERATE(
+      table<const char*, const char*, double, double>({{"-100\" upper=\"100", "revolute", -1, 2},
+                                                       {"1\" upper=\"-1", "revolute", -1, 2},
+                                                       {"-20\" upper=\"20", "revolute", -1, 2},
+                                                       {"-1\" upper=\"1", "continuous", -1, 2}}));
+  RobotFiles files;
+  const tool::Model model =
+      files.read(chain_text({{"revolute", kLimit},
+                             {type, "<limit lower=\"" + std::string(limits) +
+                                        "\" effort=\"1\" velocity=\"1\"/><mimic joint=\"j0\"/>"}}));
+  CHECK(model.joints[1].lower == lower);
+  CHECK(model.joints[1].upper == upper);
+  CHECK(model.joints[1].variable == 0);
+  for (const tool::PlacedWarning& warning : files.warnings.all()) {
+    CHECK_THAT(warning.what, Catch::Matchers::Contains("past its own limits; they do not count"));
+  }
+}
+
+TEST_CASE("a mimic of a continuous joint is continuous") {
+  RobotFiles files;
+  const tool::Model model =
+      files.read(chain_text({{"continuous", ""}, {"revolute", kLimit + "<mimic joint=\"j0\"/>"}}));
+  CHECK(model.joints[1].type == JointType::continuous);
+  CHECK(model.joints[1].lower == -tool::kPi);
+  CHECK(model.joints[1].upper == tool::kPi);
+}
+
 TEST_CASE("soft limits narrow the limits of a joint that has its own") {
   const auto [soft, lower, upper, warning] =
       GENERATE(table<const char*, double, double, const char*>({

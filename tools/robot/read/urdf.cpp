@@ -71,6 +71,8 @@ void follow_continuous(ModelJoint& joint, const std::string& master, const std::
                     "limits");
   }
   joint.type = JointType::continuous;
+  joint.lower = -kPi;
+  joint.upper = kPi;
 }
 
 /// Sets the limits that follow from the variable's.
@@ -193,10 +195,13 @@ class TreeBuilder {
     made.type = joint.type == UrdfJoint::Type::prismatic    ? JointType::prismatic
                 : joint.type == UrdfJoint::Type::continuous ? JointType::continuous
                                                             : JointType::revolute;
-    set_limits(joint, place, made, warnings_);
     child.joint = model_.joints.size();
     child.transform = inverse(turned);
-    if (!joint.mimic) {
+    if (joint.mimic) {
+      made.lower = joint.lower;  // resolve_mimic() warns of them and replaces them
+      made.upper = joint.upper;
+    } else {
+      set_limits(joint, place, made, warnings_);
       made.variable = model_.variables.size();
       model_.variables.push_back(child.joint);
     }
