@@ -21,7 +21,8 @@ struct BasicPairLink {
 /// A variable that moves the links relative to each other.
 struct Dimension {
   std::size_t variable;
-  Interval range;  ///< at most one turn if the variable only rotates joints
+  /// At most one turn if the variable only rotates joints, each with a multiplier of 1 or -1.
+  Interval range;
 };
 
 /// A bound on the motion of both links' points from the middle of a joint box, in cells, as seen
