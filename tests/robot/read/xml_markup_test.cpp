@@ -20,7 +20,7 @@ std::size_t levels_below(const TiXmlNode& node) {
   return most;
 }
 
-/// What TinyXML makes of a text.
+/// The levels by TinyXML itself.
 struct ByTinyXml {
   std::size_t levels;
   bool is_sound;
