@@ -39,6 +39,8 @@ class MeshErrors(unittest.TestCase):
                                 ("^triangles: row 0 names the vertex ", np.array([[2**63, 0, 0]], np.uint64))):
             with self.subTest(text):
                 self.refused(text, triangles=triangles)
+        self.refused("^triangles: row 0 names the vertex 0; give vertices, too: there are none$",
+                     vertices=np.zeros((0, 3)), triangles=np.array([[0, 1, 2]]))
         self.refused("no triangle|no polygon", triangles=np.zeros((0, 3), int), error=flashbvh.Error)
         self.refused("^cell: is -1; give a positive, finite number$", cell=-1)
         self.refused("^cell: is nan", cell=float("nan"))

@@ -67,8 +67,9 @@ void add_corners(const Numbers& vertices, const Integers& triangles, tool::MeshB
     std::vector<std::uint32_t> polygon;
     for (py::ssize_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
       if (corners[corner] < 0 || corners[corner] >= count) {
-        throw py::value_error(concat("triangles: row ", i, " names the vertex ", corners[corner],
-                                     "; give 0 to ", count - 1));
+        throw py::value_error(
+            concat("triangles: row ", i, " names the vertex ", corners[corner], "; give ",
+                   count == 0 ? "vertices, too: there are none" : concat("0 to ", count - 1)));
       }
       polygon.push_back(static_cast<std::uint32_t>(corners[corner]));
     }

@@ -168,6 +168,8 @@ class Guard:
     """Keeps a robot from hitting itself: firmware's guard with its state. Threads may share it."""
 
     def __init__(self, robot: Robot) -> None:
+        if not isinstance(robot, Robot):
+            raise TypeError("robot: give a Robot")
         self.robot = robot
         self._native = _native.Guard(robot._native)
 
