@@ -27,12 +27,35 @@ std::string other_unit(const ModelJoint& joint, double value) {
                        : "; in degrees? give radians: " + significant(value * kTurn / 360, 6);
 }
 
+/// Six significant digits, or as many more as it takes to satisfy the condition.
+template <class Condition>
+std::string digits_until(double value, const Condition& is_enough) {
+  constexpr int kMostDigits = 17;  // of a double
+  int digits = 6;
+  while (digits != kMostDigits && !is_enough(*parse_number(significant(value, digits)))) {
+    ++digits;
+  }
+  return significant(value, digits);
+}
+
+/// The shortest text that reads back as this float.
+std::string float_text(double value) {
+  return digits_until(
+      value, [&](double read) { return static_cast<float>(read) == static_cast<float>(value); });
+}
+
+/// A limit, rounded so little that it stays on its side of the value.
+std::string limit_text(double limit, double value) {
+  return digits_until(
+      limit, [&](double read) { return read != value && (read < value) == (limit < value); });
+}
+
 /// "joint 'fold' can't be at 3.5", "joint 'other' can't follow 'grip' to 3.5".
 std::string refused_place(const GuardedTrajectory& guarded, const ModelJoint& joint, double value) {
   const std::string& master = variable_name(guarded, joint.variable);
   return concat("joint '", joint.name,
                 joint.name == master ? "' can't be at " : "' can't follow '" + master + "' to ",
-                significant(value, 6), ": ");
+                float_text(value), ": ");
 }
 
 /// The error of a value beyond the range of a coordinate.
@@ -48,8 +71,9 @@ std::string beyond_range(const GuardedTrajectory& guarded, const ModelJoint& mov
 
 /// The error of a value beyond its limits. `moved`: the value's joint, which `joint` may follow.
 std::string beyond_limits(const ModelJoint& joint, const ModelJoint& moved, double value) {
+  const double own = joint.multiplier * value + joint.offset;
   return concat(
-      "its limits are ", significant(joint.lower, 6), " and ", significant(joint.upper, 6),
+      "its limits are ", limit_text(joint.lower, own), " and ", limit_text(joint.upper, own),
       has_other_unit(moved, value) ? (slides(moved) ? " m" : " radians") + other_unit(moved, value)
                                    : "; correct the value, or the URDF");
 }
