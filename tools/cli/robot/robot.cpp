@@ -54,7 +54,8 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
     return text;
   };
   const char* const extension = arguments.format == "image" ? ".robot" : ".robot.h";
-  std::string text = escaped(arguments.folder + "/" + name.stem + extension) + ":";
+  std::string text =
+      escaped((std::filesystem::path(arguments.folder) / (name.stem + extension)).string()) + ":";
   for (const std::string& path : files_read(arguments, model)) {
     text += " \\\n  " + escaped(path);
   }
