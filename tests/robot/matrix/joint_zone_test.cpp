@@ -32,8 +32,11 @@ struct Neighbours {
   MatrixOptions options;
   ZoneRadii radii;
 
+  FoundZones found() const {
+    return joint_zones(model, BakedArm(model, kCell).wholes(), kCell, options, radii);
+  }
   std::vector<JointZone> zones(const BakedArm& arm) const {
-    return joint_zones(model, arm.wholes(), kCell, options, radii);
+    return joint_zones(model, arm.wholes(), kCell, options, radii).zones;
   }
   std::vector<JointZone> zones() const { return zones(BakedArm(model, kCell)); }
   /// The only zone.
@@ -241,14 +244,27 @@ TEST_CASE("without time there is no zone, and a guard keeps all that lies outsid
   const JointZone zone = late.zone();
   late.options.deadline = in_seconds(Clock::now(), -1);
   CHECK(late.zones().empty());
+  CHECK(late.found().late_joints == std::set<std::size_t>{0});
   late.radii = {{0, 0.2}};
   CHECK(late.zones().empty());
+  CHECK(late.found().late_joints == std::set<std::size_t>{0});
   const std::vector<ZoneParts> parts = zone_parts(late.model, zone, kCell, late.options);
   REQUIRE(parts.size() == zone.bodies.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     CHECK(parts[i].a.triangles.size() == zone.bodies[i].mesh_a.triangles.size());
     CHECK(parts[i].b.triangles.size() == zone.bodies[i].mesh_b.triangles.size());
   }
+}
+
+TEST_CASE("a search that ended without a zone is not late") {
+  Neighbours apart;
+  add_link(apart.model, kNoJoint, prism(24, 0.1, 0, 0, -0.3, 0.1));
+  const std::size_t joint = add_joint(apart.model, kNoJoint, {}, JointType::revolute, -1, 1);
+  add_link(apart.model, joint, prism(24, 0.1, 0, 0, 0.2, 0.3));
+  apart.model.neighbours = {{0, 1}};
+  apart.options.deadline = in_seconds(Clock::now(), -1);
+  CHECK(apart.found().zones.empty());
+  CHECK(apart.found().late_joints.empty());
 }
 
 TEST_CASE("without time a guard's parts are not searched for") {
@@ -294,7 +310,7 @@ TEST_CASE("of all pairs those with a zone are decided first") {
   add_link(model, joint, hinge.model.links[1].mesh);
   model.neighbours = {{2, 3}};
   const BakedArm arm(model, kCell);
-  const std::vector<JointZone> zones = joint_zones(model, arm.wholes(), kCell, {}, {});
+  const std::vector<JointZone> zones = joint_zones(model, arm.wholes(), kCell, {}, {}).zones;
   REQUIRE(zones.size() == 1);
   options.deadline = after_looks(needed);
   const std::vector<PairVerdict> pairs = arm.decide(options, zones);

@@ -127,7 +127,7 @@ TEST_CASE("zones of simplified links are cut as finely as others, or finer") {
   for (const double early : {0.0, 0.15}) {
     MatrixOptions options;
     options.early = early / kCell;
-    const auto given = joint_zones(model, arm.wholes(), kCell, options, {{joint, 0.2}});
+    const auto given = joint_zones(model, arm.wholes(), kCell, options, {{joint, 0.2}}).zones;
     REQUIRE(given.size() == 1);
     REQUIRE_FALSE(given[0].bodies.empty());
     triangles.push_back(given[0].bodies[0].mesh_a.triangles.size());

@@ -271,8 +271,9 @@ void decide(const AllDistances& distances, const RobotArguments& arguments, cons
   made.options.early = early / made.cell;
   progress.begin("joint zones", kBakingWeight);
   made.options.deadline = times.until(kPartForZones);
-  made.zones = joint_zones(made.model, meshes, made.cell, made.options, radii);
-  made.late_joints = late_joints(made, radii);
+  FoundZones found = joint_zones(made.model, meshes, made.cell, made.options, radii);
+  made.zones = std::move(found.zones);
+  made.late_joints = std::move(found.late_joints);
   made.options.deadline = times.until(kPartForPairs);
   made.pairs = decide_pairs(made.model, meshes, made.zones, made.reaches, made.cell, made.options,
                             [&](std::size_t pair, std::size_t pairs) {

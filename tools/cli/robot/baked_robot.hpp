@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,7 @@ struct BakedRobot {
   MatrixOptions options;   ///< used to decide pairs; includes the deadline for parts
   Deadline deadline = {};  ///< of the whole work
   std::vector<JointZone> zones;
-  std::vector<std::size_t> late_joints;  ///< without a zone when its time was up
+  std::set<std::size_t> late_joints;  ///< without a zone when its time was up
   std::vector<PairVerdict> pairs;
   std::vector<UnguardedPair> unguarded;  ///< also of an image
   double simplified = 0;        ///< allowed deviation of firmware's links in metres; 0: none

@@ -1,7 +1,5 @@
 #include "cli/robot/robot_warnings.hpp"
 
-#include <algorithm>
-
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -61,24 +59,6 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
                pair.verdict == MatrixVerdict::never ? ""
                                                     : concat(" and name it by --believe ", names)));
   }
-}
-
-std::vector<std::size_t> late_joints(const BakedRobot& robot, const ZoneRadii& radii) {
-  std::vector<std::size_t> joints;
-  if (!robot.options.is_late()) {
-    return joints;
-  }
-  for (std::size_t joint = 0; joint < robot.model.joints.size(); ++joint) {
-    const auto given = radii.find(joint);
-    const bool is_wanted =
-        is_between_neighbours(robot.model, joint) && (given == radii.end() || given->second != 0);
-    const bool is_found = std::any_of(robot.zones.begin(), robot.zones.end(),
-                                      [&](const JointZone& zone) { return zone.joint == joint; });
-    if (is_wanted && !is_found) {
-      joints.push_back(joint);
-    }
-  }
-  return joints;
 }
 
 void warn_of_late_zones(const BakedRobot& robot, const std::string& path, const std::string& then,

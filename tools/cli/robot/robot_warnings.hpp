@@ -18,9 +18,7 @@ void warn_of_unguarded(const BakedRobot& robot, const std::string& path, Warning
 void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
                   const RobotArguments& arguments, Warnings& warnings);
 
-/// Joints whose zone was not found when the time for it was up.
-std::vector<std::size_t> late_joints(const BakedRobot& robot, const ZoneRadii& radii);
-/// Warns of these joints. `then`: the consequence for the links.
+/// Warns of joints whose search for a zone ran out of time. `then`: the consequence for the links.
 void warn_of_late_zones(const BakedRobot& robot, const std::string& path, const std::string& then,
                         Warnings& warnings);
 

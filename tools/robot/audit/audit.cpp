@@ -31,9 +31,8 @@ bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
 
 /// The joint between two neighbours if the search for its zone ran out of time.
 std::optional<std::size_t> late_joint(const DecidedPairs& decided, const PairVerdict& pair) {
-  const std::vector<std::size_t>& late = decided.late_joints;
   const auto joint = joint_of_neighbours(decided.model, pair.a, pair.b);
-  return joint && std::count(late.begin(), late.end(), *joint) != 0 ? joint : std::nullopt;
+  return joint && decided.late_joints.count(*joint) != 0 ? joint : std::nullopt;
 }
 
 /// The verdict on a line that disables the pair.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,7 @@ struct DecidedPairs {
   const std::vector<PairVerdict>& pairs;
   /// Joints whose zone search ran out of time: a collision of the links next to such a joint may
   /// lie in the zone and refutes nothing.
-  std::vector<std::size_t> late_joints = {};
+  std::set<std::size_t> late_joints = {};
 };
 
 /// Lines for all pairs that a planner need not check.

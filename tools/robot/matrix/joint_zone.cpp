@@ -79,6 +79,7 @@ class Finder {
     }
     const std::vector<std::vector<Contact>> contacts = contacts_in(whole);
     if (deadline_.is_past()) {
+      is_late_ = true;
       return std::nullopt;
     }
     find_touching_shells(contacts);
@@ -104,8 +105,12 @@ class Finder {
       sides_ = std::move(*whole_sides_);
       cut();
     }
-    return deadline_.is_past() ? std::nullopt : std::optional(zone());
+    is_late_ = deadline_.is_past();
+    return is_late_ ? std::nullopt : std::optional(zone());
   }
+
+  /// True if find() ran out of time.
+  bool is_late() const { return is_late_; }
 
  private:
   PairSpace space(const WholeMesh& a, const WholeMesh& b) const {
@@ -297,6 +302,7 @@ class Finder {
   double edge_;      ///< in cells: triangles are cut no finer
   double touching_;  ///< in cells: distance that counts as contact
   Deadline deadline_;
+  bool is_late_ = false;
   std::array<std::size_t, 2> links_;
   std::array<Transform, 2> frames_;  ///< the joint's frame in the links'
   std::array<ZoneSide, 2> sides_;
@@ -337,10 +343,10 @@ bool is_between_neighbours(const Model& model, std::size_t joint) {
   });
 }
 
-std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
-                                   double cell, const MatrixOptions& options,
-                                   const ZoneRadii& radii) {
+FoundZones joint_zones(const Model& model, const std::vector<WholeMesh>& meshes, double cell,
+                       const MatrixOptions& options, const ZoneRadii& radii) {
   std::vector<std::optional<JointZone>> found(model.neighbours.size());
+  std::vector<std::optional<std::size_t>> late_joints(found.size());
   const std::vector<std::optional<Approximation>> others = approximations(model, cell, options);
   for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
@@ -362,17 +368,21 @@ std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMe
     }
     found[i] = finder.find(others[a] ? others[a]->baked.view() : meshes[a],
                            others[b] ? others[b]->baked.view() : meshes[b], radius);
+    late_joints[i] = finder.is_late() ? joint : std::nullopt;
   });
-  std::vector<JointZone> zones;
-  for (std::optional<JointZone>& zone : found) {
-    if (zone) {
-      zones.push_back(std::move(*zone));
+  FoundZones all;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i]) {
+      all.zones.push_back(std::move(*found[i]));
+    }
+    if (late_joints[i]) {
+      all.late_joints.insert(*late_joints[i]);
     }
   }
-  std::sort(zones.begin(), zones.end(), [](const JointZone& p, const JointZone& q) {
+  std::sort(all.zones.begin(), all.zones.end(), [](const JointZone& p, const JointZone& q) {
     return std::pair(p.a, p.b) < std::pair(q.a, q.b);
   });
-  return zones;
+  return all;
 }
 
 }  // namespace flashbvh::tool

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "flashbvh/mesh.hpp"
@@ -48,12 +49,15 @@ bool is_between_neighbours(const Model& model, std::size_t joint);
 /// Radii that the user chose, in metres, by joint; 0: no zone.
 using ZoneRadii = std::map<std::size_t, double>;
 
-/// The zones of neighbours that touch at all values of their joint, and of joints with a radius, in
-/// the order of pairs. Omits zones whose measurement runs out of time. `meshes`: of the links,
-/// baked with `cell`, in metres.
-std::vector<JointZone> joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
-                                   double cell, const MatrixOptions& options,
-                                   const ZoneRadii& radii);
+struct FoundZones {
+  std::vector<JointZone> zones;       ///< in the order of pairs
+  std::set<std::size_t> late_joints;  ///< whose search for a zone ran out of time
+};
+
+/// The zones of neighbours that touch at all values of their joint, and of joints with a radius.
+/// `meshes`: of the links, baked with `cell`, in metres.
+FoundZones joint_zones(const Model& model, const std::vector<WholeMesh>& meshes, double cell,
+                       const MatrixOptions& options, const ZoneRadii& radii);
 
 /// The parts of two bodies that may come within the stop distance and slack. A guard tests only
 /// these.
