@@ -81,7 +81,8 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
       warnings.add(
           at_line(srdf, disabled.line),
           concat(pair_name(model, pair, " - "), " is ", name_of(pair.verdict),
-                 ", with or without --believe ", pair_name(model, pair, ","), "; leave that out"));
+                 pair.zone ? " outside their joint's zone" : "", ", with or without --believe ",
+                 pair_name(model, pair, ","), "; leave that out"));
     }
     if (pair.verdict != MatrixVerdict::can || pair.zone) {
       continue;
