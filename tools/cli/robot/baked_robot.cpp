@@ -112,14 +112,20 @@ MatrixOptions matrix_options(const Model& model, const std::vector<WholeMesh>& m
   return options;
 }
 
-/// UserError if a distance is too large for firmware.
-void check_range(const Distances& distances, double cell) {
+/// UserError, at the option that gives it, if a distance is too large for firmware.
+void check_range(double distance, const std::string& place, double cell) {
   const double most = kMaxGuardDistance * cell / kFineOne;
-  if (distances.warn > most) {
-    throw UserError(concat("--", distances.stop > most ? "stop " : "warn ",
-                           shortest(distances.stop > most ? distances.stop : distances.warn)),
-                    "is out of range: 0 to ", significant(most, 6),
+  if (distance > most) {
+    throw UserError(place, "is out of range: 0 to ", significant(most, 6),
                     " m, 32,767 cells; use a larger --cell to look further");
+  }
+}
+
+void check_ranges(const AllDistances& distances, const RobotArguments& arguments, double cell) {
+  check_range(distances.usual.stop, "--stop " + arguments.stop, cell);
+  check_range(distances.usual.warn, "--warn " + arguments.warn.value_or(arguments.stop), cell);
+  for (std::size_t i = 0; i < distances.own.size(); ++i) {
+    check_range(distances.own[i].warn, "--pair " + arguments.pairs[i], cell);
   }
 }
 
@@ -244,18 +250,14 @@ double steps_of(const Model& model) {
 /// A robot without any decisions.
 BakedRobot prepared(Model model, const AllDistances& distances, const RobotArguments& arguments,
                     Progress& progress, Warnings& warnings) {
-  (void)zone_radii(model, arguments.zones);
   BakedRobot made;
   made.model = std::move(model);
   made.cell = robot_cell(made.model, given_cell(arguments), arguments.urdf);
-  check_range(distances.usual, made.cell);
-  for (const GuardedPair& pair : distances.own) {
-    check_range({pair.stop, pair.warn}, made.cell);
-  }
+  (void)zone_radii(made.model, arguments.zones, made.cell);
+  check_ranges(distances, arguments, made.cell);
   made.sizes = link_sizes(made.model);
   warn_of_sizes(made.model, made.sizes, arguments.urdf, warnings);
-  warn_of_cell(made.model, made.sizes, made.cell, least_stop(distances),
-               arguments.cell ? concat("--cell ", *arguments.cell) : arguments.urdf, warnings);
+  warn_of_cell(made.model, made.sizes, made.cell, least_stop(distances), arguments, warnings);
   made.wholes = bake_wholes(made.model, made.cell, arguments, progress, warnings);
   return made;
 }
@@ -264,7 +266,7 @@ BakedRobot prepared(Model model, const AllDistances& distances, const RobotArgum
 /// guard may stop, in metres.
 void decide(const AllDistances& distances, const RobotArguments& arguments, const StageTimes& times,
             double early, Progress& progress, BakedRobot& made) {
-  const ZoneRadii radii = zone_radii(made.model, arguments.zones);
+  const ZoneRadii radii = zone_radii(made.model, arguments.zones, made.cell);
   const std::vector<WholeMesh> meshes = views_of(made.wholes);
   made.reaches = all_reaches(made.model, made.cell, times.until(kPartForReaches));
   made.options = matrix_options(made.model, meshes, made.cell, distances, made.reaches);

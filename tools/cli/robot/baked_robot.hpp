@@ -108,8 +108,8 @@ void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std
                    Warnings& warnings);
 
 /// Warns if the cell is coarser than a tenth of the stop distance, or a link has few cells.
-/// `place`: the option or file that determines the cell. Lengths are in metres.
+/// Names the option that gives the cell, or else the cause of a coarse one. Lengths are in metres.
 void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cell, double stop,
-                  const std::string& place, Warnings& warnings);
+                  const RobotArguments& arguments, Warnings& warnings);
 
 }  // namespace flashbvh::tool

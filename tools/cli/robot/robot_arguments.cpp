@@ -9,23 +9,23 @@
 namespace flashbvh::tool {
 namespace {
 
-double metres(const std::string& option, const std::string& text) {
+/// `place`, `name`: of the length, for the message.
+double parsed_length(const std::string& text, const std::string& place, const std::string& name) {
   const std::optional<double> length = parse_number(text);
   if (!length || *length < 0 || !is_coordinate(*length)) {
-    throw UserError(option + " " + text, "is no length; give a number from 0, in metres");
+    throw UserError(place, name, "is no length; give a number from 0, in metres");
   }
   return *length;
 }
 
-/// `place`: the options that the error message names.
-Distances distances_of(const std::string& stop_place, const std::string& stop,
-                       const std::string& warn_place, const std::string& warn) {
-  const Distances distances = {metres(stop_place, stop), metres(warn_place, warn)};
-  if (distances.warn < distances.stop) {
-    throw UserError(warn_place + " " + warn, "is nearer than ", stop_place, " ", stop,
-                    "; warn from further off");
-  }
-  return distances;
+/// The option's whole value.
+double metres(const std::string& option, const std::string& text) {
+  return parsed_length(text, option + " " + text, "");
+}
+
+/// A part of an option's value.
+double metres_in(const std::string& place, const std::string& text) {
+  return parsed_length(text, place, tool::quoted(text) + " ");
 }
 
 std::size_t link_of(const Model& model, const std::string& place, const std::string& name) {
@@ -49,11 +49,24 @@ GuardedPair own_distances(const Model& model, const std::string& given) {
   const std::string lengths = given.substr(equals + 1);
   const std::size_t split = lengths.find(',');
   const std::string stop = lengths.substr(0, split);
-  const Distances distances =
-      distances_of(place + ":", stop, place + ":",
-                   split == std::string::npos ? stop : lengths.substr(split + 1));
+  const std::string warn = split == std::string::npos ? stop : lengths.substr(split + 1);
+  const Distances distances = {metres_in(place, stop), metres_in(place, warn)};
+  if (distances.warn < distances.stop) {
+    throw UserError(place, "warns nearer than it stops; warn from further off");
+  }
   const auto [a, b] = links_of(model, place, given.substr(0, equals));
   return {a, b, distances.stop, distances.warn};
+}
+
+/// UserError if firmware cannot hold the radius.
+double zone_radius(const std::string& place, const std::string& text, double cell) {
+  constexpr std::uint32_t kMostCells = UINT32_MAX / kFineOne;
+  const double radius = metres_in(place, text);
+  if (radius > kMostCells * cell) {
+    throw UserError(place, "is out of range: 0 to ", significant(kMostCells * cell, 6), " m, ",
+                    kMostCells, " cells; give less, or a larger --cell");
+  }
+  return radius;
 }
 
 }  // namespace
@@ -103,7 +116,13 @@ Packages packages_of(const std::vector<std::string>& given) {
 }
 
 Distances usual_distances(const RobotArguments& arguments) {
-  return distances_of("--stop", arguments.stop, "--warn", arguments.warn.value_or(arguments.stop));
+  const std::string warn = arguments.warn.value_or(arguments.stop);
+  const Distances distances = {metres("--stop", arguments.stop), metres("--warn", warn)};
+  if (distances.warn < distances.stop) {
+    throw UserError("--warn " + warn, "is nearer than --stop ", arguments.stop,
+                    "; warn from further off");
+  }
+  return distances;
 }
 
 std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::string& place,
@@ -145,7 +164,7 @@ double least_stop(const AllDistances& distances) {
   return least;
 }
 
-ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given) {
+ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, double cell) {
   ZoneRadii radii;
   for (const std::string& option : given) {
     const std::string place = "--zone " + option;
@@ -161,7 +180,7 @@ ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given) 
       throw UserError(place, "names '", name,
                       "', which is no moving joint between two links that collide");
     }
-    if (!radii.emplace(number, metres(place + ":", option.substr(equals + 1))).second) {
+    if (!radii.emplace(number, zone_radius(place, option.substr(equals + 1), cell)).second) {
       throw UserError(place, "is a second zone of ", name, "; give it one");
     }
   }

@@ -40,7 +40,8 @@ Packages packages_of(const std::vector<std::string>& given);
 /// LINK,LINK. `place`: the option that names them.
 std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::string& place,
                                              const std::string& names);
-/// JOINT=LENGTH, for joints between two links that collide.
-ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given);
+/// JOINT=LENGTH, for joints between two links that collide. UserError for a radius of more cells
+/// than an image holds.
+ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, double cell);
 
 }  // namespace flashbvh::tool

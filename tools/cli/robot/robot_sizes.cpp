@@ -100,18 +100,20 @@ void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std
 }
 
 void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cell, double stop,
-                  const std::string& place, Warnings& warnings) {
+                  const RobotArguments& arguments, Warnings& warnings) {
+  const std::string place = arguments.cell ? "--cell " + *arguments.cell : arguments.urdf;
+  const std::string remedy = arguments.cell
+                                 ? "; give a finer one"
+                                 : concat(", since ", cause_of(model, sizes), "; narrow that");
   if (stop > 0 && cell > stop / 10) {
     warnings.add(place, concat("makes a cell of ", significant(cell, 3),
                                " m, coarser than a tenth of the stop distance, ", shortest(stop),
-                               " m, since ", cause_of(model, sizes),
-                               "; narrow that, or a guard stops up to some cells too early"));
+                               " m", remedy, ", or a guard stops up to some cells too early"));
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (longest_side(sizes[i]) < kFewCellsOfLink * cell) {
       warnings.add(place, concat("makes a cell of ", significant(cell, 3), " m for link '",
-                                 model.links[i].name, "' of ", size_text(sizes[i], "m"), ", since ",
-                                 cause_of(model, sizes), "; narrow that"));
+                                 model.links[i].name, "' of ", size_text(sizes[i], "m"), remedy));
     }
   }
 }
