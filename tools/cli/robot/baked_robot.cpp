@@ -242,6 +242,18 @@ void warn_of_fit(const SimplifiedLinks& simplified, const RobotArguments& argume
   }
 }
 
+/// UserError if a guard's slack cannot hold the links' deviations twice. `slack`: of the robot with
+/// all triangles, in cells.
+void check_simplify(double slack, double cell, const RobotArguments& arguments) {
+  constexpr double kLess = 0.99;  // so that rounding to three digits does not exceed it
+  const double most = (kMaxGuardDistance / double{kFineOne} - slack) * cell / 2;
+  if (arguments.simplify && simplify_length(arguments) > most) {
+    throw UserError("--simplify " + *arguments.simplify,
+                    "is out of range: a guard would stop this robot wherever it is; give ",
+                    significant(kLess * most, 3), " or less");
+  }
+}
+
 double steps_of(const Model& model) {
   const auto count = static_cast<double>(model.links.size());
   return kBakingWeight * (count + 1) + count * (count - 1) / 2;
@@ -270,6 +282,7 @@ void decide(const AllDistances& distances, const RobotArguments& arguments, cons
   const std::vector<WholeMesh> meshes = views_of(made.wholes);
   made.reaches = all_reaches(made.model, made.cell, times.until(kPartForReaches));
   made.options = matrix_options(made.model, meshes, made.cell, distances, made.reaches);
+  check_simplify(made.options.slack, made.cell, arguments);
   made.options.early = early / made.cell;
   progress.begin("joint zones", kBakingWeight);
   made.options.deadline = times.until(kPartForZones);
@@ -361,6 +374,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   const StageTimes times(arguments);
   check_simplifying(model, arguments);
   BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
+  check_image(made.model, made.model.name, made.cell);
   check_wholes(arguments, made);
   SimplifiedLinks simplified(made.model, made.cell, arguments);
   decide(distances, arguments, times, simplified.early(), progress, made);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "bake/length.hpp"
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
@@ -101,6 +102,14 @@ std::uint8_t number_of(std::size_t joint) {
   return joint == kNoJoint ? kBase : static_cast<std::uint8_t>(joint);
 }
 
+/// Limits in units of the coordinate: integers, which may exclude all values.
+Interval fixed_limits(const Model& model, std::size_t joint, double cell) {
+  const Interval range = range_of_joint(model, joint);
+  const double unit = unit_of(model.joints[joint], cell);
+  const double rounding = is_mimic(model, joint) ? 3 : 0;
+  return {std::ceil(range.lower / unit) - rounding, std::floor(range.upper / unit) + rounding};
+}
+
 /// Sets how a mimic's coordinate follows from its variable.
 void set_mimic(const Model& model, const ModelJoint& joint, double cell, RobotJoint& fixed) {
   const ModelJoint& master = model.joints[model.variables[joint.variable]];
@@ -124,6 +133,16 @@ double unit_of_coordinate(JointType type, double cell) {
   return type == JointType::prismatic ? cell / kFrameCell : kTurn / kFullTurn;
 }
 
+void check_limits(const Model& model, double cell) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Interval limits = fixed_limits(model, i, cell);
+    if (model.joints[i].type != JointType::continuous && limits.lower > limits.upper) {
+      throw UserError(at_element(model.path, "joint", model.joints[i].name),
+                      "has limits so narrow that no value keeps them; make it fixed");
+    }
+  }
+}
+
 Mount fixed_mount(const ModelMount& mount, double cell) {
   return {number_of(mount.joint), frame_of(mount.transform, cell)};
 }
@@ -142,6 +161,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
              deviations.empty() ? link_deviation(model.links[i], cell) : deviations[i]);
   }
   check_size(model);
+  check_deviations(model);
   for (const GuardedPair& pair : pairs) {
     add_pair(model, pair);
   }
@@ -157,6 +177,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
   robot_.pair_count = static_cast<std::uint16_t>(pairs_.size());
   robot_.reach_count = static_cast<std::uint16_t>(reaches_.size());
   robot_.slack = slack(model);
+  check_slack(model);
   std::memcpy(&robot_.cell_bits, &cell_, sizeof cell_);
   robot_.hash = meshes_.empty() ? 0 : robot_hash(robot_);
 }
@@ -180,11 +201,8 @@ void FixedRobot::add_joint(const Model& model, std::size_t number) {
     set_mimic(model, joint, cell_, fixed);
   }
   if (joint.type != JointType::continuous) {
-    const Interval range = range_of_joint(model, number);
     const double unit = unit_of(joint, cell_);
-    const double rounding = is_mimic(model, number) ? 3 : 0;
-    const double lower = std::ceil(range.lower / unit) - rounding;
-    const double upper = std::floor(range.upper / unit) + rounding;
+    const auto [lower, upper] = fixed_limits(model, number, cell_);
     if (lower < -kMaxJointCoordinate || upper > kMaxJointCoordinate) {
       throw UserError(at_element(model.path, "joint", joint.name),
                       "its limits are too far: at most ",
@@ -283,6 +301,30 @@ void FixedRobot::check_size(const Model& model) const {
                       " cells; at most ", significant(most, 6), ": give --cell ",
                       significant(cell_ * extent / most * 1.01, 3), " or more");
     }
+  }
+}
+
+/// UserError if a guard would stop links too early for firmware by their deviations alone.
+void FixedRobot::check_deviations(const Model& model) const {
+  constexpr double most = kMaxGuardDistance / (2.0 * kFineOne);
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (deviations_[i] > most) {
+      throw UserError(at_element(model.path, "link", model.links[i].name),
+                      "is simplified by up to ", significant(deviations_[i] * cell_, 3),
+                      " m; a guard holds less than ", significant(most * cell_, 3),
+                      " m: give a smaller --simplify, or --fit more");
+    }
+  }
+}
+
+/// UserError if errors of kinematics and deviations add up to more than firmware holds.
+void FixedRobot::check_slack(const Model& model) const {
+  if (robot_.slack > kMaxGuardDistance) {
+    throw UserError(model.path, "a guard would stop its links ",
+                    significant(robot_.slack * cell_ / kFineOne, 3),
+                    " m too early, more than firmware holds, ",
+                    significant(kMaxGuardDistance * cell_ / kFineOne, 3),
+                    " m; give a larger --cell or a smaller --simplify");
   }
 }
 

@@ -30,6 +30,9 @@ struct GuardedPair {
 /// A unit of a joint's coordinate, in radians or metres.
 double unit_of_coordinate(JointType type, double cell);
 
+/// UserError if a joint has limits that no coordinate keeps.
+void check_limits(const Model& model, double cell);
+
 Mount fixed_mount(const ModelMount& mount, double cell);
 
 class FixedRobot {
@@ -40,6 +43,7 @@ class FixedRobot {
   /// `reaches`: of the first links; further ones are computed. `deviations`: of the meshes from the
   /// URDF, in metres; if empty, those of the wholes. UserError if the robot has more joints or
   /// links than firmware takes, is too large, or moves a pair too far; names a cell that would do.
+  /// Also if its links deviate by more than firmware's slack holds.
   FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
              const std::vector<Mesh>& meshes, double cell, const std::vector<GuardedPair>& pairs,
              const Reaches& reaches = {}, const std::vector<double>& deviations = {});
@@ -66,6 +70,8 @@ class FixedRobot {
   void check_reach() const;
   double extent_of(const Model& model, std::size_t link) const;
   void check_size(const Model& model) const;
+  void check_deviations(const Model& model) const;
+  void check_slack(const Model& model) const;
   std::uint32_t slack(const Model& model) const;
 
   double cell_;

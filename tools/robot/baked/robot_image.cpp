@@ -6,7 +6,6 @@
 #include "flashbvh/detail/robot/distance_table.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/robot/image.hpp"
-#include "robot/read/xml_file.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -73,9 +72,6 @@ RobotImageHeader header_of(const Robot& robot) {
 }
 
 std::vector<Mount> fixed_mounts(const Model& model, double cell) {
-  if (model.mounts.size() > UINT8_MAX) {
-    throw UserError(model.path, "has ", model.mounts.size(), " links; an image holds 255 at most");
-  }
   std::vector<Mount> mounts(model.mounts.size());
   for (std::size_t i = 0; i < mounts.size(); ++i) {
     const Mount mount = fixed_mount(model.mounts[i], cell);
@@ -86,17 +82,19 @@ std::vector<Mount> fixed_mounts(const Model& model, double cell) {
   return mounts;
 }
 
-/// UserError for limits that exclude all values: no image holds them.
-void check_limits(const Model& model, const Robot& robot) {
-  for (std::size_t i = 0; i < robot.joint_count; ++i) {
-    if (robot.joints[i].lower > robot.joints[i].upper) {
-      throw UserError(at_element(model.path, "joint", model.joints[i].name),
-                      "has limits so narrow that no value keeps them; make it fixed");
-    }
-  }
-}
-
 }  // namespace
+
+void check_image(const Model& model, const std::string& name, double cell) {
+  if (model.mounts.size() > UINT8_MAX) {
+    throw UserError(model.path, "has ", model.mounts.size(), " links, an image holds ", UINT8_MAX,
+                    "; leave out those without a shape and a tool, or bake it in parts");
+  }
+  if (const std::size_t size = names_of(model, name).size(); size > UINT16_MAX) {
+    throw UserError(model.path, "has names of ", size,
+                    " bytes together, an image holds 65,535; shorten them");
+  }
+  check_limits(model, cell);
+}
 
 std::size_t own_image_bytes(const Model& model, const Robot& robot,
                             const std::vector<UnguardedPair>& unguarded, const std::string& name) {
@@ -115,13 +113,9 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::vector<UnguardedPair>& unguarded,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
                                        const std::string& name) {
-  check_limits(model, robot);
+  check_image(model, name, cell_of(robot));
   RobotImageHeader header = header_of(robot);
   const std::string names = names_of(model, name);
-  if (names.size() > UINT16_MAX) {
-    throw UserError(model.path, "has names of ", names.size(),
-                    " bytes together; an image holds 65,535: shorten them");
-  }
   header.names_size = static_cast<std::uint16_t>(names.size());
   header.unguarded_count = static_cast<std::uint16_t>(unguarded.size());
   const std::vector<Mount> mounts = fixed_mounts(model, cell_of(robot));

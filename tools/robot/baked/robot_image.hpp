@@ -10,9 +10,13 @@
 
 namespace flashbvh::tool {
 
+/// UserError if an image holds fewer links, or fewer bytes of names, or if the robot has limits
+/// that exclude all values.
+void check_image(const Model& model, const std::string& name, double cell);
+
 /// The image in words, so that it is aligned. `meshes`: the links' images, post-indexed, with
-/// 16-bit indices, in metres. Names are cut after 255 bytes. UserError if the robot has limits that
-/// exclude all values, or would be 4 GiB or more.
+/// 16-bit indices, in metres. Names are cut after 255 bytes. UserError as check_image(), or if it
+/// would be 4 GiB or more.
 std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::vector<UnguardedPair>& unguarded,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
