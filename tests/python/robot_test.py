@@ -243,6 +243,9 @@ class RefusalTest(Scene):
                 flashbvh.Robot.load(wrong)
         with self.assertRaises(TypeError):
             flashbvh.Robot(None)
+        for wants_robot in (flashbvh.Guard, flashbvh.Motion):
+            with self.subTest(wants_robot), self.assertRaisesRegex(TypeError, "^robot: give a Robot$"):
+                wants_robot("x")
 
     def test_values(self):
         guard = flashbvh.Guard(self.robot)
