@@ -17,7 +17,7 @@ struct Baked {
 
 Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
                  const std::vector<tool::GuardedPair>& pairs = {},
-                 const tool::Reaches& reaches = {}) {
+                 const tool::Reaches& reaches = {}, const std::vector<double>& deviations = {}) {
   tool::check_counts(model, "arm.urdf");
   const double chosen = tool::robot_cell(model, cell, "arm.urdf");
   Baked baked;
@@ -30,7 +30,7 @@ Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
     meshes.push_back(link.mesh());
   }
   baked.robot = std::make_unique<tool::FixedRobot>(model, tool::views_of(baked.wholes), meshes,
-                                                   chosen, pairs, reaches);
+                                                   chosen, pairs, reaches, deviations);
   return baked;
 }
 
@@ -275,4 +275,19 @@ TEST_CASE("the slack grows by what the reader of a link's file rounded, along th
   CHECK(tool::link_deviation(model.links[1], cell) == Approx(before + std::sqrt(3.0) * 10 * cell));
   CHECK(slack() >= least + 2 * 17 * 256);
   CHECK(slack() <= least + 2 * 18 * 256);
+}
+
+TEST_CASE("links that deviate by more than a guard's slack holds are refused") {
+  RobotFiles files;
+  const tool::Model model = files.read(chain_text({{"revolute", limits("-1", "1")}}));
+  constexpr double kCell = 1.0 / 1024;
+  const double most = kMaxGuardDistance * kCell / (2 * kFineOne);
+  const auto slack_of = [&](double deviation) {
+    return bake_robot(model, kCell, {}, {}, {deviation, 0}).robot->robot().slack;
+  };
+  CHECK(slack_of(0.9 * most) <= kMaxGuardDistance);
+  CHECK_THROWS_WITH(slack_of(1.01 * most),
+                    Catch::Matchers::Contains("link 'a': is simplified by up to 16.2 m; a guard "
+                                              "holds less than 16 m"));
+  CHECK_THROWS_WITH(slack_of(0.9999999 * most), Catch::Matchers::Contains("too early, more than"));
 }
