@@ -74,7 +74,8 @@ struct Model {
   std::vector<std::string> files;      ///< other files that were read, except those of links
   std::vector<ModelJoint> joints;      ///< parents before children
   std::vector<std::size_t> variables;  ///< for each variable, its joint that is no mimic
-  std::vector<ModelLink> links;        ///< in the order of the file, followed by parts
+  /// In the order of the file, followed by parts. Parts are added after all pairs are decided.
+  std::vector<ModelLink> links;
   /// The number of parts at the end of `links`. A part is the portion of the link with its name
   /// that a guard checks outside a joint zone.
   std::size_t part_count = 0;

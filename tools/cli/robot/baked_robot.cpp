@@ -234,7 +234,7 @@ void check_simplifying(const Model& model, const RobotArguments& arguments) {
 /// Warns if parts next to joint zones took so much flash that simplifying exceeds the zones' limit.
 void warn_of_fit(const SimplifiedLinks& simplified, const RobotArguments& arguments,
                  Warnings& warnings) {
-  if (simplified.is_late()) {
+  if (simplified.exceeds_expected()) {
     warnings.add("--fit " + *arguments.fit,
                  concat("takes --simplify ", shortest(simplified.length()),
                         ", more than joint zones were chosen for; give that in its place, or a "
@@ -372,23 +372,28 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   const AllDistances distances = all_distances(model, arguments);
   Progress progress(steps_of(model), arguments.progress);
   const StageTimes times(arguments);
+  // Requests that no work can meet are refused before any work.
   check_simplifying(model, arguments);
   BakedRobot made = prepared(std::move(model), distances, arguments, progress, warnings);
   check_image(made.model, made.model.name, made.cell);
   check_wholes(arguments, made);
+  // Zones and pairs depend on how much earlier a guard of simplified links stops.
   SimplifiedLinks simplified(made.model, made.cell, arguments);
   decide(distances, arguments, times, simplified.early(), progress, made);
   warn_of_late_zones(made, arguments.urdf, "guarded all over, and a guard would always say stop",
                      warnings);
+  // Before parts: an SRDF names links, and it is refused by verdicts alone.
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   add_parts(arguments, made);
   add_reaches(made);
+  // After parts: a pair whose parts never come near is no longer guarded.
   made.unguarded = unguarded_pairs(made.pairs, made.zones);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);
   warn_of_near(made, distances, arguments, warnings);
   bake_for_firmware(distances, simplified, made);
   warn_of_fit(simplified, arguments, warnings);
+  // Last: tables hold distances between firmware's meshes.
   progress.begin("distance tables", 0);
   made.fixed->set_distance_tables(distance_tables_of(made.model, made.robot(), made.deadline));
   return made;

@@ -117,7 +117,7 @@ double SimplifiedLinks::early() const {
   return kEarlyByDeviation * expected_;
 }
 
-bool SimplifiedLinks::is_late() const {
+bool SimplifiedLinks::exceeds_expected() const {
   return length_ > expected_;
 }
 

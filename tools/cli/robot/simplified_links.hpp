@@ -23,7 +23,7 @@ class SimplifiedLinks {
   /// UserError if --fit is too small, or firmware can't hold a link.
   std::vector<BakedLink> baked(const Model& model, std::size_t own_bytes);
   /// True if --fit needed a larger deviation than early() allows for.
-  bool is_late() const;
+  bool exceeds_expected() const;
 
   double length() const { return length_; }  ///< in metres; 0: not simplified
   std::uint32_t leaf_size() const { return leaf_size_; }
