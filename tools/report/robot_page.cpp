@@ -28,7 +28,8 @@ std::string short_reason(const PairVerdict& pair, const std::string& share) {
          : pair.verdict == MatrixVerdict::believed ? "not guarded"
          : pair.verdict == MatrixVerdict::fixed
              ? escaped(pair.reason.substr(pair.reason.rfind(' ') + 1))  // apart, intersecting
-             : counted(pair.cells, "cell", "cells") + (pair.is_guarded ? ", guarded" : "");
+             : counted(pair.joint_boxes, "joint box", "joint boxes") +
+                   (pair.is_guarded ? ", guarded" : "");
 }
 
 std::string cell(const PairVerdict& pair, const std::string& share) {
@@ -62,14 +63,14 @@ std::string words(const DecidedRobot& decided) {
   std::vector<Cells> rows;
   for (const PairVerdict& pair : decided.pairs) {
     rows.push_back({links_of(decided.model, pair.a, pair.b), name_of(pair.verdict),
-                    pair.is_guarded ? "guarded" : "&ndash;", grouped(pair.cells),
+                    pair.is_guarded ? "guarded" : "&ndash;", grouped(pair.joint_boxes),
                     escaped(pair.reason)});
   }
   return "<div class=words>\n" +
          table(
-             "Each pair, how many cells of joint values were looked at in all, and what it was "
+             "Each pair, how many joint boxes were looked at in all, and what it was "
              "decided by",
-             {"links", "collide", "guard", "#cells in all", "reason"}, rows) +
+             {"links", "collide", "guard", "#joint boxes in all", "reason"}, rows) +
          "</div>\n";
 }
 

@@ -273,11 +273,11 @@ TEST_CASE("a proof and the proof for the stop distance are distinguished") {
   options.stop = 10;
   const PairVerdict pair = decided(rod_and_wall(-1, angle_at(0.4), 0.5), options);
   const PairVerdict alone = decided(rod_and_wall(-1, angle_at(0.4), 0.5));
-  CHECK(alone.reason ==
-        "proven for all values within the limits, " + std::to_string(alone.cells) + " cells");
-  CHECK(alone.cells > 1);
-  CHECK(pair.reason ==
-        alone.reason + "; " + std::to_string(pair.cells - alone.cells) + " more for --stop");
+  CHECK(alone.reason == "proven for all values within the limits, " +
+                            std::to_string(alone.joint_boxes) + " joint boxes");
+  CHECK(alone.joint_boxes > 1);
+  CHECK(pair.reason == alone.reason + "; " + std::to_string(pair.joint_boxes - alone.joint_boxes) +
+                           " more for --stop");
 }
 
 TEST_CASE("more than a turn is looked at over one") {
@@ -292,7 +292,7 @@ TEST_CASE("more than a turn is looked at over one") {
     const PairVerdict more = decided(model(3 * kPi));
     CHECK(turn.verdict == (rod > 0.4 ? MatrixVerdict::can : MatrixVerdict::never));
     CHECK(more.verdict == turn.verdict);
-    CHECK(more.cells == turn.cells);
+    CHECK(more.joint_boxes == turn.joint_boxes);
     CHECK(more.reason == turn.reason);
   }
 }
@@ -306,9 +306,9 @@ TEST_CASE("when the time is up, the rest is undecided, and guarded") {
     const PairVerdict pair = decided(model, late);
     CHECK(pair.verdict == MatrixVerdict::undecided);
     CHECK(pair.reason ==
-          "neither proven nor found to intersect after 0 cells, when its time was up");
+          "neither proven nor found to intersect after 0 joint boxes, when its time was up");
     CHECK(pair.is_guarded);
-    CHECK(pair.cells == 0);
+    CHECK(pair.joint_boxes == 0);
     const BakedArm arm(model, kCell);
     const PairSpace space(model, {0, arm.wholes()[0]}, {1, arm.wholes()[1]}, kCell);
     CHECK_FALSE(find_intersection(space, late, 256));
@@ -332,10 +332,10 @@ TEST_CASE("plates that slide side by side end") {
     return model;
   };
   MatrixOptions options;
-  options.most_cells = 3000;
+  options.most_joint_boxes = 3000;
   CHECK(decided(plates(0.1 * kCell), options).verdict ==
         MatrixVerdict::can);  // rounded: they touch
   const PairVerdict close = decided(plates(5 * kCell), options);
   CHECK(close.verdict == MatrixVerdict::undecided);
-  CHECK(close.cells <= 2 * options.most_cells);
+  CHECK(close.joint_boxes <= 2 * options.most_joint_boxes);
 }

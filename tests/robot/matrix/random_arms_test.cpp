@@ -30,7 +30,7 @@ TEST_CASE("no verdict on a random arm is contradicted") {
     const Model model = any_arm(random, 3 + random.below(4));
     const BakedArm arm(model, 1e-4);
     MatrixOptions options;
-    options.most_cells = 100'000;
+    options.most_joint_boxes = 100'000;
     options.stop = kStop;
     const std::vector<PairVerdict> pairs = arm.decide(options);
     for (const PairVerdict& pair : pairs) {

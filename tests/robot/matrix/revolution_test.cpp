@@ -11,9 +11,9 @@ using namespace flashbvh::tool;
 namespace {
 
 bool is_proven(const Model& model, double cell) {
-  std::uint64_t cells = 0;
-  const bool proven = is_proven_swept(model, 0, 1, cell, {}, cells);
-  CHECK(cells <= MatrixOptions().most_cells);
+  std::uint64_t joint_boxes = 0;
+  const bool proven = is_proven_swept(model, 0, 1, cell, {}, joint_boxes);
+  CHECK(joint_boxes <= MatrixOptions().most_joint_boxes);
   return proven;
 }
 
@@ -67,10 +67,10 @@ TEST_CASE("a link that turns by several turns next to a wall is proven quickly")
   const std::size_t spindle = add_joint(model, second, {}, JointType::revolute, -6.3, 6.3);
   add_link(model, spindle, prism(12, 0.1, 0, 0, -0.3, 0.3));
   MatrixOptions options;
-  options.most_cells = 400'000;
+  options.most_joint_boxes = 400'000;
   const BakedArm arm(model, cell);
   const PairVerdict pair = arm.decide(options)[0];
   CHECK(pair.verdict == MatrixVerdict::never);
   CHECK(pair.reason.find("by solids of revolution") != std::string::npos);
-  CHECK(pair.cells < 50'000);
+  CHECK(pair.joint_boxes < 50'000);
 }

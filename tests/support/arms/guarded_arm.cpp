@@ -18,7 +18,7 @@ JointCoordinate turned_back(std::int64_t value) {
 
 std::vector<tool::GuardedPair> any_pairs(Random& random, const Model& model, double cell) {
   tool::MatrixOptions options;
-  options.most_cells = 300;
+  options.most_joint_boxes = 300;
   std::vector<tool::GuardedPair> pairs;
   for (const tool::PairVerdict& pair : BakedArm(model, cell).decide(options)) {
     // Neighbours are not guarded about their joint.

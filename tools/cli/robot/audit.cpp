@@ -70,7 +70,7 @@ Json line_json(const Model& model, const AuditedLine& line) {
                {"srdf_reason", line.line.reason},
                {"verdict", name_of(line.verdict)},
                {"reason", line.why},
-               {"cells", line.pair.cells},
+               {"cells", line.pair.joint_boxes},
                {"witness", Json::object()},
                {"triangles", Json::array()}};
   if (line.verdict == LineVerdict::refuted) {

@@ -98,7 +98,7 @@ Json pair_json(const Model& model, const PairVerdict& pair) {
   }
   return {{"a", model.links[pair.a].name},    {"b", model.links[pair.b].name},
           {"verdict", name_of(pair.verdict)}, {"reason", pair.reason},
-          {"witness", std::move(witness)},    {"cells", pair.cells},
+          {"witness", std::move(witness)},    {"cells", pair.joint_boxes},
           {"guarded", pair.is_guarded}};
 }
 

@@ -13,15 +13,18 @@ namespace flashbvh::tool {
 namespace {
 
 /// Joint boxes searched before the search for a witness: most proofs take fewer.
-constexpr std::uint64_t kFewCells = 4096;
+constexpr std::uint64_t kFewJointBoxes = 4096;
 /// Most joint boxes for a proof that spares firmware a pair.
-constexpr std::uint64_t kManyCells = 65536;
+constexpr std::uint64_t kManyJointBoxes = 65536;
 /// Points from which the search for a witness starts.
 constexpr std::uint32_t kStarts = 256;
 
-std::string proven(std::uint64_t cells) {
-  return concat("proven for all values within the limits, ", cells,
-                cells == 1 ? " cell" : " cells");
+std::string counted_boxes(std::uint64_t joint_boxes) {
+  return concat(joint_boxes, joint_boxes == 1 ? " joint box" : " joint boxes");
+}
+
+std::string proven(std::uint64_t joint_boxes) {
+  return "proven for all values within the limits, " + counted_boxes(joint_boxes);
 }
 
 /// Higher is worse.
@@ -76,9 +79,9 @@ class Decider {
     const auto [a, b, stop, warn] = options_.distances_of(pair.a, pair.b);
     pair.is_guarded = true;
     if (pair.verdict == MatrixVerdict::never) {
-      const std::uint64_t before = pair.cells;
+      const std::uint64_t before = pair.joint_boxes;
       pair.is_guarded = stop > 0 && !stays_away(stop, pair);
-      pair.reason += stop > 0 ? concat("; ", pair.cells - before, " more for --stop") : "";
+      pair.reason += stop > 0 ? concat("; ", pair.joint_boxes - before, " more for --stop") : "";
     }
     pair.is_stopped = pair.is_guarded && is_within(stop + options_.early);
     pair.is_warned = pair.is_guarded && !pair.is_stopped && !pair.zone && is_within(warn);
@@ -87,23 +90,23 @@ class Decider {
   /// Searches a few joint boxes, then for a witness, then all joint boxes.
   void search(PairVerdict& pair) const {
     MatrixOptions few = options_;
-    few.most_cells = std::min(options_.most_cells, kFewCells);
+    few.most_joint_boxes = std::min(options_.most_joint_boxes, kFewJointBoxes);
     SearchResult found = search_pair(space_, few);
-    pair.cells = found.cells;
+    pair.joint_boxes = found.joint_boxes;
     if (found.end == SearchEnd::cut_off || found.end == SearchEnd::unresolved) {
       if (auto point = find_intersection(space_, options_, kStarts)) {
         found.end = SearchEnd::near;
         found.point = std::move(*point);
       }
     }
-    if (found.end == SearchEnd::cut_off && few.most_cells < options_.most_cells) {
+    if (found.end == SearchEnd::cut_off && few.most_joint_boxes < options_.most_joint_boxes) {
       if (is_swept_away(options_, pair, 0)) {
         pair.verdict = MatrixVerdict::never;
-        pair.reason = proven(pair.cells) + ", by solids of revolution";
+        pair.reason = proven(pair.joint_boxes) + ", by solids of revolution";
         return;
       }
       found = search_pair(space_, options_);
-      pair.cells += found.cells;
+      pair.joint_boxes += found.joint_boxes;
     }
     conclude(found, pair);
   }
@@ -111,15 +114,15 @@ class Decider {
   /// Not for pairs with a zone: solids of revolution are of whole links, and need a second joint.
   bool is_swept_away(const MatrixOptions& options, PairVerdict& pair, double distance) const {
     return !pair.zone && !options.is_late() &&
-           is_proven_swept(model_, pair.a, pair.b, cell_, options, pair.cells, distance);
+           is_proven_swept(model_, pair.a, pair.b, cell_, options, pair.joint_boxes, distance);
   }
 
   /// True if the links are proven to stay farther apart than the stop distance.
   bool stays_away(double stop, PairVerdict& pair) const {
     MatrixOptions few = options_;
-    few.most_cells = std::min(options_.most_cells, kManyCells);
+    few.most_joint_boxes = std::min(options_.most_joint_boxes, kManyJointBoxes);
     const SearchResult found = search_pair(space_, few, stop);
-    pair.cells += found.cells;
+    pair.joint_boxes += found.joint_boxes;
     return found.end == SearchEnd::apart ||
            (found.end == SearchEnd::cut_off && is_swept_away(few, pair, stop));
   }
@@ -148,7 +151,7 @@ class Decider {
     switch (found.end) {
       case SearchEnd::apart:
         pair.verdict = MatrixVerdict::never;
-        pair.reason = proven(pair.cells);
+        pair.reason = proven(pair.joint_boxes);
         break;
       case SearchEnd::near:
         pair.verdict = MatrixVerdict::can;
@@ -164,9 +167,9 @@ class Decider {
       }
       case SearchEnd::cut_off:
         pair.verdict = MatrixVerdict::undecided;
-        pair.reason = concat("neither proven nor found to intersect after ", pair.cells,
-                             pair.cells == 1 ? " cell" : " cells",
-                             options_.is_late() ? ", when its time was up" : "");
+        pair.reason =
+            concat("neither proven nor found to intersect after ", counted_boxes(pair.joint_boxes),
+                   options_.is_late() ? ", when its time was up" : "");
         break;
     }
   }
@@ -217,13 +220,13 @@ struct Matrix {
     for (const ZoneBodies& bodies : zone.bodies) {
       PairVerdict of = pair;
       decide(bodies.a.view(), bodies.b.view(), own, of);
-      const std::uint64_t cells = worst.cells + of.cells;
+      const std::uint64_t joint_boxes = worst.joint_boxes + of.joint_boxes;
       const bool is_guarded = worst.is_guarded || of.is_guarded;
       const bool is_stopped = worst.is_stopped || of.is_stopped;
       if (&bodies == zone.bodies.data() || rank_of(of.verdict) > rank_of(worst.verdict)) {
         worst = std::move(of);
       }
-      worst.cells = cells;
+      worst.joint_boxes = joint_boxes;
       worst.is_guarded = is_guarded;
       worst.is_stopped = is_stopped;
     }

@@ -32,7 +32,7 @@ struct PairVerdict {
   MatrixVerdict verdict;
   std::string reason;
   std::vector<double> witness;  ///< for `can`: values of the variables at which the links intersect
-  std::uint64_t cells;          ///< number of joint boxes searched
+  std::uint64_t joint_boxes;    ///< number of joint boxes searched
   /// True if the pair has to be guarded: it can collide, or is not proven to stay farther apart
   /// than the stop distance.
   bool is_guarded = false;

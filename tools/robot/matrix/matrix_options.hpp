@@ -31,7 +31,7 @@ struct MatrixOptions {
   std::vector<StopDistance> stops;  ///< for pairs with other distances
   /// In cells: a joint box with this much motion or less is not cut again.
   double resolution = 0.5;
-  std::uint64_t most_cells = 1'000'000;  ///< joint boxes searched for a pair
+  std::uint64_t most_joint_boxes = 1'000'000;  ///< joint boxes searched for a pair
   /// Configurations at which pairs are tested for being near at all of them.
   std::uint32_t looks = 256;
   /// Pairs not decided by then are `undecided`.

@@ -14,7 +14,7 @@ namespace {
 constexpr double kOutward = 1e-11;
 
 /// A closed joint box.
-using Cell = std::vector<Interval>;
+using JointBox = std::vector<Interval>;
 
 class Search {
  public:
@@ -25,19 +25,19 @@ class Search {
         apart_(distance + options.slack + 2 * space.far_origin()) {}
 
   SearchResult run() {
-    Cell all;
+    JointBox all;
     for (const Dimension& dimension : space_.dimensions()) {
       all.push_back(dimension.range);
     }
     stack_.push_back(std::move(all));
     while (!stack_.empty()) {
-      if (result_.cells == options_.most_cells || options_.is_late()) {
+      if (result_.joint_boxes == options_.most_joint_boxes || options_.is_late()) {
         result_.end = SearchEnd::cut_off;
         break;
       }
-      const Cell cell = std::move(stack_.back());
+      const JointBox box = std::move(stack_.back());
       stack_.pop_back();
-      if (look_at(cell)) {
+      if (look_at(box)) {
         break;
       }
     }
@@ -46,11 +46,11 @@ class Search {
 
  private:
   /// Returns true if the search is over.
-  bool look_at(const Cell& cell) {
-    ++result_.cells;
+  bool look_at(const JointBox& box) {
+    ++result_.joint_boxes;
     std::vector<double> point;
     std::vector<double> halves;
-    for (const auto& [lower, upper] : cell) {
+    for (const auto& [lower, upper] : box) {
       const double middle = lower + (upper - lower) / 2;
       point.push_back(middle);
       halves.push_back(std::fmax(middle - lower, upper - middle) + kOutward);
@@ -71,13 +71,13 @@ class Search {
     }
     const auto most = std::max_element(motion.parts.begin(), motion.parts.end());
     const auto side = static_cast<std::size_t>(most - motion.parts.begin());
-    cut(cell, side, point[side]);
+    cut(box, side, point[side]);
     return false;
   }
 
-  void cut(const Cell& cell, std::size_t side, double middle) {
+  void cut(const JointBox& box, std::size_t side, double middle) {
     for (const bool upper : {true, false}) {
-      Cell half = cell;
+      JointBox half = box;
       (upper ? half[side].lower : half[side].upper) = middle;
       stack_.push_back(std::move(half));
     }
@@ -88,16 +88,16 @@ class Search {
   double distance_;
   double apart_;  ///< sufficient distance without motion
   SearchResult result_;
-  std::vector<Cell> stack_;
+  std::vector<JointBox> stack_;
 };
 
-/// The share of MatrixOptions::most_cells for a proof that may fail: one in so many.
+/// The share of MatrixOptions::most_joint_boxes for a proof that may fail: one in so many.
 constexpr std::uint64_t kShare = 4;
 
 /// Surfaces that meet nowhere in a joint box stay inside or outside each other: testing one point
 /// of the box suffices.
 bool is_proven(const SweptPair& pair, const std::vector<SweptEnd>& ends,
-               const MatrixOptions& options, std::uint64_t& cells, double distance) {
+               const MatrixOptions& options, std::uint64_t& joint_boxes, double distance) {
   const auto reaches = [&](std::size_t link) {
     return reaches_of(pair.model, link, pair.cell, options.deadline);
   };
@@ -106,16 +106,16 @@ bool is_proven(const SweptPair& pair, const std::vector<SweptEnd>& ends,
   const PairSpace space(pair.model, {pair.link_a, pair.a.view(), &reaches_a},
                         {pair.link_b, pair.b.view(), &reaches_b}, pair.cell);
   const SearchResult found = search_pair(space, options, distance);
-  cells += found.cells;
+  joint_boxes += found.joint_boxes;
   if (found.end != SearchEnd::apart) {
     return false;
   }
-  std::vector<double> middle;
+  std::vector<double> any_point;
   for (const Dimension& dimension : space.dimensions()) {
-    middle.push_back(dimension.range.lower);
+    any_point.push_back(dimension.range.lower);
   }
   return std::none_of(ends.begin(), ends.end(), [&](const SweptEnd& end) {
-    return is_any_inside(pair, end, space.variables_at(middle));
+    return is_any_inside(pair, end, space.variables_at(any_point));
   });
 }
 
@@ -221,7 +221,7 @@ SearchResult search_pair(const PairSpace& space, const MatrixOptions& options, d
 }
 
 bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double cell,
-                     const MatrixOptions& options, std::uint64_t& cells, double distance) {
+                     const MatrixOptions& options, std::uint64_t& joint_boxes, double distance) {
   const std::optional<SweptEnd> end_a = swept_end(model, a, b);
   const std::optional<SweptEnd> end_b = swept_end(model, b, a);
   std::vector<std::vector<SweptEnd>> choices;
@@ -234,7 +234,7 @@ bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double ce
     }
   }
   MatrixOptions share = options;
-  share.most_cells = options.most_cells / kShare;
+  share.most_joint_boxes = options.most_joint_boxes / kShare;
   // The other link was rounded to the old lattice and is rounded to the new one.
   share.slack += 2 * kDeviation;
   return std::any_of(choices.begin(), choices.end(), [&](const std::vector<SweptEnd>& ends) {
@@ -242,7 +242,7 @@ bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double ce
       return false;
     }
     const SweptPair pair = swept_pair(model, a, b, cell, ends, kCoarse);
-    return is_proven(pair, ends, share, cells, distance);
+    return is_proven(pair, ends, share, joint_boxes, distance);
   });
 }
 

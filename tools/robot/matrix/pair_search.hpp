@@ -32,7 +32,7 @@ enum class SearchEnd : std::uint8_t {
 struct SearchResult {
   SearchEnd end = SearchEnd::apart;
   std::vector<double> point;
-  std::uint64_t cells = 0;
+  std::uint64_t joint_boxes = 0;  ///< searched
 };
 
 /// Decides whether the links can intersect or, given a `distance` in cells, come so near with
@@ -40,10 +40,10 @@ struct SearchResult {
 SearchResult search_pair(const PairSpace& space, const MatrixOptions& options, double distance = 0);
 
 /// True if solids of revolution of the links, or of one of them, prove that they never come within
-/// `distance` cells or meet. False proves nothing. Adds the searched joint boxes to `cells`.
+/// `distance` cells or meet. False proves nothing. Adds the searched joint boxes to `joint_boxes`.
 /// `cell`: with which their meshes are baked.
 bool is_proven_swept(const Model& model, std::size_t a, std::size_t b, double cell,
-                     const MatrixOptions& options, std::uint64_t& cells, double distance = 0);
+                     const MatrixOptions& options, std::uint64_t& joint_boxes, double distance = 0);
 
 /// Point `number` of a sequence that fills the ranges evenly, without their ends: Halton, "On the
 /// efficiency of certain quasi-random sequences of points in evaluating multi-dimensional

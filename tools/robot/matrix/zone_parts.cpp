@@ -26,7 +26,7 @@ class Sieve {
         cell_(cell),
         options_(options),
         stop_(options.distances_of(zone.a, zone.b).stop) {
-    options_.most_cells = kCellsOfPart;
+    options_.most_joint_boxes = kCellsOfPart;
     options_.slack += 2 * kDeviation;  // vertices at cuts are rounded again
   }
 
