@@ -386,7 +386,7 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   check_disabled(made.model, made.pairs, arguments.srdf, warnings);
   add_parts(arguments, made);
   add_reaches(made);
-  // After parts: a pair whose parts never come near is no longer guarded.
+  // After parts: a pair whose parts never come near needs no guard and no warning.
   made.unguarded = unguarded_pairs(made.pairs, made.zones);
   warn_of_unguarded(made, arguments.urdf, warnings);
   warn_of_fixed(made, distances, arguments.urdf, warnings);
