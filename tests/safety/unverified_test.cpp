@@ -36,7 +36,7 @@ struct Field {
 
 std::vector<Field> fields_of(const Robot& robot, std::uint32_t between) {
   const std::size_t values = robot.joint_count * sizeof(JointCoordinate);
-  std::vector<Field> fields = {{"version, hash", 8},
+  std::vector<Field> fields = {{"version, laps, hash", 8},
                                {"checksum", 4},
                                {"pair that is measured", 2, true},
                                {"has values, has frames", 2},

@@ -161,7 +161,8 @@ flashbvh_status flashbvh_guard_init(flashbvh_guard* guard, const flashbvh_robot*
 /** Guard::forget(). */
 void flashbvh_guard_forget(flashbvh_guard* guard);
 
-/** Guard::resume(), after init and copying the state back. GUARD_STATE_INVALID. */
+/** Guard::resume(), after init and copying the state back: discards all certificates with
+ * obstacles. GUARD_STATE_INVALID. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_resume(flashbvh_guard* guard);
 
 /** Guard::seal(). Call it after each period. */
@@ -251,8 +252,9 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_keep_apart(flashbvh_workcel
                                                                 uint8_t a, uint8_t b, uint32_t stop,
                                                                 uint32_t warn);
 
-/** Workcell::move(): `moved` in 1/256 cell. LINK_INVALID; DISTANCE_OUT_OF_RANGE; NOT_A_ROTATION;
- * TRANSLATION_OUT_OF_RANGE: the obstacle then stays where it was. */
+/** Workcell::move(): `moved` in 1/256 cell. A guard rejects periods, JOINT_JUMPED, once an obstacle
+ * has moved by 2^31 since the last accepted one. LINK_INVALID; DISTANCE_OUT_OF_RANGE;
+ * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE: the obstacle then stays where it was. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_move(flashbvh_workcell* workcell, uint8_t link,
                                                           const flashbvh_frame* frame,
                                                           uint32_t moved);

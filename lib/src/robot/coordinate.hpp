@@ -22,6 +22,23 @@ constexpr int32_t difference(int32_t u, int32_t v) {
   return static_cast<int32_t>(static_cast<uint32_t>(u) - static_cast<uint32_t>(v));
 }
 
+/// An obstacle's path in laps of 2^24, in 1/256 cell. Guards keep the sum over all obstacles, modulo
+/// 2^24 laps: in coordinates alone, a path of 2^32 between two periods looks like none.
+constexpr int kLapBits = 24;
+constexpr uint32_t kLapMask = (1u << 24) - 1;
+/// An obstacle that moved by 2^31, which no coordinate's step holds, passed so many laps.
+constexpr uint32_t kTooManyLaps = 1u << (31 - kLapBits);
+/// While the sum's quotient by this is constant, no obstacle moves by more than 2^30 and a lap.
+constexpr int kLapsOfWalkBits = 30 - kLapBits;
+
+/// Moves a path's end on; `moved` is below 2^28.
+inline void add_path(RobotJoint& obstacle, uint32_t moved) {
+  const auto before = static_cast<uint32_t>(obstacle.offset);
+  const uint32_t now = before + moved;
+  obstacle.offset = static_cast<int32_t>(now);
+  obstacle.laps += ((now >> kLapBits) - (before >> kLapBits)) & (UINT32_MAX >> kLapBits);
+}
+
 /// Absolute difference of two coordinates.
 constexpr uint32_t apart(int32_t u, int32_t v) {
   return u < v ? static_cast<uint32_t>(v) - static_cast<uint32_t>(u)

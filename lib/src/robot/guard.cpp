@@ -44,6 +44,7 @@ void Guard::forget() {
     return;
   }
   core_->version = kStateVersion;
+  core_->laps = 0;
   core_->robot_hash = robot_->hash;
   core_->checksum = 0;
   core_->walked_pair = kNoPair;
@@ -91,13 +92,39 @@ Status Guard::resume() {
     forget();
     return Status::guard_state_invalid;
   }
+  forget_obstacles();  // they may have moved without a count: their workcell may be a new one
   if (core_->walked_pair != kNoPair) {  // the stored pose is not checked but made again
     set_frames(*robot_, walked_, frames_);
     core_->pose = pose_of(robot_->pairs[core_->walked_pair]);
-    // Obstacles are placed where they stand now; the certificate subtracts their motion since then.
   }
   core_->has_frames = 0;
   return Status::done;
+}
+
+/// Returns whether the link is an obstacle, which Workcell::move() may move.
+bool Guard::is_obstacle(uint8_t link) const {
+  const uint8_t joint = robot_->links[link].joint;
+  return joint != kBase && robot_->joints[joint].type == JointType::fixed &&
+         robot_->joints[joint].parent == kBase;
+}
+
+/// Discards all certificates with obstacles. The next period begins with them where they stand now.
+void Guard::forget_obstacles() {
+  uint32_t laps = 0;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    if (robot_->joints[i].type == JointType::fixed) {
+      before_[i] = robot_->joints[i].offset;
+      step_[i] = 0;
+    }
+    laps += robot_->joints[i].laps;
+  }
+  core_->laps = laps & detail::kLapMask;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    if (is_obstacle(robot_->pairs[i].a) || is_obstacle(robot_->pairs[i].b)) {
+      pairs_[i] = kUnknown;
+      core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
+    }
+  }
 }
 
 /// Calls `visit(joint, reach, way)` for each joint between two links. `way`: the larger travel from
@@ -256,13 +283,23 @@ Status Guard::move_to(const JointCoordinate* values) {
   if (status != Status::done) {
     return status;
   }
-  for (uint32_t i = 0; i < robot_->joint_count && core_->has_values != 0; ++i) {
-    if (is_free(i) && !has_one_way(i)) {
+  const bool is_first = core_->has_values == 0;
+  uint32_t laps = 0;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    laps += robot_->joints[i].laps;
+    if (!is_first && is_free(i) && !has_one_way(i)) {
       return Status::joint_jumped;
     }
   }
+  if (!is_first && ((laps - core_->laps) & detail::kLapMask) >= detail::kTooManyLaps) {
+    return Status::joint_jumped;
+  }
+  if (((laps ^ core_->laps) & detail::kLapMask) >> detail::kLapsOfWalkBits != 0) {
+    core_->walked_pair = kNoPair;  // its certificate would count an obstacle's motion modulo 2^32
+  }
+  core_->laps = laps & detail::kLapMask;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
-    const int32_t step = core_->has_values != 0 ? step_to_next(i) : 0;
+    const int32_t step = is_first ? 0 : step_to_next(i);
     before_[i] = detail::difference(next_[i], step);
     step_[i] = step;
   }

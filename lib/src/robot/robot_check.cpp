@@ -145,7 +145,7 @@ bool check_joints(const Robot& robot, uint32_t* extents) {
   for (uint32_t i = 0; i < robot.joint_count; ++i) {
     const RobotJoint& joint = robot.joints[i];
     if ((joint.parent >= i && joint.parent != kBase) || !has_limits(joint) || !has_factor(joint) ||
-        joint.padding != 0 || !is_rotation(joint.fixed.rotation)) {
+        joint.laps != 0 || !is_rotation(joint.fixed.rotation)) {
       return false;
     }
     const uint64_t extent = extent_of(joint, extents);

@@ -290,7 +290,7 @@ Status Workcell::move(uint8_t link, const Frame& frame, uint32_t moved) {
     return Status::translation_out_of_range;
   }
   carrier = there;
-  carrier.offset = detail::difference(carrier.offset, -static_cast<int32_t>(moved));
+  detail::add_path(carrier, moved);
   return Status::done;
 }
 

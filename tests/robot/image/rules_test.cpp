@@ -89,7 +89,7 @@ const Crafted kCrafted[] = {
     {"a variable beyond", [](Parts p) { p.joints[3].variable = 3; }},
     {"turns a part of a turn", [](Parts p) { p.joints[4].multiplier ^= 1; }},
     {"a mimic with limits of one without", [](Parts p) { p.joints[3].variable = 2; }},
-    {"padding of a joint", [](Parts p) { p.joints[0].padding = 1; }},
+    {"laps of a joint", [](Parts p) { p.joints[0].laps = 1; }},
     {"an entry above 1", [](Parts p) { p.joints[0].fixed.rotation[0][0] = INT32_MIN; }},
     {"a row too short", [](Parts p) { p.joints[0].fixed.rotation[0][0] -= 3; }},
     {"a row as rounding leaves it", [](Parts p) { --p.joints[0].fixed.rotation[0][0]; },

@@ -83,7 +83,9 @@ typedef struct flashbvh_robot_joint {
   uint8_t parent;                /**< a joint with a lower number, or FLASHBVH_BASE */
   uint8_t variable;              /**< the number of the caller's value that moves it */
   FLASHBVH_BYTE(JointType) type; /**< a flashbvh_joint_type */
-  uint32_t padding;
+  /** 0 in an image. Of an obstacle: how often it has moved by 2^24, in 1/256 cell; `offset` counts
+   * its path modulo 2^32. */
+  uint32_t laps;
 } flashbvh_robot_joint;
 
 /** A body: a part of the robot with a mesh, which has an equal number. 24 bytes. */

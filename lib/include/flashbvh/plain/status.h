@@ -35,7 +35,8 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_NOT_A_COORDINATE = 26,
   /** A joint's value is outside its limits. */
   FLASHBVH_STATUS_JOINT_OUT_OF_LIMITS = 27,
-  /** A joint without limits moved half a turn or more in one period: its direction is ambiguous. */
+  /** A joint without limits moved by exactly half a turn in one period, or its geared mimic by half
+   * a turn or more: its direction is ambiguous. Or an obstacle moved too far (Workcell::move()). */
   FLASHBVH_STATUS_JOINT_JUMPED = 28,
   /** A guard's memory is too small, or its state is not one of this robot's. */
   FLASHBVH_STATUS_GUARD_STATE_INVALID = 29,

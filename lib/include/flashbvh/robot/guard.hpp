@@ -60,7 +60,8 @@ struct GuardPair {
 
 /// A guard's state in addition to its arrays.
 struct GuardCore {
-  uint32_t version;
+  uint32_t version : 8;
+  uint32_t laps : 24;  ///< sum of RobotJoint::laps of all obstacles in the last period, modulo 2^24
   uint32_t robot_hash;
   uint32_t checksum;     ///< of the rest of the state, by Guard::seal()
   uint16_t walked_pair;  ///< the pair that is being measured, or kNoPair
@@ -165,7 +166,9 @@ class Guard {
   void forget();
 
   /// Resumes with a stored state that was copied back into its place. `guard_state_invalid`, and
-  /// the guard forgets all, if it is not one of this robot's.
+  /// the guard forgets all, if it is not one of this robot's. Certificates with obstacles are
+  /// discarded, since their workcell may be a new one: place obstacles before. The next period
+  /// begins with obstacles where they stand now, and covers no earlier motion of them.
   Status resume();
 
   /// Stores checksums of the guard, of the robot's view, of its meshes' views and of the whole
@@ -212,6 +215,8 @@ class Guard {
 
   uint32_t joints_between() const;
   bool is_possible() const;
+  bool is_obstacle(uint8_t link) const;
+  void forget_obstacles();
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
   Status move_to(const JointCoordinate* values);
   Status measure(const Found& found, uint32_t& work);

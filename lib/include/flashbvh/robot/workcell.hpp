@@ -97,9 +97,11 @@ class Workcell {
 
   /// Moves an obstacle to a frame, from the next period on, which begins with Guard::update().
   /// `moved`: upper bound of each point's path length, in 1/256 cell; a rejected period's motion
-  /// counts in the next one. Do not call it between update() and go_on(), nor while a MotionQuery
-  /// runs: their results assume that obstacles stand still. `link_invalid`: it is no added
-  /// obstacle; `distance_out_of_range`: `moved` is 2^28 or more; `not_a_rotation` and
+  /// counts in the next one. A guard rejects periods, `joint_jumped`, once an obstacle has moved by
+  /// 2^31 since the last accepted one: prime it. It may do so once all obstacles together have
+  /// moved by 2^30. Their count wraps at 2^48. Do not call it between update() and go_on(), nor
+  /// while a MotionQuery runs: their results assume that obstacles stand still. `link_invalid`: it
+  /// is no added obstacle; `distance_out_of_range`: `moved` is 2^28 or more; `not_a_rotation` and
   /// `translation_out_of_range` as in add(). It then stays where it was.
   Status move(uint8_t link, const Frame& frame, uint32_t moved);
 
