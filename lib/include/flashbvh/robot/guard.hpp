@@ -4,10 +4,10 @@
 // Guarantee. A period runs from the last values to the current ones. If the verdict is `free` or
 // `warn`, every pair of links that can collide stayed farther apart than its stop distance at every
 // moment of the period. This holds under exact kinematics, if each joint moved monotonically
-// between the two values, at any speed. The links are those of the URDF, unrounded: Robot::slack
-// covers the errors of rounding vertices to the lattice and of arithmetic. The user adds braking
-// distance, encoder error and flex to the stop distance. Verdicts do not latch and have no
-// hysteresis.
+// between the two values, at any speed, and each joint without limits by less than half a turn. The
+// links are those of the URDF, unrounded: Robot::slack covers the errors of rounding vertices to
+// the lattice and of arithmetic. The user adds braking distance, encoder error and flex to the stop
+// distance. Verdicts do not latch and have no hysteresis.
 //
 // Method. A certificate of a pair is a distance and the coordinates at which it was measured. A
 // joint moves a point by at most its reach times its angle. The pair is free while the joints
