@@ -52,8 +52,8 @@ FLASHBVH_OPAQUE(flashbvh_contact_cursor, 0, 36, uint32_t);
 
 /** Starts a query; meshes and motion must outlive it. `within`, in 1/256 cell: bodies this near are
  * in contact; 0: only bodies that intersect. SUSPENDED: there is work to run. The motion's status;
- * MOTION_OUT_OF_RANGE, also for too many moves; DISTANCE_OUT_OF_RANGE: `within` is beyond
- * FLASHBVH_MAX_DISTANCE / 2. Every run returns the status again, or CELL_MISMATCH. */
+ * MOTION_OUT_OF_RANGE, also for too many moves or far origins; DISTANCE_OUT_OF_RANGE: `within` is
+ * beyond FLASHBVH_MAX_DISTANCE / 2. Every run returns the status again, or CELL_MISMATCH. */
 flashbvh_status flashbvh_first_contact_start(flashbvh_first_contact_query* query,
                                              const flashbvh_mesh* a, const flashbvh_mesh* b,
                                              const flashbvh_body_motion* motion, uint32_t within);
@@ -68,8 +68,8 @@ void flashbvh_first_contact_pass(flashbvh_first_contact_query* query);
 /** FirstContact::cursor(). Valid between runs. */
 flashbvh_contact_cursor flashbvh_first_contact_cursor(const flashbvh_first_contact_query* query);
 
-/** FirstContact::resume(), for a started query. SUSPENDED; CURSOR_INVALID, and nothing changes; or
- * the query's own status. */
+/** FirstContact::resume(), for a started query, with the cursor of a suspended one. SUSPENDED;
+ * CURSOR_INVALID, and nothing changes; or the query's own status. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_first_contact_resume(
     flashbvh_first_contact_query* query, const flashbvh_contact_cursor* cursor);
 

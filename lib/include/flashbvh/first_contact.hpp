@@ -163,8 +163,9 @@ class BasicFirstContact {
 
   /// Meshes and motion must outlive the query. `within`, in 1/256 cell: bodies this near are in
   /// contact; 0: only bodies that intersect. status() and every run return errors: those of a
-  /// Query; `motion_out_of_range`, also for more than kMostMoves; `distance_out_of_range`: `within`
-  /// is beyond kMaxDistance / 2.
+  /// Query; `motion_out_of_range`, also for more than kMostMoves, if a point of B may get farther
+  /// than 2^19 cells, or if a coordinate of a mesh's origin is 2^18 cells or more;
+  /// `distance_out_of_range`: `within` is beyond kMaxDistance / 2.
   BasicFirstContact(const Mesh& a, const Mesh& b, const BodyMotion& motion, uint32_t within = 0);
   template <class... With>
   BasicFirstContact(const Mesh&&, const Mesh&, const BodyMotion&, const With&...) = delete;
@@ -184,8 +185,8 @@ class BasicFirstContact {
 
   /// Returns the cursor. Valid between runs.
   [[nodiscard]] const Cursor& cursor() const { return at_; }
-  /// Resumes from the cursor of a query with equal meshes and motion. `cursor_invalid`, and nothing
-  /// changes, if no such query can have it.
+  /// Resumes from the cursor of a suspended query with equal meshes and motion; after `close`, call
+  /// pass() before cursor(). `cursor_invalid`, and nothing changes, if no such query can have it.
   Status resume(const Cursor& at);
 
  private:

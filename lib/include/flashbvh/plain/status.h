@@ -67,7 +67,8 @@ typedef enum flashbvh_status {
   /** A mesh was refit since, or its refit is not done. */
   FLASHBVH_STATUS_MESH_CHANGED = 41,
 
-  /** A motion may move a body farther than 2^19 cells from an origin, by the sum of its lengths. */
+  /** A motion may move a body farther than 2^19 cells from an origin, by the sum of its lengths. Or
+   * a coordinate of a mesh's origin is 2^18 cells or more. */
   FLASHBVH_STATUS_MOTION_OUT_OF_RANGE = 48,
 
   /** A known answer differs, or memory that must not change has changed. */
