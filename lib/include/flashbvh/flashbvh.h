@@ -2,7 +2,7 @@
  *
  * A C99 interface to the C++ library, with equal meshes, queries, statuses and answers in equal
  * order. Each comment names the C++ counterpart, whose header has the details. Only C++ has meshes
- * with 32-bit indices and the paper's traversals. No call allocates or keeps memory. So any number
+ * with 32-bit indices. No call allocates or keeps memory. So any number
  * of queries may run at once, in interrupts too, if no two calls write to one object.
  *
  * Unless stated otherwise, lengths are in cells: the unit of the lattice that all meshes of one

@@ -38,8 +38,7 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
   using Cursor = typename Traversal::Cursor;
   using Pair = TrianglePair<Index>;
 
-  /// B is at `pose` in A's frame. Traversals with a stack take their array as `start`; the
-  /// stackless ones need none. status() and every run return errors.
+  /// B is at `pose` in A's frame. status() and every run return errors.
   ///
   /// Instructions on a Cortex-M4 at -O2: about 60 under a translation. Under a rotation about 190
   /// if the objects are far apart, which the query detects, and at most 720 (lib/docs/figures.md,

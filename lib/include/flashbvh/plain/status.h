@@ -13,7 +13,7 @@ typedef enum flashbvh_status {
 
   /** The two meshes have different cells, or a refit is not done, or a shape does not fit. */
   FLASHBVH_STATUS_CELL_MISMATCH = 16,
-  /** A stack traversal's array is shorter than stack_entries(). C++ only. */
+  /** Reserved: no function returns it. */
   FLASHBVH_STATUS_STACK_TOO_SMALL = 17,
   /** A translation is beyond +-2^29 cells (kMaxTranslation). */
   FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE = 18,
@@ -49,7 +49,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_IMAGE_TRUNCATED = 32,
   /** The image does not start at a multiple of 4 bytes. */
   FLASHBVH_STATUS_IMAGE_MISALIGNED = 33,
-  /** The first four bytes are not "FBVH". */
+  /** The first four bytes are not "FBVH", or "FBVR" of a robot. */
   FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH = 34,
   /** The image has another version of the format; bake again. */
   FLASHBVH_STATUS_IMAGE_VERSION = 35,
