@@ -36,34 +36,6 @@ extern "C" {
 /** In place of a variable's number: no variable. */
 #define FLASHBVH_NO_VARIABLE 0xFF
 
-/* Marks a type that is read as a mesh. */
-#if defined(__GNUC__)
-#define FLASHBVH_VIEW __attribute__((__may_alias__))
-#else
-#define FLASHBVH_VIEW
-#endif
-
-/** The contents of a flashbvh_mesh: for constant arrays that `flashbvh robot --format c` writes. */
-typedef struct FLASHBVH_VIEW flashbvh_mesh_view {
-  const void* nodes;
-  uint16_t node_count;
-  uint16_t leaf_count;
-  uint16_t stack_need;
-  const void* triangles;
-  const void* triangle_ids;
-  const void* leaf_offsets;
-  const void* vertices;
-  const void* shell_vertices;
-  uint16_t triangle_count;
-  uint16_t vertex_count;
-  uint16_t shell_count;
-  uint16_t longest_edge;
-  int32_t origin[3];
-  uint8_t unit;
-  bool is_closed;
-  uint64_t cell_bits;
-} flashbvh_mesh_view;
-
 /* Images: robot/image.hpp ---------------------------------------------------------------------- */
 
 /** open_robot(), for `NAME.robot`: `image` must start at a multiple of 4. `image` and `meshes` must
