@@ -17,10 +17,9 @@ from machine_code.loops import Loops
 from machine_code.measure import Instructions
 from machine_code.program import Program
 
+from formula import AIM, EXACT, LEVER, NEAR, NEARER, PAIR, PLACED, POSE
 from prove import GO_ON, SHAPE, UNITS, WORK, Found, main
 
-# Units of work.
-PAIR, PLACED, EXACT, POSE, AIM, LEVER, NEAR = 1, 4, 24, 16, 56, 1, 8
 # Pairs of leaves that a walk collects, except in the last batch.
 BATCH = 4
 # A run's first two batches, and one without work.
@@ -35,9 +34,9 @@ LEAF = 7
 GUARD_UNITS = [(WORK, f"kAlongPairWork = {PAIR};"), (WORK, f"kPlacedPairWork = {PLACED};"),
                (WORK, f"kExactPairWork = {EXACT};"), (WORK, f"kNearPairWork = {NEAR};"),
                ("include/flashbvh/detail/query/proximity.hpp", f"kBatch = {BATCH};"),
-               ("src/robot/guard_measure.cpp", f"kPoseWork = {POSE};"),
-               ("src/robot/guard_measure.cpp", f"kLeverWork = {LEVER};"),
-               ("src/robot/guard_measure.cpp", f"kAimWork = {AIM};")]
+               (WORK, f"kPoseWork = {POSE};"),
+               (WORK, f"kLeverWork = {LEVER};"),
+               (WORK, f"kAimWork = {AIM};")]
 
 
 def parts(value: int, by: int) -> int:
@@ -61,7 +60,7 @@ def bounds(costs: Costs, closed: Costs, roots: dict[str, str]) -> Iterator[tuple
     work = max(turn["visit"] + ascent, turn["other"], parts(turn["turn"], GO_ON),
                parts(max(total["shape"] + total["reached"], turn["turn"]) + begun, SHAPE), parts(triangles, PAIR),
                parts(placed, PAIR + PLACED), parts(placed + within, PAIR + PLACED + EXACT),
-               parts(nearer, PAIR + PLACED + EXACT + AIM),
+               parts(nearer, NEARER),
                parts(turn["run"], POSE), parts(turn["lever"], LEVER))
     if batch > NEAR * work:
         raise Refused("a walk of 65,535 is not paid for")

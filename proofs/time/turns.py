@@ -13,7 +13,7 @@ from collections import Counter, defaultdict
 from pathlib import Path
 
 from firmware import run
-from formula import measured_pairs
+from formula import NEARER, OVERDRAWN, POSE, measured_pairs
 
 LEAST = 1000
 RUNS = "bound_run", "bound_run_itself", "bound_period"
@@ -22,8 +22,8 @@ RUNS = "bound_run", "bound_run_itself", "bound_period"
 def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
     """The sums of guard_prove.py."""
     measured = measured_pairs(pairs, work)
-    looks, nearer = measured + 2, (work + 71 + joints) // 85
-    runs = measured + 2 + nearer + (work + 15) // 16
+    looks, nearer = measured + 2, (work + OVERDRAWN + joints) // NEARER
+    runs = measured + 2 + nearer + (work + POSE - 1) // POSE
     batches = 3 * runs + work // 4
     turns, shapes = batches + (work + 1) // 2, batches + (work + 7) // 8
     visits = work + 2 * batches + turns

@@ -11,7 +11,10 @@
 namespace flashbvh {
 
 using detail::difference_of;
+using detail::kAimWork;
+using detail::kLeverWork;
 using detail::kPeriodsAhead;
+using detail::kPoseWork;
 using detail::kRateMargin;
 using detail::sum_of;
 
@@ -21,15 +24,6 @@ namespace {
 constexpr uint64_t kWorthwhile = 4;
 
 static_assert(kMaxGuardDistance <= detail::Within::kMostShort, "WithinAlong tests short ones");
-
-/// Work of a pair's spheres and pose (detail/walk/work.hpp).
-constexpr uint32_t kPoseWork = 16;
-
-/// Work of a joint's lever.
-constexpr uint32_t kLeverWork = 1;
-
-/// Work of the distance of two triangles and of the next limit.
-constexpr uint32_t kAimWork = 56;
 
 /// A witness's distance is computed again once the links have moved by 1/kStaleShare of its excess
 /// over the distance to keep.

@@ -87,11 +87,8 @@ constexpr GuardCosts costs_in_cycles(const GuardCycles& core, uint32_t wait_stat
 
 namespace detail {
 
-/// As in guard_measure.cpp: work to start measuring a pair, and to measure its witness.
-constexpr uint32_t kBeginWork = 16;
-constexpr uint32_t kWitnessWork = 56;
 /// The least work before the measurement of a witness that is nearer than the limit.
-constexpr uint32_t kNearerWork = kAlongPairWork + kPlacedPairWork + kExactPairWork + kWitnessWork;
+constexpr uint32_t kNearerWork = kAlongPairWork + kPlacedPairWork + kExactPairWork + kAimWork;
 /// The most pairs of leaves whose tests a period may overdraw.
 constexpr uint32_t kBatchedLeafPairs = 4;
 
@@ -110,7 +107,7 @@ constexpr uint64_t instructions_of_look(const GuardCosts& costs, const GuardSize
 /// which is no limit.
 constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& size,
                                      uint32_t work) {
-  const uint64_t begun = (uint64_t{work} + detail::kBeginWork - 1) / detail::kBeginWork;
+  const uint64_t begun = (uint64_t{work} + detail::kPoseWork - 1) / detail::kPoseWork;
   const uint64_t measured = begun < size.pairs ? begun : size.pairs;
   const uint64_t joints = size.joints;
   const uint64_t around =
@@ -123,7 +120,7 @@ constexpr uint64_t most_instructions(const GuardCosts& costs, const GuardSize& s
          (measured + 2) * detail::instructions_of_look(costs, size) + measured * costs.measure +
          (measured + 1) * around + uint64_t{size.depth} * costs.ascent +
          uint64_t{detail::kBatchedLeafPairs} * size.leaf_size * size.leaf_size * costs.within +
-         (uint64_t{work} + detail::kBeginWork + detail::kWitnessWork + joints - 1) * of_work;
+         (uint64_t{work} + detail::kPoseWork + detail::kAimWork + joints - 1) * of_work;
 }
 
 /// As most_instructions(), in cycles. `wait_states`: at most 1000, for each read of the memory of

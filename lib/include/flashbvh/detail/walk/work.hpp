@@ -45,6 +45,12 @@ constexpr uint32_t kAlongPairWork = 1;
 constexpr uint32_t kPlacedPairWork = 4;
 constexpr uint32_t kExactPairWork = 24;
 
+/// A guard's measurement of a pair of links: their spheres and pose; each joint's lever; the
+/// distance of two triangles with the next limit.
+constexpr uint32_t kPoseWork = 16;
+constexpr uint32_t kLeverWork = 1;
+constexpr uint32_t kAimWork = 56;
+
 /// The number of pairs of triangles that `work` allows; the last may exceed the work left for it.
 template <uint32_t pair_work = kTrianglePairWork>
 constexpr uint32_t triangle_pairs_for(uint32_t work) {
