@@ -68,6 +68,11 @@ struct GuardInMemory {
     const std::uint32_t between = arm.fixed.pair_joint_count();
     words.resize(FLASHBVH_GUARD_STATE_SIZE(robot.joint_count, robot.pair_count, between) / 4);
     fields = fields_of(robot, between);
+    std::size_t bytes = 0;
+    for (const Field& field : fields) {
+      bytes += field.size;
+    }
+    REQUIRE((bytes + 3) / 4 == words.size());
   }
   Guard guard() { return Guard(robot, words.data(), words.size() * 4); }
 

@@ -107,7 +107,7 @@ std::vector<std::unique_ptr<FixedArm>> all_arms(Random& random) {
   return arms;
 }
 
-/// The caller owns the robot's arrays, which a mutant may change.
+/// Walks from random values, checked in each period.
 void check_walks(Random& random, const FixedArm& arm, double speed, std::uint32_t work) {
   Walk walk(arm);
   walk.prime(arm.any_values(random));

@@ -133,10 +133,10 @@ GuardAnswer prime_apart(Random& random, const FixedArm& arm, Guard& guard, int t
 const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const GuardAnswer& answer,
                           const Period& period, bool is_unlimited, Random& random) {
   const Robot& robot = arm.robot();
-  const RobotPair& reported = robot.pairs[answer.pair];
   if (answer.status != Status::done) {
     return "refused";
   }
+  const RobotPair& reported = robot.pairs[answer.pair];
   if (is_unlimited && answer.verdict == Verdict::not_yet_known) {
     return "not yet known, with unlimited work";
   }
