@@ -273,9 +273,13 @@ void check_spheres(const Robot& robot, Report& report) {
 
 void check_slack(const Robot& robot, Report& report) {
   double most = 0;
+  double far = 0;
   std::uint32_t worst = 0;
   for (std::uint32_t i = 0; i < robot.links.size(); ++i) {
     const Link& link = robot.links[i];
+    far =
+        std::max(far, std::fabs(1.0 * link.mesh.origin[0]) + std::fabs(1.0 * link.mesh.origin[1]) +
+                          std::fabs(1.0 * link.mesh.origin[2]));
     const double wanted = link.mesh.deviation / robot.cell * 256;
     if (!(link.deviation >= wanted * (1 - 1e-12)) || wanted < 0) {
       report.refuse(text("deviation of link ", robot.link_name(i), ": ", link.deviation,
@@ -287,8 +291,10 @@ void check_slack(const Robot& robot, Report& report) {
       worst = i;
     }
   }
+  // A placed vertex is off by 0.51 cells along each axis, and by 2^-23 of the farthest origin.
+  const double placing = std::max(0.89, std::sqrt(3.0) * (0.51 + far / (1 << 23)));
   // Each deviation is rounded up by less than 1/256 cell.
-  const double wanted = (0.89 + 2 * most) * 256 - 2;
+  const double wanted = (placing + 2 * most) * 256 - 2;
   if (robot.slack < wanted) {
     report.refuse(text("slack: ", robot.slack,
                        " in 1/256 cell, but rounding and kinematics of link ",

@@ -2,14 +2,12 @@
 #include "flashbvh/detail/motion/body_reach.hpp"
 
 #include "../lattice/fixed_point.hpp"
+#include "../lattice/vertex_rounding.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "moved_frame.hpp"
 
 namespace flashbvh::detail {
 namespace {
-
-/// Rounding of a vertex, in 1/256 cell: 0.51 cells along three axes, and a translation's fraction.
-constexpr uint32_t kVertexRounding = 228;
 
 /// Bound on origins, exclusive, in cells.
 constexpr uint32_t kFarthestOrigin = 1u << 18;

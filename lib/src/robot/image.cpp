@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../lattice/vertex_rounding.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/detail/robot/image_parts.hpp"
@@ -18,7 +19,7 @@ static_assert(offsetof(RobotImageHeader, byte_count) == offsetof(ImageHeader, by
               "image_crc() leaves these bytes out");
 
 /// Slack for rounding vertices alone, in 1/256 cell (lib/docs/derivations.md, "Robots").
-constexpr uint32_t kLeastSlack = 228;
+constexpr uint32_t kLeastSlack = detail::kVertexRounding;
 
 const RobotImageHeader& header_of(const void* image) {
   return *image_part<RobotImageHeader>(image, 0);

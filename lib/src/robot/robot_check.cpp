@@ -1,5 +1,6 @@
 // Checks that a robot's numbers keep kinematics, guard and motions within arrays and ranges, and
 // that their loops terminate. Each number is read after all numbers on which it relies are checked.
+#include "../lattice/vertex_rounding.hpp"
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/clearance.hpp"
@@ -19,7 +20,7 @@ constexpr int64_t kRotationRounding = 2 * int64_t{kRotationOne};
 
 /// Slack for rounding placed vertices, in 1/256 cell (lib/docs/derivations.md, "Robots"), less what
 /// rounding up two deviations adds.
-constexpr uint32_t kPlacingSlack = 226;
+constexpr uint32_t kPlacingSlack = kVertexRounding - 2;
 
 constexpr uint8_t kMostShift = 40;
 constexpr int32_t kMostMultiplier = 1 << 30;

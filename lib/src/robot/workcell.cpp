@@ -1,6 +1,7 @@
 // A robot's arrays in RAM, to which bodies and pairs are added.
 #include "flashbvh/robot/workcell.hpp"
 
+#include "../lattice/vertex_rounding.hpp"
 #include "branch.hpp"
 #include "coordinate.hpp"
 #include "flashbvh/clearance.hpp"
@@ -15,8 +16,6 @@ namespace {
 constexpr uint32_t kOneForOne = 1u << kReachBits;
 constexpr uint32_t kMostMoved = 1u << 28;
 
-/// Largest rounding of placed vertices, 0.89 cells, in 1/65,536 cell.
-constexpr uint32_t kPlacing = 58328;
 /// Largest motion of a vertex by baking, half a cell's diagonal, in 1/65,536 cell.
 constexpr uint32_t kBaking = 56756;
 
@@ -171,6 +170,19 @@ uint32_t Workcell::joints_on_branch(uint8_t joint) const {
   return count;
 }
 
+/// The largest sum of the coordinates of an origin, in cells, of this mesh and all others.
+uint64_t Workcell::farthest_origin(const Mesh& mesh) const {
+  uint64_t most = 0;
+  const Mesh* of = &mesh;
+  for (uint32_t i = 0; of != nullptr; ++i) {
+    const uint64_t sum = uint64_t{detail::magnitude(of->origin[0])} +
+                         detail::magnitude(of->origin[1]) + detail::magnitude(of->origin[2]);
+    most = sum > most ? sum : most;
+    of = i < robot_.link_count ? &robot_.meshes[i] : nullptr;
+  }
+  return most;
+}
+
 Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
   const uint32_t joint = robot_.joint_count;
   if (mount.joint != kBase && mount.joint >= own_joints_) {
@@ -205,7 +217,7 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
       !sweep(body, reaches_ + robot_.reach_count, error)) {
     return Status::translation_out_of_range;
   }
-  const uint32_t slack = (kPlacing + 2 * error + 0xFF) >> 8;
+  const uint32_t slack = (detail::vertex_rounding(farthest_origin(mesh)) + 2 * error + 0xFF) >> 8;
   robot_.slack = slack > robot_.slack ? slack : robot_.slack;
   link = robot_.link_count;
   links_[link] = body;

@@ -123,6 +123,38 @@ TEST_CASE("joints far apart add as much slack to a tool as to a link that is bak
   CHECK(far.added - near.added <= 8 * (far.baked - near.baked));
 }
 
+TEST_CASE("far origins add their rounding to the slack of links and of bodies") {
+  const auto model_at = [](double metres) {
+    const double end = metres + 1;
+    Model model;
+    add_link(model, kNoJoint, box({metres, metres, metres}, {end, end, end}));
+    return model;
+  };
+  /// The slack that rounding alone needs, in 1/256 cell: of placing, and of baking both.
+  const auto needed = [](double metres, double deviation) {
+    const double far = 3 * metres / kWorkcellCell;
+    return std::sqrt(3.0) * (0.51 + far * 0x1p-23) * 256 + 2 * deviation;
+  };
+  const double half_diagonal = std::sqrt(0.75) * 256;
+  for (const double of_link : {0.0, 600.0}) {
+    const FixedArm arm(model_at(of_link), kWorkcellCell);
+    const Robot& robot = arm.robot();
+    CHECK(robot.slack >= needed(of_link, robot.links[0].deviation - 1.0));
+    CHECK(robot.slack <= needed(of_link, robot.links[0].deviation) + 4);
+    for (const double of_body : {0.0, 600.0}) {
+      CAPTURE(of_link, of_body);
+      const BakedArm body(model_at(of_body), kWorkcellCell);
+      const auto memory = std::make_unique<AnyWorkcell>();
+      Workcell workcell(robot, *memory);
+      std::uint8_t link = 0;
+      REQUIRE(workcell.add(body.meshes()[0], {kBase, kIdentityFrame}, link) == Status::done);
+      const double farther = std::max(of_link, of_body);
+      CHECK(workcell.robot().slack >= needed(farther, half_diagonal));
+      CHECK(workcell.robot().slack <= needed(farther, half_diagonal) + 14);
+    }
+  }
+}
+
 TEST_CASE("motions are certified with tools and obstacles in the way") {
   int outcomes[3] = {};
   for_rounds(rounds(6, 16), [&](Random& random, int) {

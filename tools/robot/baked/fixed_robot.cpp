@@ -332,6 +332,14 @@ void FixedRobot::check_slack(const Model& model) const {
 /// "Robots").
 std::uint32_t FixedRobot::slack(const Model& model) const {
   double most = 0;
+  double far = 0;
+  for (const Mesh& mesh : meshes_) {
+    double sum = 0;
+    for (const std::int32_t coordinate : mesh.origin) {
+      sum += std::abs(static_cast<double>(coordinate));
+    }
+    far = std::max(far, sum);
+  }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const double extent = extent_of(model, i);
     double error = deviations_[i];
@@ -344,7 +352,7 @@ std::uint32_t FixedRobot::slack(const Model& model) const {
     }
     most = std::max(most, error + extent * 0x1p-29 + 1.0 / kFrameCell);
   }
-  return static_cast<std::uint32_t>(std::ceil((kPlacing + 2 * most) * 256));
+  return static_cast<std::uint32_t>(std::ceil((placing_at(far) + 2 * most) * 256));
 }
 
 }  // namespace flashbvh::tool

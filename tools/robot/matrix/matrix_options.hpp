@@ -1,6 +1,7 @@
 // Options of the decision on pairs of links.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,12 @@ namespace flashbvh::tool {
 /// A bound on a placed vertex's error, in cells: 0.51 along each axis for rounding, and the rest
 /// for kinematics in double (kinematics.hpp).
 constexpr double kPlacing = 0.89;
+
+/// kPlacing for a mesh whose origin's coordinates add up to `far` cells: each axis is off by 2^-23
+/// of it more (BasicPairSpace::far_origin()). kPlacing includes 30,000 cells.
+inline double placing_at(double far) {
+  return std::max(kPlacing, 1.7321 * (0.51 + far * 0x1p-23));
+}
 
 /// Two links with distances of their own, in cells.
 struct StopDistance {
