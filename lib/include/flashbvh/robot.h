@@ -88,7 +88,8 @@ flashbvh_status flashbvh_relative_pose(const flashbvh_frame* a, const flashbvh_f
 /** angle_coordinate(). FLASHBVH_NO_COORDINATE: not a number, or 8 turns or more. */
 flashbvh_joint_coordinate flashbvh_angle_coordinate(float radians);
 
-/** slide_coordinate(). FLASHBVH_NO_COORDINATE: not a number, or 2^19 cells or more. */
+/** slide_coordinate(): less exact than flashbvh_set_values(). FLASHBVH_NO_COORDINATE: not a number,
+ * or 2^19 cells or more. */
 flashbvh_joint_coordinate flashbvh_slide_coordinate(float length, float cells_per_unit);
 
 /** set_values(): radians, and metres for prismatic joints. */

@@ -21,6 +21,16 @@ uint32_t length_bits(int64_t fine, uint64_t cell_bits);
 /// Returns the bits of the binary32 nearest to the number of cells in a unit.
 uint32_t cells_per_unit_bits(uint64_t cell_bits);
 
+/// digits * 2^exponent.
+struct CellsPerUnit {
+  uint64_t digits;  ///< from 2^38 to 2^39
+  int32_t exponent;
+};
+
+/// Returns the number of cells in a unit, less an error of at most 2^-38 of it. A float has 2^-24:
+/// 32 units of a joint's coordinate at 8 m, in cells of 0.02 mm.
+CellsPerUnit exact_cells_per_unit(uint64_t cell_bits);
+
 }  // namespace detail
 
 }  // namespace flashbvh

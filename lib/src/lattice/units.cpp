@@ -86,6 +86,24 @@ uint32_t float_bits(const Wide& wide) {
   return bits < infinity ? static_cast<uint32_t>(bits) : infinity;
 }
 
+struct Quotient {
+  uint64_t digits;
+  bool is_exact;
+};
+
+/// 2^(52 + bits) / divisor, rounded down, by restoring division; `divisor` has 53 bits.
+Quotient inverse(uint64_t divisor, int bits) {
+  uint64_t rest = uint64_t{1} << 52;
+  uint64_t quotient = 0;
+  for (int i = 0; i <= bits; ++i) {
+    const bool fits = rest >= divisor;
+    rest -= fits ? divisor : 0;
+    quotient = quotient << 1 | (fits ? 1 : 0);
+    rest <<= 1;  // below 2^54
+  }
+  return {quotient, rest == 0};
+}
+
 }  // namespace
 
 int64_t millionths_of(int64_t fine, uint64_t cell_bits) {
@@ -108,21 +126,20 @@ uint32_t length_bits(int64_t fine, uint64_t cell_bits) {
   return float_bits(wide_product(fine, cell_bits)) | (fine < 0 ? 0x80000000u : 0u);
 }
 
-/// Restoring division: 2^84 / digits has 32 or 33 bits; the remainder excludes a tie.
+/// 2^84 / digits has 32 or 33 bits; the remainder excludes a tie.
 uint32_t cells_per_unit_bits(uint64_t cell_bits) {
-  constexpr unsigned kQuotientBits = 32;
+  constexpr int kQuotientBits = 32;
   const Cell cell = cell_of(cell_bits);
-  uint64_t rest = uint64_t{1} << 52;
-  uint64_t quotient = 0;
-  for (unsigned i = 0; i <= kQuotientBits; ++i) {
-    const bool fits = rest >= cell.digits;
-    rest -= fits ? cell.digits : 0;
-    quotient = quotient << 1 | (fits ? 1 : 0);
-    rest <<= 1;  // below 2^54
-  }
-  const Wide wide = {0, quotient << 1 | (rest != 0 ? 1u : 0u),
-                     -52 - static_cast<int32_t>(kQuotientBits) - 1 - cell.exponent};
+  const Quotient found = inverse(cell.digits, kQuotientBits);
+  const Wide wide = {0, found.digits << 1 | (found.is_exact ? 0u : 1u),
+                     -52 - kQuotientBits - 1 - cell.exponent};
   return float_bits(wide);
+}
+
+CellsPerUnit exact_cells_per_unit(uint64_t cell_bits) {
+  constexpr int kQuotientBits = 39;
+  const Cell cell = cell_of(cell_bits);
+  return {inverse(cell.digits, kQuotientBits).digits, -52 - kQuotientBits - cell.exponent};
 }
 
 }  // namespace detail

@@ -48,6 +48,38 @@ void check_slide(float length, float cells) {
   }
 }
 
+/// A robot of a joint that slides; `joint` must outlive it.
+Robot sliding_robot(RobotJoint& joint, double cell) {
+  joint = {};
+  joint.type = JointType::prismatic;
+  Robot robot{};
+  robot.joints = &joint;
+  robot.joint_count = robot.variable_count = 1;
+  std::memcpy(&robot.cell_bits, &cell, sizeof cell);
+  return robot;
+}
+
+/// Tests a joint's value and a frame's translation by the cell itself, as the slack assumes.
+void check_exact_slide(float length, double cell) {
+  CAPTURE(length, cell);
+  RobotJoint joint;
+  const Robot robot = sliding_robot(joint, cell);
+  JointCoordinate coordinate = 0;
+  set_values(robot, &length, &coordinate);
+  Frame frame{};
+  const Status status = set_frame(robot, UnitQuaternion{1, 0, 0, 0}, {0, length, 0}, frame);
+  CHECK(frame.translation[1] == coordinate);
+  CHECK((status == Status::done) == (coordinate != kNoCoordinate));
+  const long double units =
+      static_cast<long double>(length) / static_cast<long double>(cell) * kFrameCell;
+  if (!(std::fabs(units) <= kMaxJointCoordinate + 0.5L)) {
+    CHECK(coordinate == kNoCoordinate);
+  } else if (std::fabs(units) < kMaxJointCoordinate - 1) {
+    REQUIRE(coordinate != kNoCoordinate);
+    CHECK(std::fabs(coordinate - units) <= 0.5L + 1.0L / 256);
+  }
+}
+
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kSubnormal = std::numeric_limits<float>::denorm_min();
@@ -84,6 +116,31 @@ TEST_CASE("ways of joints that slide are rounded to the nearest") {
       check_slide(edge, cells);
       check_slide(-edge, cells);
     }
+  }
+}
+
+TEST_CASE("ways of joints that slide are exact for each cell of a robot") {
+  Random random = test_random();
+  for (int i = 0; i < 20'000; ++i) {
+    check_exact_slide(any_near(random, 8), real_between(random, 2e-5, 4e-5));
+    check_exact_slide(any_near(random, 1), real_between(random, 1e-6, 1));
+    check_exact_slide(any_near(random, 600'000), 1);
+    check_exact_slide(any_float(random),
+                      std::ldexp(real_between(random, 1, 2), -static_cast<int>(random.below(40))));
+  }
+  for (const float edge : {kInfinite, kNotANumber, kSubnormal, 0.0F, 524'288.0F, 524'289.0F, 3e38F,
+                           0x1p-12F, 0x3p-12F, 1e-30F}) {
+    for (const double cell : {1.0, 1e-9, 0x1p-40, 1e9}) {
+      check_exact_slide(edge, cell);
+      check_exact_slide(-edge, cell);
+    }
+  }
+  RobotJoint joint;
+  const Robot robot = sliding_robot(joint, 1);
+  for (const float half : {0x1p-12F, -0x1p-12F, 0x3p-12F, -0x3p-12F}) {
+    JointCoordinate coordinate = 0;
+    set_values(robot, &half, &coordinate);
+    CHECK(coordinate == slide_coordinate(half, 1));
   }
 }
 
