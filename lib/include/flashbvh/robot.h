@@ -75,11 +75,11 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_set_coordinates(const flashbvh_robot
 void flashbvh_set_frames(const flashbvh_robot* robot, const flashbvh_joint_coordinate* coordinates,
                          flashbvh_frame* frames);
 
-/** composed(). `frame` may be either argument. */
+/** composed(). `frame` may be either argument. A translation beyond 32 bits saturates. */
 void flashbvh_frame_composed(const flashbvh_frame* outer, const flashbvh_frame* inner,
                              flashbvh_frame* frame);
 
-/** relative_pose(). */
+/** relative_pose(). TRANSLATION_OUT_OF_RANGE: a difference of translations exceeds 32 bits. */
 flashbvh_status flashbvh_relative_pose(const flashbvh_frame* a, const flashbvh_frame* b,
                                        flashbvh_pose* pose);
 

@@ -13,8 +13,12 @@ constexpr int64_t fixed_product(int32_t u, int32_t v) {
 }
 
 /// Drops the fraction bits of a rotation, 30, from a sum of products; rounds to the nearest.
+constexpr int64_t fixed_rounded_wide(int64_t sum) {
+  return (sum + (kRotationOne >> 1)) >> 30;
+}
+/// fixed_rounded_wide(), if the result fits 32 bits.
 constexpr int32_t fixed_rounded(int64_t sum) {
-  return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
+  return static_cast<int32_t>(fixed_rounded_wide(sum));
 }
 
 constexpr uint32_t magnitude(int32_t value) {

@@ -172,3 +172,38 @@ TEST_CASE("turns make no difference to joints without limits, nor to what mimics
     }
   }
 }
+
+TEST_CASE("frames at the ends of their range have sums and differences") {
+  const auto along = [](std::int32_t x, std::int32_t y) {
+    Frame frame = kIdentityFrame;
+    frame.translation[0] = x;
+    frame.translation[1] = y;
+    return frame;
+  };
+  constexpr std::int32_t far = kMaxFrameTranslation;
+  CHECK(composed(along(far, 0), along(far, -far)).translation[0] == INT32_MAX);
+  CHECK(composed(along(0, -far), along(far, -far)).translation[1] == INT32_MIN);
+  CHECK(composed(along(far, -far), along(far - 1, -far + 1)).translation[0] == INT32_MAX);
+  CHECK(composed(along(far, -far), along(far - 1, -far)).translation[1] == INT32_MIN);
+  CHECK(composed(along(far, 5), along(far - 2, 6)).translation[0] == INT32_MAX - 1);
+  CHECK(composed(along(INT32_MAX, INT32_MIN), along(far, -far)).translation[1] == INT32_MIN);
+  for (const std::int32_t sign : {1, -1}) {
+    CHECK(relative_pose(along(-far * sign, 0), along((far - 1) * sign, 0)).status() ==
+          Status::done);
+    CHECK(relative_pose(along(0, -far), along(0, far)).status() ==
+          Status::translation_out_of_range);
+    CHECK(relative_pose(along(sign * INT32_MAX, 0), along(-sign * INT32_MAX, 0)).status() ==
+          Status::translation_out_of_range);
+  }
+  CHECK(relative_pose(along(-far, 0), along(far, 0)).status() == Status::translation_out_of_range);
+  // Turned by an eighth, the difference has a component beyond 32 bits.
+  Frame eighth = along(-far, -far);
+  const auto half = static_cast<std::int32_t>(std::lround(std::sqrt(0.5) * kRotationOne));
+  eighth.rotation[0][0] = eighth.rotation[1][1] = eighth.rotation[1][0] = half;
+  eighth.rotation[0][1] = -half;
+  const Pose pose = relative_pose(eighth, along(far - 1, far - 1));
+  REQUIRE(pose.status() == Status::done);
+  const double cells = std::sqrt(2.0) * (2.0 * far - 1) / kFrameCell;
+  CHECK(std::fabs(pose.translation(0) - cells) < 2);
+  CHECK(std::abs(pose.translation(1)) <= 1);
+}

@@ -22,10 +22,12 @@ namespace flashbvh {
 /// Cortex-M4 at -O2.
 void set_frames(const Robot& robot, const JointCoordinate* coordinates, Frame* frames) noexcept;
 
-/// Applies `inner`, then `outer`: returns B's frame in C's from B's in A's and A's in C's.
+/// Applies `inner`, then `outer`: returns B's frame in C's from B's in A's and A's in C's. A
+/// translation beyond 32 bits saturates; beyond kMaxFrameTranslation the result is no valid frame.
 [[nodiscard]] Frame composed(const Frame& outer, const Frame& inner) noexcept;
 
-/// Returns B's pose in A's frame, for queries, from both frames in an outer one.
+/// Returns B's pose in A's frame, for queries, from both frames in an outer one. Its status is
+/// `translation_out_of_range` if a difference of their translations, 2^20 cells, exceeds 32 bits.
 [[nodiscard]] Pose relative_pose(const Frame& a, const Frame& b) noexcept;
 
 }  // namespace flashbvh
