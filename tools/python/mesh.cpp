@@ -180,7 +180,7 @@ tool::BakedMesh tree_of(const tool::InputMesh& input, const Order& order) {
   }
   (void)tool::round_mesh(input, order.options);  // refuses a mesh that is too large for the cell
   simplify::Coarsening coarse(input.mesh, *order.options.cell);
-  coarse.coarsen(std::max(*order.simplify, coarse.rounding()));
+  coarse.coarsen(std::max(*order.simplify - input.reading_error(), coarse.rounding()));
   return tool::bake(input, order.options, coarse);
 }
 

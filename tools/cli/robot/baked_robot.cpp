@@ -399,23 +399,4 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
   return made;
 }
 
-BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
-  for (const char* const option :
-       {"--package", "--joint-limits", "--visual-too", "--srdf", "--believe", "--cell",
-        "--leaf-size", "--simplify", "--fit", "--stop", "--warn", "--pair", "--zone", "--time"}) {
-    if (command.count(option) != 0) {
-      throw UserError(path, "is baked already, ", option,
-                      " is for a URDF; leave it out, or bake again with `flashbvh robot`");
-    }
-  }
-  BakedRobot made;
-  made.file = std::make_unique<RobotFile>(path);
-  made.model = made.file->model();
-  made.cell = made.file->cell();
-  made.sizes = link_sizes(made.model, made.robot().meshes, made.cell);
-  made.unguarded = made.file->unguarded();
-  warn_of_unguarded(made, path, warnings);
-  return made;
-}
-
 }  // namespace flashbvh::tool

@@ -93,10 +93,6 @@ BakedRobot baked_robot(Model model, const RobotArguments& arguments, Warnings& w
 /// The robot's image: the image that was read, or a new one with this name.
 std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& name);
 
-/// A robot read from an image, as it was baked. UserError if it is no image, or if `command` was
-/// given options of add_robot_options(), which are for baking.
-BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings);
-
 /// Sizes in metres, in the links' own frames.
 std::vector<Size> link_sizes(const Model& model);
 /// Sizes of a model without meshes, from the baked meshes. `cell`: of the meshes.

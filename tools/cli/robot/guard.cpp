@@ -7,6 +7,7 @@
 #include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/guard_output.hpp"
+#include "cli/robot/robot_warnings.hpp"
 #include "evaluate/part.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
@@ -226,6 +227,27 @@ struct Guarded {
   BakedRobot robot;
   Trajectory trajectory;
 };
+
+/// A robot read from an image, as it was baked. UserError if it is no image, or if `command` was
+/// given options of add_robot_options(), which are for baking.
+BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
+  for (const char* const option :
+       {"--package", "--joint-limits", "--visual-too", "--srdf", "--believe", "--cell",
+        "--leaf-size", "--simplify", "--fit", "--stop", "--warn", "--pair", "--zone", "--time"}) {
+    if (command.count(option) != 0) {
+      throw UserError(path, "is baked already, ", option,
+                      " is for a URDF; leave it out, or bake again with `flashbvh robot`");
+    }
+  }
+  BakedRobot made;
+  made.file = std::make_unique<RobotFile>(path);
+  made.model = made.file->model();
+  made.cell = made.file->cell();
+  made.sizes = link_sizes(made.model, made.robot().meshes, made.cell);
+  made.unguarded = made.file->unguarded();
+  warn_of_unguarded(made, path, warnings);
+  return made;
+}
 
 /// Reads the trajectory before it bakes.
 Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
