@@ -22,8 +22,8 @@ constexpr int32_t difference(int32_t u, int32_t v) {
   return static_cast<int32_t>(static_cast<uint32_t>(u) - static_cast<uint32_t>(v));
 }
 
-/// An obstacle's path in laps of 2^24, in 1/256 cell. Guards keep the sum over all obstacles, modulo
-/// 2^24 laps: in coordinates alone, a path of 2^32 between two periods looks like none.
+/// An obstacle's path in laps of 2^24, in 1/256 cell. Guards keep the sum over all obstacles,
+/// modulo 2^24 laps: in coordinates alone, a path of 2^32 between two periods looks like none.
 constexpr int kLapBits = 24;
 constexpr uint32_t kLapMask = (1u << 24) - 1;
 /// An obstacle that moved by 2^31, which no coordinate's step holds, passed so many laps.

@@ -36,8 +36,9 @@ uint32_t Guard::meshes_checksum() const {
 
 /// The last word may include bytes of the state's padding.
 uint32_t Guard::state_checksum() const {
-  return checksum_of(&core_->checksum + 1, walked_shares_ + robot_->joint_count,
-                     detail::with_word(core_->version | core_->laps << 8, core_->robot_hash));
+  return checksum_of(
+      &core_->checksum + 1, walked_shares_ + robot_->joint_count,
+      detail::with_word(core_->version | uint32_t{core_->laps} << 8, core_->robot_hash));
 }
 
 void Guard::seal() {

@@ -118,6 +118,25 @@ TEST_CASE("a period takes each obstacle's motion of less than 2^31, and rejects 
   CHECK(scene.update().status == Status::done);
 }
 
+TEST_CASE("laps count on where they wrap, and are sealed") {
+  Random random(test_seed());
+  const Body body(random);
+  PrimedScene scene(body);
+  const std::uint8_t joint = scene.memory->links[scene.links[0]].joint;
+  scene.memory->joints[joint].laps = (1u << 24) - 1;
+  REQUIRE(scene.guard.prime(&scene.value).verdict == Verdict::free);
+  scene.guard.seal();
+  CHECK(scene.guard.verify() == Status::done);
+  scene.state.core.laps ^= 1u << 23;
+  CHECK(scene.guard.verify() == Status::guard_state_invalid);
+  scene.state.core.laps ^= 1u << 23;
+  scene.move(100, 1u << 27);
+  CHECK(scene.update().status == Status::done);
+  CHECK(scene.state.core.laps == 7);
+  scene.circle(16);
+  CHECK(scene.update().status == Status::joint_jumped);
+}
+
 TEST_CASE("no certificate outlives 2^30 of an obstacle's motion while it is measured") {
   Random random(test_seed());
   const Body body(random);
