@@ -68,3 +68,35 @@ TEST_CASE("first contacts: any numbers for a cursor are refused or lead to an en
   CHECK(refused > 1000);
   CHECK(taken > 1000);
 }
+
+TEST_CASE("first contacts: cursors resume until the end, and behind `close` after pass()") {
+  long closes = 0;
+  for_rounds(rounds(300, 5'000), [&](Random& random, int) {
+    const MotionScene scene = MotionScene::any(random);
+    const AnyMotion any = any_motion(random, scene);
+    const BodyMotion motion = any.motion();
+    const Mesh a = scene.a.baked.view();
+    const Mesh b = scene.b.baked.view();
+    const FirstContact fresh(a, b, motion);
+    if (fresh.status() != Status::suspended) {
+      return;
+    }
+    FirstContact query = fresh;
+    for (int i = 0; i < 20; ++i) {
+      const FirstContact::Answer answer = query.run(random.below(4) == 0 ? 100 : UINT32_MAX);
+      FirstContact other = fresh;
+      REQUIRE(other.resume(query.cursor()) ==
+              (answer.status == Status::suspended ? Status::suspended : Status::cursor_invalid));
+      if (answer.status == Status::done) {
+        if (answer.outcome != ContactOutcome::close) {
+          return;
+        }
+        ++closes;
+        query.pass();
+        REQUIRE(other.resume(query.cursor()) ==
+                (query.status() == Status::suspended ? Status::suspended : Status::cursor_invalid));
+      }
+    }
+  });
+  CHECK(closes > 0);
+}
