@@ -136,7 +136,7 @@ fs::path without_links(const fs::path& path) {
   if (is_special(path) || !fs::is_symlink(fs::symlink_status(path, error))) {
     return path;
   }
-  const fs::path file = fs::canonical(path, error);
+  fs::path file = fs::canonical(path, error);
   if (error) {
     throw UserError(path.string(), "is a link that leads to no file: ", error.message(),
                     "; remove it or write elsewhere");
