@@ -15,13 +15,13 @@
   core(RV32IMAC, rv32imac, "RV32IMAC", 4293, 21, 10, 159, 404)
 
 #define FLASHBVH_FOR_EACH_GUARD_CORE(core) \
-  core(CortexM0, cortex_m0, "Cortex-M0", 170252, 6011, 11, 4314, 1204, 185, 0, 32, 139875, 5534) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 68277, 828, 9, 2079, 318, 120, 8971, 397, 18814, 1477) \
-  core(CortexM4F, cortex_m4f, "Cortex-M4F", 54811, 842, 9, 2065, 322, 120, 9038, 23, 19005, 1056) \
-  core(CortexM7, cortex_m7, "Cortex-M7", 54615, 840, 9, 2084, 312, 122, 8853, 24, 19067, 1061) \
-  core(CortexM33, cortex_m33, "Cortex-M33", 54897, 833, 9, 2079, 318, 120, 9093, 24, 18999, 1055) \
-  core(CortexM55, cortex_m55, "Cortex-M55", 55195, 800, 9, 2121, 340, 120, 9163, 24, 18825, 1059) \
-  core(RV32IMAC, rv32imac, "RV32IMAC", 76841, 1174, 9, 2399, 402, 148, 11765, 21, 25263, 1555)
+  core(CortexM0, cortex_m0, "Cortex-M0", 170576, 6013, 11, 4314, 1204, 185, 0, 32, 139875, 5534) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 68387, 822, 9, 2079, 318, 120, 9014, 397, 18814, 1477) \
+  core(CortexM4F, cortex_m4f, "Cortex-M4F", 54894, 845, 9, 2065, 322, 120, 9067, 23, 19005, 1056) \
+  core(CortexM7, cortex_m7, "Cortex-M7", 54723, 835, 9, 2084, 312, 122, 8894, 24, 19067, 1061) \
+  core(CortexM33, cortex_m33, "Cortex-M33", 55007, 827, 9, 2079, 318, 120, 9136, 24, 18999, 1055) \
+  core(CortexM55, cortex_m55, "Cortex-M55", 55414, 803, 9, 2121, 340, 120, 9260, 24, 18825, 1059) \
+  core(RV32IMAC, rv32imac, "RV32IMAC", 77005, 1176, 9, 2399, 402, 148, 11836, 21, 25263, 1555)
 /* clang-format on */
 
 #endif
