@@ -6,7 +6,7 @@
 # code: src/robot/kinematics.cpp | frames[i] = joined(frames[joint.parent], joint.fixed);
 # code: src/robot/kinematics.cpp | row[0] = fixed_rounded(fixed_product(x, at.cosine) + fixed_product(y, at.sine));
 # code: src/robot/kinematics.cpp | row[1] = fixed_rounded(fixed_product(y, at.cosine) - fixed_product(x, at.sine));
-# code: src/lattice/fixed_point.hpp | return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
+# code: src/lattice/fixed_point.hpp | return (sum + (kRotationOne >> 1)) >> 30;
 nine = 3 / @2 * kRotationOne@;
 six = 2.44949 / @2 * kRotationOne@;
 turn = 1.414214 * 1b-29;

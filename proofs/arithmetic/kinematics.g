@@ -1,5 +1,5 @@
 # kinematics: products of frames fit 64 bits, results 32, and each entry is off by half of 2^-30
-# code: src/lattice/fixed_point.hpp | return static_cast<int32_t>((sum + (kRotationOne >> 1)) >> 30);
+# code: src/lattice/fixed_point.hpp | return (sum + (kRotationOne >> 1)) >> 30;
 # code: src/robot/kinematics.cpp | fixed_rounded(fixed_product(row[0], r[0][j]) + fixed_product(row[1], r[1][j]) + fixed_product(row[2], r[2][j]));
 # Rotations' entries: at most 1 + 2^-8, which includes far more than rounding; translations: 30 bits.
 @rnd = int<dn>;
