@@ -1,4 +1,4 @@
-// A first contact's cursor of any bytes is refused, or its query ends.
+// A first contact's cursor of any bytes is refused, or its query ends. Cursors of its own resume.
 #include "flashbvh/first_contact.hpp"
 #include "support/any_motion.hpp"
 #include "support/test.hpp"
@@ -36,21 +36,28 @@ Cursor plausible(Random& random, Cursor cursor) {
   return cursor;
 }
 
-}  // namespace
-
-TEST_CASE("first contacts: any numbers for a cursor are refused or lead to an end") {
-  long taken = 0;
-  long refused = 0;
-  for_rounds(rounds(100, 5'000), [&](Random& random, int) {
+/// Calls `test` with queries that have not run, of any bodies and motions in range.
+template <class Test>
+void for_queries(int count, Test test) {
+  for_rounds(count, [&](Random& random, int) {
     const MotionScene scene = MotionScene::any(random);
     const AnyMotion any = any_motion(random, scene);
     const BodyMotion motion = any.motion();
     const Mesh a = scene.a.baked.view();
     const Mesh b = scene.b.baked.view();
     const FirstContact fresh(a, b, motion, random.below(2) * 1000);
-    if (fresh.status() == Status::motion_out_of_range) {
-      return;
+    if (fresh.status() != Status::motion_out_of_range) {
+      test(random, fresh);
     }
+  });
+}
+
+}  // namespace
+
+TEST_CASE("first contacts: any numbers for a cursor are refused or lead to an end") {
+  long taken = 0;
+  long refused = 0;
+  for_queries(rounds(100, 5'000), [&](Random& random, const FirstContact& fresh) {
     for (int i = 0; i < 100; ++i) {
       CAPTURE(i);
       const Cursor known = any_cursor(random, fresh);
@@ -71,13 +78,7 @@ TEST_CASE("first contacts: any numbers for a cursor are refused or lead to an en
 
 TEST_CASE("first contacts: cursors resume until the end, and behind `close` after pass()") {
   long closes = 0;
-  for_rounds(rounds(300, 5'000), [&](Random& random, int) {
-    const MotionScene scene = MotionScene::any(random);
-    const AnyMotion any = any_motion(random, scene);
-    const BodyMotion motion = any.motion();
-    const Mesh a = scene.a.baked.view();
-    const Mesh b = scene.b.baked.view();
-    const FirstContact fresh(a, b, motion);
+  for_queries(rounds(300, 5'000), [&](Random& random, const FirstContact& fresh) {
     if (fresh.status() != Status::suspended) {
       return;
     }

@@ -58,6 +58,13 @@ struct PrimedScene : ObstacleScene {
     REQUIRE(guard.prime(&value).verdict == Verdict::free);
   }
   GuardAnswer update(std::uint32_t work = UINT32_MAX) { return guard.update(&value, work); }
+  /// Moves the first obstacle so near that a pair is walked, and stops within the walk.
+  void begin_walk() {
+    move(0.5, kMostMove);
+    while (state.core.walked_pair == kNoPair) {
+      (void)update(1);
+    }
+  }
 
   JointCoordinate value = 0;
   WorkcellState state{};
@@ -141,10 +148,7 @@ TEST_CASE("no certificate outlives 2^30 of an obstacle's motion while it is meas
   Random random(test_seed());
   const Body body(random);
   PrimedScene scene(body);
-  scene.move(0.5, kMostMove);
-  while (scene.state.core.walked_pair == kNoPair) {
-    (void)scene.update(1);
-  }
+  scene.begin_walk();
   CHECK(scene.update(0).status == Status::done);
   CHECK(scene.state.core.walked_pair != kNoPair);  // the obstacle stands still
   for (int i = 0; i < 32; ++i) {
@@ -166,10 +170,7 @@ TEST_CASE("a stored state certifies no obstacle of a workcell that was made agai
     (void)scene.update();
     REQUIRE(scene.update().verdict == Verdict::free);
     if (is_walked) {
-      scene.move(0.5, kMostMove);
-      while (scene.state.core.walked_pair == kNoPair) {
-        (void)scene.update(1);
-      }
+      scene.begin_walk();
     }
     const WorkcellState stored = scene.state;
     scene.make();

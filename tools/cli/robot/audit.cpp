@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
+#include "cli/robot/robot_arguments.hpp"
 #include "report/audit_page.hpp"
 #include "robot/audit/audit.hpp"
 #include "text/files.hpp"

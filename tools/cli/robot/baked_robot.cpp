@@ -3,7 +3,6 @@
 #include "cli/commands.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "cli/length_table.hpp"
 #include "cli/progress.hpp"
@@ -244,7 +243,7 @@ void warn_of_fit(const SimplifiedLinks& simplified, const RobotArguments& argume
 
 /// UserError if a guard's slack cannot hold the links' deviations twice. `slack`: of the robot with
 /// all triangles, in cells.
-void check_simplify(double slack, double cell, const RobotArguments& arguments) {
+void check_slack_for_simplify(double slack, double cell, const RobotArguments& arguments) {
   constexpr double kLess = 0.99;  // so that rounding to three digits does not exceed it
   const double most = (kMaxGuardDistance / double{kFineOne} - slack) * cell / 2;
   if (arguments.simplify && simplify_length(arguments) > most) {
@@ -282,7 +281,7 @@ void decide(const AllDistances& distances, const RobotArguments& arguments, cons
   const std::vector<WholeMesh> meshes = views_of(made.wholes);
   made.reaches = all_reaches(made.model, made.cell, times.until(kPartForReaches));
   made.options = matrix_options(made.model, meshes, made.cell, distances, made.reaches);
-  check_simplify(made.options.slack, made.cell, arguments);
+  check_slack_for_simplify(made.options.slack, made.cell, arguments);
   made.options.early = early / made.cell;
   progress.begin("joint zones", kBakingWeight);
   made.options.deadline = times.until(kPartForZones);
@@ -329,20 +328,6 @@ std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& 
     meshes.push_back(bake::image_of(link.tree));
   }
   return robot_image(robot.model, robot.robot(), robot.unguarded, meshes, name);
-}
-
-std::vector<std::string> files_read(const RobotArguments& arguments, const Model& model) {
-  std::set<std::string> read = {arguments.urdf};
-  for (const std::string& file : {arguments.srdf, arguments.joint_limits}) {
-    if (!file.empty()) {
-      read.insert(file);
-    }
-  }
-  read.insert(model.files.begin(), model.files.end());
-  for (const ModelLink& link : model.links) {
-    read.insert(link.files.begin(), link.files.end());
-  }
-  return {read.begin(), read.end()};
 }
 
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {

@@ -81,9 +81,6 @@ struct BakedRobot {
 
 /// The robot as described. UserError for errors in its files or in `arguments`.
 Model described_robot(const RobotArguments& arguments, Warnings& warnings);
-/// The files of the robot, the SRDF and the meshes, or the image, sorted: no output may replace
-/// them.
-std::vector<std::string> files_read(const RobotArguments& arguments, const Model& model);
 
 /// A robot with its pairs decided, but without firmware's data.
 BakedRobot decided_robot(Model model, const RobotArguments& arguments, Warnings& warnings);

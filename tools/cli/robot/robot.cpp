@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/baked_robot.hpp"
+#include "cli/robot/robot_arguments.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "cli/robot/simplified_links.hpp"
 #include "report/robot_page.hpp"

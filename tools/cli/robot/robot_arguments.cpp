@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
@@ -190,6 +191,20 @@ ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, 
 Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
   const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
   return own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
+}
+
+std::vector<std::string> files_read(const RobotArguments& arguments, const Model& model) {
+  std::set<std::string> read = {arguments.urdf};
+  for (const std::string& file : {arguments.srdf, arguments.joint_limits}) {
+    if (!file.empty()) {
+      read.insert(file);
+    }
+  }
+  read.insert(model.files.begin(), model.files.end());
+  for (const ModelLink& link : model.links) {
+    read.insert(link.files.begin(), link.files.end());
+  }
+  return {read.begin(), read.end()};
 }
 
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {

@@ -31,6 +31,9 @@ Distances distances_of(const AllDistances& distances, const PairVerdict& pair);
 /// The smallest stop distance above 0; 0 if there is none.
 double least_stop(const AllDistances& distances);
 
+/// The files of the robot, the SRDF and the meshes, or the image, sorted: no output may replace
+/// them.
+std::vector<std::string> files_read(const RobotArguments& arguments, const Model& model);
 /// A number above 0.
 double seconds(const std::string& text);
 std::optional<double> given_cell(const RobotArguments& arguments);
