@@ -83,8 +83,8 @@ TEST_CASE("first contacts: cursors resume until the end, and behind `close` afte
       return;
     }
     FirstContact query = fresh;
-    for (int i = 0; i < 20; ++i) {
-      const FirstContact::Answer answer = query.run(random.below(4) == 0 ? 100 : UINT32_MAX);
+    for (int i = 0; i < 1000; ++i) {
+      const FirstContact::Answer answer = query.run(random.below(300));
       FirstContact other = fresh;
       REQUIRE(other.resume(query.cursor()) ==
               (answer.status == Status::suspended ? Status::suspended : Status::cursor_invalid));
