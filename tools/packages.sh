@@ -43,7 +43,6 @@ riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-a
 # Compiles the WebAssembly of interactive pages.
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
-xtensa_packages="gcc-xtensa-lx106 picolibc-xtensa-lx106-elf libstdc++-arm-none-eabi-dev qemu-system-misc"
 # Builds and checks a release's packages.
 release_packages="arduino-builder debhelper dh-python dpkg-dev help2man libxml2-utils lintian python3-dateutil
   python3-jsonschema python3-kconfiglib python3-pip python3-pykwalify python3-ruamel.yaml
