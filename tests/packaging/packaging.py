@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 GENERATORS = "Ninja", "Unix Makefiles"
 # No package but the compiler's: the build must not look for these.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
-        ("assimp", "CLI11", "nlohmann_json", "Catch2", "sdformat12", "urdfdom", "yaml-cpp")]
+        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom", "yaml-cpp")]
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
 WITH_TOOL = [*IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
 log = ""
