@@ -45,7 +45,7 @@ lint cli "$expensive" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
-    # tools/compare needs the headers of the libraries that it compares, tools/release has no source, and
+    # tools/compare needs the headers of OPCODE, tools/release has no source, and
     # tools/npm has sources for another machine.
     compare | npm | release) ;;
     live) lint live "$expensive" tools/live/live_section.cpp ;; # arm.cpp is for another machine
