@@ -65,8 +65,7 @@ run() {
     formatting)
       sources | xargs -n 200 -P "$(nproc)" clang-format --dry-run -Werror
       tools/cores.py --check
-      tools/rooms.py
-      python3 -B tools/words.py ;;
+      tools/rooms.py ;;
     configured)
       if [ "${FLASHBVH_QUICK:-}" ]; then
         cmake --preset dev
