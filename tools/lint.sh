@@ -48,7 +48,7 @@ for room in tools/*/; do
     # tools/compare needs the headers of OPCODE, tools/release has no source, and
     # tools/npm has sources for another machine.
     compare | npm | release) ;;
-    live) lint live "$expensive" tools/live/live_section.cpp ;; # arm.cpp is for another machine
+    viewer) lint viewer "$expensive" tools/viewer/live_section.cpp ;; # arm.cpp is for another machine
     python)
       if [ -e "$python/Python.h" ] && [ -e /usr/include/pybind11/pybind11.h ]; then
         lint python "$expensive" tools/python/*.cpp

@@ -15,10 +15,11 @@ drive page.html 11 answers.js drive.js
 
 # A trajectory to a collision of two links, straight from values without one.
 python3 -B - page.html >way.csv <<'PYTHON'
-import re, sys
-page = open(sys.argv[1]).read()
-end = [float(value) for value in re.search('data-values="(.*?)"', page)[1].split()]
-print(",".join(re.findall('<th scope=row>([^<]*)</th><td>[^<]*</td><td>(?:revolute|prismatic|continuous)', page)))
+import json, re, sys
+page = json.loads(re.search("id=page-data>(.*?)</script>", open(sys.argv[1]).read())[1])["facts"][0]
+witness = next(pair["witness"] for pair in page["pairs"] if pair["witness"])
+end = list(witness.values())
+print(",".join(witness))
 for i in range(101):
     print(",".join(str(i / 100 * value) for value in end))
 PYTHON

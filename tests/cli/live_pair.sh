@@ -17,8 +17,4 @@ printf 'v 0 0 0\nv 5 0 0\nv 0 5 0\nf 1 3 2\n' >open.obj
 try_in_node open.html open_answers.js
 
 can_browse || { echo "passed in node; not run: the pages and their answers in a browser"; exit 0; }
-drive page.html 28 pair_answers.js drive_pair.js
-
-# The page about deviations needs no library.
-"$FLASHBVH" bake meshes/many_sides.stl meshes/ring.stl --simplify 0.2 -o simplified --report simplified.html >/dev/null
-drive simplified.html 3 drive_deviation.js
+drive page.html 27 pair_answers.js drive_pair.js

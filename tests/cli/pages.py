@@ -1,45 +1,22 @@
-"""Cards of work and instructions in pages; and an interrupted bake."""
+"""The facts of pages; and an interrupted bake."""
+import json
 import os
 import re
 import signal
 import subprocess
 import time
-from math import ceil
 from pathlib import Path
 
-from checks import FLASHBVH, INCLUDE, flashbvh, hold, search, text
+from checks import FLASHBVH, hold, text
 
 
-def cards(*arguments):
-    """(work, instructions, verdict) of each of the eight cards."""
-    flashbvh("report", *arguments, "-o", "page.html")
-    found = re.findall(r"</h4><b>([^<]*)<.*<small>([0-9,]*) work<br>at most ([0-9.,]*)[a-z ]* instr", text("page.html"))
-    return [(int(work.replace(",", "")), instructions.replace(",", ""), verdict.replace(",", ""))
-            for verdict, work, instructions in found]
+def page_data(page):
+    """What the page's tables are made of."""
+    return json.loads(re.search('id=page-data>(.*?)</script>', text(page))[1])
 
 
-def cards_agree(core, constants, hz, mhz, bound, arguments):
-    """The cards' instructions equal the formulas of time_bound.hpp for the numbers of `collide --bound`."""
-    period, siblings, size = int(mhz * 1000000 / hz), bound["later_siblings"], bound["leaf_size"]
-
-    def costs(constants):
-        start, depth, sibling, leaf, unit = map(int, constants.split(", "))
-        return (start + bound["depths"] * depth + siblings * sibling + (size - 1) * leaf,
-                unit + ceil(siblings * sibling / 32))
-
-    first, each = costs(search(f'"{constants}", (.*)\\)', text(f"{INCLUDE}/flashbvh/plain/core_costs.h")))
-    in_cycles = re.search(f'"{constants}", {{([^}}]*)}}', text(f"{INCLUDE}/flashbvh/plain/core_cycles.h"))
-    start, unit = costs(in_cycles[1]) if in_cycles else (first, each)
-    within = int((period - start - (max(size + 8, 32) - 1) * unit) / unit)
-    found = cards(*arguments, "--core", core, "--hz", hz, "--clock", f"{mhz}MHz")
-    for work, instructions, verdict in found:
-        most = first + work * each
-        hold(instructions in (str(most), f"{most / 1e6:.3g}"), f"instructions: {instructions}, not {most}")
-        most = start + work * unit
-        wanted = (f"needs at most {ceil(work / within)} slices of {within} work" if most > period else
-                  f"fits in {100 * most / period:.{int(most < period / 10)}f} % of the period")
-        hold(verdict == wanted, f"{verdict}, not {wanted}")
-    hold(len({verdict.split()[0] for _, _, verdict in found}) == 2, "all fit, or none")
+def headlines(page):
+    return [line for _, line in page_data(page)["headlines"]]
 
 
 def until_full(reader, writer, **options):

@@ -24,12 +24,11 @@ link() {
 printf 'slide_1,slide_2,slide_3,slide_4,slide_5\n0,0,0,0,0\n-1,0,0,0,0\n' >way.csv
 "$FLASHBVH" robot gantry.urdf -o gantry --format image --stop 0.01 --report page.html >/dev/null
 "$FLASHBVH" guard gantry/gantry.robot way.csv --report guard.html >/dev/null || [ $? -eq 1 ]
-"$FLASHBVH" report baked/ring.fbvh baked/tetrahedron.fbvh -o meshes.html --samples 40
-"$FLASHBVH" bake meshes/many_sides.stl --simplify 0.2 -o baked --report simplified.html >/dev/null
+"$FLASHBVH" report baked/ring.fbvh baked/tetrahedron.fbvh -o meshes.html
 
-# Scripts check the style's effects: the page is not wider than its window, no bar is hidden, only matrices are cut
-# off; canvases show meshes in more than one colour, if the program was built with them.
-for page in page guard meshes simplified; do
+# Scripts check the style's effects: the page is not wider than its window, tables scroll;
+# canvases show meshes in more than one colour, if the program was built with them.
+for page in page guard meshes; do
   with_script $page.html probe_$page.html <<'JS'
 const all = (places, holds) => [...document.querySelectorAll(places)].every(holds);
 const drawn = () => {
@@ -41,18 +40,12 @@ const drawn = () => {
   return new Set(new Uint32Array(pixels.buffer)).size > 4;
 };
 onload = () => setTimeout(() => {
-  all('.live~section', section => (section.style.contentVisibility = 'visible'));
-  const matrix = document.querySelector('.pairs');
+  const matrix = document.querySelector('.matrix');
   const seen = {
     wide: document.documentElement.scrollWidth > innerWidth, drawn: drawn(),
-    bars: all('.row, .bar, .gauge', bar => {
-      const { width, height, right } = bar.getBoundingClientRect();
-      return width > 1 && height > 8 && right <= innerWidth;
-    }),
     matrix: innerWidth > 400 || !matrix || (matrix.parentNode.scrollWidth > matrix.parentNode.clientWidth &&
       matrix.querySelector('tbody th').offsetWidth < matrix.parentNode.clientWidth / 2),
-    tables: all('.scroll', place => place.querySelector('.matrix') || place.scrollWidth <= place.clientWidth),
-    live: all('.live *', part => part.getBoundingClientRect().right <= innerWidth),
+    live: all('#live *', part => part.getBoundingClientRect().right <= innerWidth),
     ground: getComputedStyle(document.body).backgroundColor };
   parent.postMessage(`${location.pathname.split('/').pop()} ${innerWidth} ${JSON.stringify(seen)}`, '*');
 }, 500);
@@ -61,15 +54,15 @@ done
 # A window is at least 500 pixels wide; a frame may be narrower.
 {
   echo '<script>onmessage = event => { document.body.append(Object.assign(document.createElement("p"), { textContent: event.data })); }</script>'
-  for frame in page.400 guard.400 simplified.400 meshes.400 meshes.500 meshes.1400; do
+  for frame in page.400 guard.400 meshes.400 meshes.500 meshes.1400; do
     echo "<iframe src='probe_${frame%.*}.html' style='width:${frame#*.}px;height:900px;border:0'></iframe>"
   done
 } >frames.html
 for scheme in 1,246,247,249 0,13,17,23; do
   browse frames.html --blink-settings=preferredColorScheme="${scheme%%,*}" >dom || fail "$(cat browser_log)"
   ground=$(echo "${scheme#*,}" | sed 's/,/, /g')
-  wanted='{"wide":false,"drawn":true,"bars":true,"matrix":true,"tables":true,"live":true,"ground":"rgb('$ground')"}'
+  wanted='{"wide":false,"drawn":true,"matrix":true,"live":true,"ground":"rgb('$ground')"}'
   grep -o '<p>probe_[^<]*' dom >found || fail "no frame answers: $(tail -c 300 dom)"
   ! grep -vF "$wanted" found || fail "not $wanted"
-  [ "$(wc -l <found)" -eq 6 ] || fail "frames are missing"
+  [ "$(wc -l <found)" -eq 5 ] || fail "frames are missing"
 done

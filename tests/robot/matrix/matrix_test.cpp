@@ -1,7 +1,7 @@
 // Verdicts against formulas, and against brute force on random arms.
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_search.hpp"
-#include "robot/matrix/rarity.hpp"
+#include "robot/matrix/witness_triangles.hpp"
 #include "simplify/zoo.hpp"
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"

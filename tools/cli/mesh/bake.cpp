@@ -13,7 +13,6 @@
 #include "cli/mesh/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "image/c_writer.hpp"
-#include "report/simplified_section.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -149,20 +148,6 @@ struct Outcome {
   std::vector<simplify::LengthRow> lengths;  ///< with --dry-run
 };
 
-/// An empty list, to be filled with the baked meshes.
-CoarseMeshes coarse_meshes(const BakeOrder& order, const BakeOptions& options) {
-  const std::string unit = order.units.common();
-  return {{}, {}, order.leaf_sizes, {*options.cell, unit.empty() ? "" : " " + unit}};
-}
-
-CoarseMesh coarse_mesh(const std::string& name, const InputMesh& mesh, const BakedMesh& baked) {
-  return std::visit(
-      [&](const auto& tree) {
-        return CoarseMesh{name, mesh.mesh, mesh_of_tree(tree), tree.deviation};
-      },
-      baked.tree);
-}
-
 /// Does all the work except writing. `options`: the order's, completed with the cell that all
 /// meshes share and the leaf size that fits.
 Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
@@ -186,7 +171,6 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   }
   const Simplified simplified = simplified_meshes(order, meshes, names, options);
   outcome.simplified = simplified.length;
-  CoarseMeshes coarse = coarse_meshes(order, options);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const InputMesh& mesh = meshes[i];
     progress.begin("baking " + mesh.path, parts[i].weight);
@@ -194,21 +178,14 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
     outcome.rows.push_back(bake_one(order, baked, mesh.path, parts[i].name, files));
     outcome.rows.back().size = size_of(mesh.mesh);
-    if (!order.page.empty()) {
-      coarse.meshes.push_back(coarse_mesh(names[i], mesh, baked));
-    }
     outcome.rows.back().source_triangles = mesh.mesh.triangles.size();
     warn_of_mesh(mesh, baked.defects, options, warnings);
     std::visit([&](const auto& tree) { warn_of_place(tree.origin, mesh.path, warnings); },
                baked.tree);
   }
   warn_of_odd_sizes(meshes, outcome.rows, order.units.common(), warnings);
-  if ((order.dry_run || !order.page.empty()) && !order.deformable) {
+  if (order.dry_run && !order.deformable) {
     outcome.lengths = lengths_of(order, meshes, names, options);
-  }
-  if (!order.page.empty()) {
-    coarse.lengths = outcome.lengths;
-    files.add(order.page, simplified_page(coarse));
   }
   return outcome;
 }

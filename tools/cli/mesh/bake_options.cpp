@@ -172,10 +172,6 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
       "--dry-run", a.order.dry_run,
       "Print the table, what is wrong and what --simplify would save, and write no image");
   add_json(command, a.order.json, "Print the table as one JSON object");
-  add_option(
-      command, "--report", a.order.page, "PAGE.html",
-      "Write a page: the file's mesh and the baked one on each other, where they are farthest\n"
-      "apart, and what --simplify would save");
   add_choice(command, "--format", a.format, {"c", "image", "both"},
              "What to write: the image as an array of C and C++ (c), as a binary file (image),\nor "
              "both");

@@ -28,7 +28,6 @@ struct BakeOrder {
   std::vector<std::uint32_t> leaf_sizes;  ///< for --fit, and columns of the table of lengths
   Units units;
   BakeOptions options;
-  std::string page;       ///< may be empty
   bool progress = false;  ///< shows the progress bar at once
   bool json = false;      ///< prints the table as an object
 };

@@ -5,62 +5,40 @@
 #include "bake/bending.hpp"
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
+#include "cli/mesh/image_facts.hpp"
 #include "cli/mesh/info_mesh.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "image/image_file.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
-#include "report/subject.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
+/// A box of a tree in cells of the mesh's frame.
+struct NodeBox {
+  LatticePoint lower;
+  LatticePoint upper;
+};
+
+NodeBox root_box(const AnyTree& any) {
+  return std::visit(
+      [](const auto& tree) -> NodeBox {
+        const std::int64_t x = tree.origin[0];
+        const std::int64_t y = tree.origin[1];
+        const std::int64_t z = tree.origin[2];
+        const auto box = unpack(tree.nodes[0].box);
+        return {{x + box.lower.x, y + box.lower.y, z + box.lower.z},
+                {x + box.upper.x, y + box.upper.y, z + box.upper.z}};
+      },
+      any);
+}
+
 std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
   return {static_cast<double>(point[0]) * cell, static_cast<double>(point[1]) * cell,
           static_cast<double>(point[2]) * cell};
-}
-
-/// Names and values, in the order of both outputs.
-Json facts_of(const ImageFile& image) {
-  const ImageHeader& header = image.header();
-  const NodeBox bounds = root_box(image.tree());
-  const double cell = image.cell();
-  const bake::BendingCost bending =
-      std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());
-  const auto lower = in_unit(bounds.lower, cell);
-  const auto upper = in_unit(bounds.upper, cell);
-  const Size size = {upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]};
-  return {
-      {"name", image.source()},
-      {"format_version", header.version},
-      {"layout", layout_name(image.layout())},
-      {"index_bits", header.index_bits},
-      {"nodes", header.node_count},
-      {"leaves", header.leaf_count},
-      {"depth", header.depth},
-      {"stack_need", header.stack_need},
-      {"triangles", header.triangle_count},
-      {"vertices", header.vertex_count},
-      {"leaf_size", header.leaf_size},
-      {"arity", header.arity},
-      {"levels", (header.flags & kImageHasLevels) != 0},
-      {"closed", (header.flags & kImageIsClosed) != 0},
-      {"shells", header.shell_count},
-      {"bytes", header.byte_count},
-      {"bytes_per_triangle", static_cast<double>(header.byte_count) / header.triangle_count},
-      {"ram_to_bend", bending.ram_bytes},
-      {"refit_instructions", bending.refit_instructions},
-      {"unit", unit_name(image.unit())},
-      {"cell", cell},
-      {"deviation", image.deviation()},
-      {"longest_edge", header.longest_edge * cell},
-      {"origin", header.origin},
-      {"box", {{"lower", lower}, {"upper", upper}}},
-      {"size", size},
-      {"box_cells", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
-  };
 }
 
 std::string text_of(const Json& value) {
@@ -114,7 +92,7 @@ void info(const InfoArguments& arguments) {
     return (json ? print_robot_file_json : print_robot_file)(RobotFile(path));
   }
   const ImageFile image(path);
-  const Json facts = facts_of(image);
+  const Json facts = image_facts(image);
   if (json) {
     print_object(facts);
     return;
@@ -135,6 +113,46 @@ void info(const InfoArguments& arguments) {
 }
 
 }  // namespace
+
+Json image_facts(const ImageFile& image) {
+  const ImageHeader& header = image.header();
+  const NodeBox bounds = root_box(image.tree());
+  const double cell = image.cell();
+  const bake::BendingCost bending =
+      std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());
+  const auto lower = in_unit(bounds.lower, cell);
+  const auto upper = in_unit(bounds.upper, cell);
+  const Size size = {upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]};
+  return {
+      {"name", image.source()},
+      {"format_version", header.version},
+      {"layout", layout_name(image.layout())},
+      {"index_bits", header.index_bits},
+      {"nodes", header.node_count},
+      {"leaves", header.leaf_count},
+      {"depth", header.depth},
+      {"stack_need", header.stack_need},
+      {"triangles", header.triangle_count},
+      {"vertices", header.vertex_count},
+      {"leaf_size", header.leaf_size},
+      {"arity", header.arity},
+      {"levels", (header.flags & kImageHasLevels) != 0},
+      {"closed", (header.flags & kImageIsClosed) != 0},
+      {"shells", header.shell_count},
+      {"bytes", header.byte_count},
+      {"bytes_per_triangle", static_cast<double>(header.byte_count) / header.triangle_count},
+      {"ram_to_bend", bending.ram_bytes},
+      {"refit_instructions", bending.refit_instructions},
+      {"unit", unit_name(image.unit())},
+      {"cell", cell},
+      {"deviation", image.deviation()},
+      {"longest_edge", header.longest_edge * cell},
+      {"origin", header.origin},
+      {"box", {{"lower", lower}, {"upper", upper}}},
+      {"size", size},
+      {"box_cells", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
+  };
+}
 
 void add_info(CLI::App& app) {
   auto [command, a] = add_command<InfoArguments>(

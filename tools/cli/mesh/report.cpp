@@ -1,104 +1,186 @@
-// flashbvh report: writes a page that shows queries on meshes and needs no other files.
+// flashbvh report: writes a page in which meshes answer.
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/progress.hpp"
-#include "image/image_file.hpp"
-#include "report/page.hpp"
+#include "cli/mesh/image_facts.hpp"
+#include "cli/mesh/subject.hpp"
+#include "cli/page.hpp"
+#include "evaluate/poses.hpp"
+#include "evaluate/queries.hpp"
+#include "mesh/units.hpp"
 #include "text/files.hpp"
-#include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
+/// The largest number of pairs in a page: all pairs of twelve meshes.
+constexpr std::size_t kMostPairs = 66;
+/// The largest number of poses that a page steps through; beyond it, poses are skipped.
+constexpr std::size_t kMostSteps = 2000;
+
 struct ReportArguments {
   std::vector<std::string> images;
   std::string page;
-  std::string core = "Cortex-M4F";
-  ReportOptions options = {"", 400, {{}, 1000, 168}};
+  std::string poses;
 };
 
-/// The file of poses, or all files that the folder contains.
-std::vector<std::string> poses_read(const std::string& poses) {
-  std::vector<std::string> read = {poses};
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(poses, error)) {
-    read.push_back(entry.path().string());
+using Images = std::vector<std::unique_ptr<ImageFile>>;
+
+/// Names of the image files; equal names get numbers.
+std::vector<std::string> unique_names(const Images& images) {
+  std::map<std::string, std::size_t> seen;
+  std::vector<std::string> names;
+  for (const auto& image : images) {
+    const std::size_t before = seen[image->name()]++;
+    names.push_back(before == 0 ? image->name() : concat(image->name(), " (", before + 1, ")"));
   }
-  return read;
+  return names;
 }
 
-void write_page(ReportArguments& arguments) {
-  for (const Core& core : cores_in_cycles()) {
-    if (arguments.core == core.name) {
-      arguments.options.budget.core = core;
+/// True if the surfaces intersect, or one mesh is inside the other.
+bool touches(const ImageFile& a, const ImageFile& b, const Pose& pose, std::size_t number) {
+  const Answer answer =
+      collide(a.tree(), b.tree(), pose, default_traversal(a.layout()), {true, false});
+  check_answered(answer, b.path(), number);
+  return answer.counts.triangle_pairs != 0 || one_is_inside(a, b, pose).value_or(false);
+}
+
+/// Two meshes at their poses, of which so many touch.
+struct QueriedPair {
+  LivePair live;
+  std::size_t touching = 0;
+  std::size_t poses = 0;
+};
+
+/// At the poses of a file, or as drawn. Of each few poses the page steps to one, one that touches.
+QueriedPair queried_pair(const Images& images, std::size_t a, std::size_t b,
+                         const std::string& path) {
+  const double cell = images[a]->cell();
+  const std::vector<Pose> poses =
+      path.empty() ? std::vector<Pose>{Pose::translated(0, 0, 0)} : read_lattice_poses(path, cell);
+  QueriedPair pair = {{a, b, {}, {}, ""}, 0, poses.size()};
+  const std::size_t step = poses.size() / kMostSteps + 1;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const bool touch = touches(*images[a], *images[b], poses[i], i);
+    pair.touching += touch ? 1 : 0;
+    if (i % step == 0) {
+      pair.live.poses.emplace_back();
+      pair.live.names.emplace_back();
+      pair.live.verdicts += ' ';
+    }
+    if (i % step == 0 || (touch && pair.live.verdicts.back() == '0')) {
+      pair.live.poses.back() = joined(pose_numbers(poses[i], cell), shortest, " ");
+      pair.live.names.back() = concat("pose ", i);
+      pair.live.verdicts.back() = touch ? '3' : '0';
     }
   }
-  check_output(arguments.page, poses_read(arguments.options.poses));
-  std::vector<std::unique_ptr<ImageFile>> images;
+  if (path.empty()) {  // one pose needs no time line
+    pair.live = {a, b, {}, {}, ""};
+  }
+  return pair;
+}
+
+/// All pairs that can be queried; with poses, the only one.
+std::vector<QueriedPair> queried_pairs(const Images& images, const std::string& poses) {
+  if (!poses.empty()) {
+    if (images.size() > 2) {
+      throw UserError(poses, "has poses of a second image in a first one's frame, and ",
+                      images.size(), " are given; give two");
+    }
+    check_partners(*images.front(), *images.back());
+    return {queried_pair(images, 0, images.size() - 1, poses)};
+  }
+  std::vector<QueriedPair> pairs;
+  for (std::size_t a = 0; a < images.size(); ++a) {
+    for (std::size_t b = a + 1; b < images.size() && pairs.size() < kMostPairs; ++b) {
+      if (are_partners(*images[a], *images[b])) {
+        pairs.push_back(queried_pair(images, a, b, ""));
+      }
+    }
+  }
+  return pairs;
+}
+
+Headline headline_of(const QueriedPair& pair, const std::vector<std::string>& names,
+                     bool is_drawn) {
+  const std::string& a = names[pair.live.a];
+  const std::string& b = names[pair.live.b];
+  return pair.touching == 0 ? Headline{0, concat(b, " does not touch ", a,
+                                                 is_drawn ? ", as drawn" : " at any pose")}
+                            : Headline{3, concat(b, " touches ", a,
+                                                 is_drawn ? ", as drawn"
+                                                          : concat(" at ", pair.touching, " of ",
+                                                                   pair.poses, " poses"))};
+}
+
+void write_page(const ReportArguments& arguments) {
+  check_output(arguments.page, {arguments.poses});
+  Images images;
   for (const std::string& path : arguments.images) {
     images.push_back(std::make_unique<ImageFile>(path));
   }
-  std::string page;
-  {
-    Progress progress(2.0 * static_cast<double>(images.size()), false);
-    page = page_of(images, arguments.options,
-                   [&](const std::string& what, double share) { progress.begin(what, share); });
+  const std::vector<std::string> names = unique_names(images);
+  std::vector<QueriedPair> pairs = queried_pairs(images, arguments.poses);
+  std::vector<Headline> headlines;
+  for (const QueriedPair& pair : pairs) {
+    headlines.push_back(headline_of(pair, names, arguments.poses.empty()));
   }
-  write_file(arguments.page, std::move(page));
-}
-
-/// The error message unless the text is a number from 0.001 to 1e9.
-std::string refuse_rate(const std::string& text) {
-  const std::optional<double> rate = parse_number(text);
-  return rate && *rate >= 1e-3 && *rate <= 1e9 ? "" : "must be a number from 0.001 to 1e9";
-}
-
-void add_budget(CLI::App& command, ReportArguments& arguments) {
-  std::vector<std::string> names;
-  for (const Core& core : cores_in_cycles()) {
-    names.emplace_back(core.name);
+  std::stable_sort(headlines.begin(), headlines.end(),
+                   [](const Headline& p, const Headline& q) { return p.verdict > q.verdict; });
+  std::vector<LiveMesh> meshes;
+  Json facts = Json::array();
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const ImageFile& image = *images[i];
+    const Subject subject(image);
+    for (const std::string& warning : subject.warnings) {
+      headlines.push_back({1, names[i] + ": " + warning});
+    }
+    facts.push_back(image_facts(image));
+    // The library in a page opens only images of this kind.
+    const bool is_live =
+        std::holds_alternative<MeshWithLevels>(image.tree()) && meshes.size() < kMostLiveMeshes;
+    places.push_back(is_live ? meshes.size() : kMostLiveMeshes);
+    if (is_live) {
+      meshes.push_back({names[i],
+                        {image.bytes(), image.header().byte_count},
+                        unit_name(image.unit()),
+                        subject.marks});
+    }
   }
-  Budget& budget = arguments.options.budget;
-  command
-      .add_option("--core", arguments.core,
-                  "Core whose proven cycles are taken, or instructions if there are none; Fast: "
-                  "MULS takes a cycle")
-      ->transform(CLI::IsMember(names, CLI::ignore_case))
-      ->capture_default_str();
-  command.add_option("--hz", budget.hz, "Periods a second")
-      ->check(refuse_rate, "NUMBER")
-      ->capture_default_str();
-  add_clock(command, budget.mhz, "The core's clock")->default_str("168MHz");
-  add_flash(command, budget.flash);
+  std::vector<LivePair> live;
+  for (QueriedPair& pair : pairs) {
+    LivePair& shown = pair.live;
+    shown.a = places[shown.a];
+    shown.b = places[shown.b];
+    if (shown.a < kMostLiveMeshes && shown.b < kMostLiveMeshes) {
+      live.push_back(std::move(shown));
+    }
+  }
+  const std::string title =
+      names.size() > 2 ? concat(names.size(), " meshes") : joined(names, " and ");
+  write_file(arguments.page,
+             page_text("report", title, headlines, facts, live_section(meshes, live, 0)));
 }
 
 }  // namespace
 
 void add_report(CLI::App& app) {
-  auto [command, a] = add_command<ReportArguments>(
-      app, "report",
-      "Write a page to decide by: whether meshes touch, as one moves them in it; whether images "
-      "fit\n"
-      "a firmware's flash, RAM and period; and what queries about them cost.",
-      write_page);
-  ReportOptions& options = a.options;
+  auto [command, a] =
+      add_command<ReportArguments>(app, "report",
+                                   "Write a page in which meshes answer as one moves them: whether "
+                                   "they touch, and how far apart "
+                                   "they are.",
+                                   write_page);
   add_image(command, a.images, "FILE.fbvh", "Images (.fbvh)");
   add_option(command, "-o,--output", a.page, "PAGE.html", "Page to write")->required();
-  CLI::Option* const poses =
-      add_option(command, "--poses", options.poses, "FILE",
-                 "Poses of the second image in the first one's frame, as `collide` takes "
-                 "them; for more images a folder with a file A-B for each pair")
-          ->check([](const std::string& path) { return path.empty() ? "names no file" : ""; });
-  command
-      .add_option("--samples", options.samples,
-                  "Without --poses: random poses of each pair; 0: none")
-      ->check(CLI::Range(0, 100000))
-      ->capture_default_str()
-      ->excludes(poses);
-  add_budget(command, a);
+  add_option(command, "--poses", a.poses, "FILE",
+             "Poses of the second image in the first one's frame, as `collide` takes them")
+      ->check([](const std::string& path) { return path.empty() ? "names no file" : ""; });
   add_example(command, "report baked/plate.fbvh baked/peg.fbvh --poses poses.txt -o fit.html",
               "writes the page fit.html");
 }

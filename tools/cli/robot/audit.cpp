@@ -6,7 +6,6 @@
 #include "cli/json.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_arguments.hpp"
-#include "report/audit_page.hpp"
 #include "robot/audit/audit.hpp"
 #include "text/files.hpp"
 
@@ -15,7 +14,6 @@ namespace {
 
 struct AuditArguments : RobotArguments {
   std::string fixed;
-  std::string page;
   bool json = false;
 };
 
@@ -118,9 +116,6 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   if (!arguments.fixed.empty()) {
     files.add(arguments.fixed, changed_srdf(arguments.srdf, robot.model, audit.changes()));
   }
-  if (!arguments.page.empty()) {
-    files.add(arguments.page, audit_page(robot.model, arguments.srdf, audit));
-  }
   files.write([&] {
     warnings.print();
     if (arguments.json) {
@@ -146,7 +141,6 @@ void add_audit(CLI::App& app) {
   add_time(command, a, "What is not decided by then is undecided");
   add_option(command, "--write", a.fixed, "FIXED.srdf",
              "Write the SRDF without refuted lines and with the missing ones; all else is kept");
-  add_option(command, "--report", a.page, "PAGE.html", "Write a page: the table");
   add_json(command, a.json, "One JSON object");
   add_progress(command, a.progress);
   add_example(command, "audit arm.urdf arm.srdf", "prints a verdict for each disabled pair");

@@ -159,16 +159,33 @@ double links_deviation(const Robot& robot) {
   return unit_length(most, cell_of(robot));
 }
 
+Json guarded_facts(const GuardedTrajectory& guarded) {
+  Json json = {{"periods", Json::object()},
+               {"not_guarded", unguarded_json(guarded.model, guarded.unguarded)},
+               {"stretches", stretches_json(guarded)},
+               {"deviation", links_deviation(guarded.robot)}};
+  const ReplaySummary summary = summary_of(guarded.answers);
+  for (const std::size_t kind : kKindsInOrder) {
+    json["periods"][kVerdictNames[kind]] = summary.periods[kind];
+  }
+  for (std::size_t i = 0; i < guarded.motions.size(); ++i) {
+    if (!is_free(guarded.motions[i])) {
+      Json motion = {{"from", guarded.trajectory.line(i)}, {"to", guarded.trajectory.line(i + 1)}};
+      motion.update(motion_json(guarded, guarded.motions[i]));
+      json["motions"].push_back(motion);
+    }
+  }
+  if (guarded.timing) {
+    json["timing"] = timing_json(*guarded.timing);
+  }
+  return json;
+}
+
 void print_guarded_json(const GuardedTrajectory& guarded) {
   for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
     Json json = period_json(guarded, i);
     if (i == 0) {
-      json["not_guarded"] = unguarded_json(guarded.model, guarded.unguarded);
-      json["stretches"] = stretches_json(guarded);
-      json["deviation"] = links_deviation(guarded.robot);
-      if (guarded.timing) {
-        json["timing"] = timing_json(*guarded.timing);
-      }
+      json.update(guarded_facts(guarded));
     }
     print_object(json);
   }

@@ -3,10 +3,28 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "report/guard_page.hpp"
+#include "cli/json.hpp"
+#include "robot/replay/period_costs.hpp"
+#include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
+
+/// A replayed trajectory; all references must stay valid while the page is made.
+struct GuardedTrajectory {
+  const Model& model;
+  const Robot& robot;
+  const std::vector<std::uint32_t>& image;
+  const std::string& path;  ///< path of the trajectory
+  const Trajectory& trajectory;
+  const std::vector<GuardAnswer>& answers;
+  std::uint32_t work;  ///< the budget of a period; kAllWork: no limit
+  bool has_motions;
+  const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be empty
+  const std::vector<UnguardedPair>& unguarded;
+  const std::optional<GuardTiming>& timing;
+};
 
 /// "ok", or the name of the status.
 std::string name_of(Status status);
@@ -19,8 +37,13 @@ double links_deviation(const Robot& robot);
 /// The error in the values of a period, and how to fix it.
 std::string why_refused(const GuardedTrajectory& guarded, std::size_t period);
 
-/// Prints an object per line of the trajectory; the first also contains facts about the whole.
+/// Facts about the whole trajectory, for the first line of --json and for the page.
+Json guarded_facts(const GuardedTrajectory& guarded);
+/// Prints an object per line of the trajectory; the first also contains the facts.
 void print_guarded_json(const GuardedTrajectory& guarded);
+
+/// One self-contained HTML file, the same bytes for the same robot and trajectory.
+std::string guard_page(const GuardedTrajectory& guarded);
 
 /// Prints a table of the instructions of periods on a core, and of the work that they need.
 void print_timing(const GuardTiming& timing);

@@ -2,12 +2,11 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "cli/progress.hpp"
+#include "cli/page.hpp"
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/robot_arguments.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "cli/robot/simplified_links.hpp"
-#include "report/robot_page.hpp"
 #include "robot/audit/audit.hpp"
 #include "robot/baked/robot_writer.hpp"
 #include "text/files.hpp"
@@ -63,33 +62,25 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
   return text + "\n";
 }
 
-/// The sizes for deviations, if the output shows them.
-std::vector<simplify::LengthRow> lengths_of(const OutputArguments& arguments,
-                                            const BakedRobot& robot) {
-  const bool is_said = arguments.dry_run || (!arguments.page.empty() && robot.simplified > 0);
-  return is_said ? link_lengths(robot, arguments) : std::vector<simplify::LengthRow>();
-}
-
-/// Simplified links with their source meshes, without parts; empty if links are not simplified.
-CoarseMeshes coarse_links(const BakedRobot& robot, const LengthTable& lengths) {
-  CoarseMeshes all = {{}, lengths.rows, lengths.leaf_sizes, {robot.cell, " m"}};
-  for (std::size_t i = 0; robot.simplified > 0 && i < robot.model.link_count(); ++i) {
-    const ModelLink& link = robot.model.links[i];
-    all.meshes.push_back(
-        {link.name, link.mesh, mesh_of_tree(robot.links[i].tree), robot.links[i].tree.deviation});
+std::vector<LiveZone> live_zones(const BakedRobot& robot) {
+  std::vector<LiveZone> zones;
+  for (const JointZone& zone : robot.zones) {
+    std::array<double, 3> middle = zone.shape.middle;
+    for (double& along : middle) {
+      along /= robot.cell;
+    }
+    zones.push_back({zone.joint, middle, zone.shape.radius});
   }
-  return all;
+  return zones;
 }
 
-void add_page(const OutputArguments& arguments, const BakedRobot& robot, const ImageWords& image,
-              const CoarseMeshes& simplified, FileSet& files) {
-  Progress progress(2, arguments.progress);
-  files.add(
-      arguments.page,
-      robot_page({robot.model, views_of(robot.wholes), robot.links, *robot.fixed, robot.zones,
-                  robot.pairs, arguments.stop, arguments.warn.value_or(arguments.stop),
-                  robot.unguarded, image, simplified},
-                 [&](const std::string& what, double share) { progress.begin(what, share); }));
+std::string robot_page(const BakedRobot& robot, const ImageWords& image, const Json& facts) {
+  std::vector<Headline> headlines;
+  add_unguarded(robot.model, robot.unguarded, headlines);
+  headlines.push_back({0, concat("Guarded: ", robot.robot().pair_count, " of ", robot.pairs.size(),
+                                 " pairs of links")});
+  return page_text("robot", robot.model.name, headlines, Json::array({facts}),
+                   live_section(image, live_zones(robot)));
 }
 
 /// If `bytes` is large: the size with leaves of kLargeLeaf triangles.
@@ -115,8 +106,11 @@ void make_robot(const OutputArguments& arguments) {
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name.stem);
   const std::size_t bytes = image.size() * sizeof image[0];
-  const LengthTable lengths = {lengths_of(arguments, baked),
-                               shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size)};
+  const LengthTable lengths = {
+      arguments.dry_run ? link_lengths(baked, arguments) : std::vector<simplify::LengthRow>(),
+      shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size)};
+  const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
+  const LengthTable* const shown_lengths = arguments.dry_run ? &lengths : nullptr;
   FileSet files(files_read(arguments, baked.model));
   if (!arguments.dry_run) {
     add_files(arguments, name, baked, image, files);
@@ -130,13 +124,15 @@ void make_robot(const OutputArguments& arguments) {
     files.add(arguments.written_srdf, srdf_of(baked.model, lines));
   }
   if (!arguments.page.empty()) {
-    add_page(arguments, baked, image, coarse_links(baked, lengths), files);
+    files.add(arguments.page, robot_page(baked, image, robot_json(baked, flash, nullptr)));
   }
-  const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
   files.write([&] {
     warnings.print();
-    (arguments.json ? print_robot_json : print_robot)(baked, flash,
-                                                      arguments.dry_run ? &lengths : nullptr);
+    if (arguments.json) {
+      print_object(robot_json(baked, flash, shown_lengths));
+    } else {
+      print_robot(baked, flash, shown_lengths);
+    }
     flush_output();
   });
 }
@@ -168,9 +164,8 @@ void add_robot(CLI::App& app) {
       "the meshes");
   add_option(command, "--write-srdf", a.written_srdf, "FILE",
              "Write an SRDF that disables the pairs that no planner has to check");
-  add_option(
-      command, "--report", a.page, "PAGE.html",
-      "Write a page: a robot that answers, what can collide and how rare that is; flash and RAM");
+  add_option(command, "--report", a.page, "PAGE.html",
+             "Write a page: a robot that answers, and what can collide");
   add_json(command, a.json, "One JSON object");
   add_example(command, "robot arm.urdf --stop 0.005 --warn 0.03 --write-srdf arm.srdf -o baked",
               "writes C and arm.srdf");

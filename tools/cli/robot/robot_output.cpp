@@ -180,8 +180,7 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash, const LengthT
   }
 }
 
-void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
-                      const LengthTable* lengths) {
+Json robot_json(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths) {
   const Model& model = robot.model;
   Json json = {{"name", model.name},
                {"not_guarded", unguarded_json(model, robot.unguarded)},
@@ -209,7 +208,7 @@ void print_robot_json(const BakedRobot& robot, const RobotFlash& flash,
   if (lengths != nullptr) {
     json["lengths"] = json_of(*lengths);
   }
-  print_object(json);
+  return json;
 }
 
 void print_robot_file(const RobotFile& file) {

@@ -2,6 +2,7 @@
 // in the order of the firmware's arrays.
 #pragma once
 
+#include "cli/json.hpp"
 #include "cli/length_table.hpp"
 #include "cli/robot/baked_robot.hpp"
 
@@ -17,8 +18,8 @@ struct RobotFlash {
 
 /// Prints tables to standard output. `lengths`: may be null.
 void print_robot(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths);
-/// Prints one object on one line.
-void print_robot_json(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths);
+/// The same facts, for --json and pages.
+Json robot_json(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths);
 
 /// Prints a robot's image in the same formats.
 void print_robot_file(const RobotFile& file);

@@ -5,7 +5,7 @@
 #include "robot/matrix/joint_zone.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
-#include "robot/matrix/rarity.hpp"
+#include "robot/matrix/witness_triangles.hpp"
 #include "robot/matrix/unguarded.hpp"
 #include "text/numbers.hpp"
 

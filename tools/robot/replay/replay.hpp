@@ -179,20 +179,4 @@ std::vector<Stretch> stretches_of(const Robot& robot, const Trajectory& trajecto
 /// At most `most` stretches, in order: prefers those that stop, then the longest.
 std::vector<Stretch> worst_of(std::vector<Stretch> stretches, std::size_t most);
 
-/// A pair that is not free in some period for a guard of its own with unlimited work. Also a pair
-/// that the robot's guard reports as not yet known, or that is within its warn distance at a line.
-struct NearPair {
-  std::uint16_t pair;
-  std::array<std::size_t, kPeriodKinds> named{};  ///< periods by verdict, except `free`
-  std::size_t within_stop = 0;                    ///< lines
-  std::size_t within_warn = 0;
-  std::optional<std::uint32_t> closest;  ///< at a line, in 1/256 cell; none: out of range
-  std::size_t closest_period = 0;
-};
-
-/// All near pairs: first those that stop in the most periods or lines, then those not yet known,
-/// then those with warnings.
-std::vector<NearPair> near_pairs(const Robot& robot, const Trajectory& trajectory,
-                                 const std::vector<GuardAnswer>& answers);
-
 }  // namespace flashbvh::tool

@@ -1,4 +1,4 @@
-// The interactive section of a page.
+// Pages that draw and answer: an interactive section, and tables of facts.
 #pragma once
 
 #include <array>
@@ -62,16 +62,8 @@ struct LivePair {
 std::string live_section(const std::vector<LiveMesh>& meshes, const std::vector<LivePair>& pairs,
                          std::size_t first);
 
-/// A source mesh and its baked mesh around the point of largest deviation, in any length unit.
-struct LiveDeviation {
-  std::string name;
-  std::vector<std::int16_t> original;  ///< nine numbers per triangle
-  std::vector<std::int16_t> coarse;
-  double most;       ///< the deviation
-  std::string text;  ///< the deviation with its unit
-};
-
-/// HTML of a section that shows one of the meshes. Needs no library; hidden without script.
-std::string deviation_section(const std::vector<LiveDeviation>& meshes);
+/// A whole page. `data`: JSON of its command, title, headlines (a verdict's digit and a text each),
+/// facts (objects) and version; `section`: live_section().
+std::string page_of(const std::string& data, const std::string& section);
 
 }  // namespace flashbvh::tool

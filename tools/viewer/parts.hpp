@@ -4,10 +4,10 @@
 
 namespace flashbvh::tool {
 
-extern const char* const kLiveCss;
+extern const char* const kPageCss;
+extern const char* const kTablesScript;
 extern const char* const kRobotScript;
 extern const char* const kMeshScript;
-extern const char* const kDeviationScript;
 extern const char* const kArmLibrary;   ///< base64
 extern const char* const kPairLibrary;  ///< base64
 

@@ -1,9 +1,9 @@
-#include "live/live_section.hpp"
+#include "viewer/live_section.hpp"
 
 #include <cstddef>
 
-#include "live/parts.hpp"
 #include "text/numbers.hpp"
+#include "viewer/parts.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -65,18 +65,11 @@ std::string pair_of(const LivePair& pair) {
                 "\"}");
 }
 
-std::string deviation_of(const LiveDeviation& mesh) {
-  return concat("{\"name\":\"", base64(mesh.name), "\",\"original\":\"", base64(mesh.original),
-                "\",\"coarse\":\"", base64(mesh.coarse), "\",\"most\":", shortest(mesh.most),
-                ",\"text\":\"", mesh.text, "\"}");
-}
-
 /// `data`: in JSON.
-std::string section_of(const char* id, const char* title, const std::string& data,
-                       const char* script) {
-  return concat("<style>\n", kLiveCss, "</style>\n<section id=", id, " class=live hidden>\n<h2>",
-                title, "</h2>\n</section>\n<script type=\"application/json\" id=", id, "-data>{",
-                data, "}</script>\n<script>\n{\n", script, "}\n</script>\n");
+std::string section_of(const char* title, const std::string& data, const char* script) {
+  return concat("<section id=live hidden>\n<h2>", title,
+                "</h2>\n</section>\n<script type=\"application/json\" id=live-data>{", data,
+                "}</script>\n<script>\n{\n", script, "}\n</script>\n");
 }
 
 std::string library_of(const char* library) {
@@ -91,7 +84,7 @@ bool has_live_section() {
 
 std::string live_section(const std::vector<std::uint32_t>& image,
                          const std::vector<LiveZone>& zones, const LivePeriods& periods) {
-  return has_live_section() ? section_of("live", "The robot",
+  return has_live_section() ? section_of("The robot",
                                          concat("\"image\":\"", base64(image),
                                                 "\",\"zones\":", list_of(zones, zone_of),
                                                 periods_of(periods), library_of(kArmLibrary)),
@@ -102,18 +95,26 @@ std::string live_section(const std::vector<std::uint32_t>& image,
 std::string live_section(const std::vector<LiveMesh>& meshes, const std::vector<LivePair>& pairs,
                          std::size_t first) {
   return has_live_section() && !meshes.empty()
-             ? section_of("live", meshes.size() == 1 ? "The mesh" : "The meshes",
+             ? section_of(meshes.size() == 1 ? "The mesh" : "The meshes",
                           concat("\"first\":", first, ",\"meshes\":", list_of(meshes, mesh_of),
                                  ",\"pairs\":", list_of(pairs, pair_of), library_of(kPairLibrary)),
                           kMeshScript)
              : "";
 }
 
-std::string deviation_section(const std::vector<LiveDeviation>& meshes) {
-  return meshes.empty()
-             ? ""
-             : section_of("deviation", "The file&#39;s mesh and what is baked of it",
-                          concat("\"meshes\":", list_of(meshes, deviation_of)), kDeviationScript);
+std::string page_of(const std::string& data, const std::string& section) {
+  std::string quoted_data;  // no text in it ends the script
+  for (const char c : data) {
+    quoted_data += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  }
+  return concat(
+      "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
+      "content=\"width=device-width,initial-scale=1\">\n<title>flashbvh</title>\n<style>\n",
+      kPageCss,
+      "</style>\n</head>\n<body>\n<header><h1 id=title></h1></header>\n<main>\n<section><ul "
+      "id=decision class=verdict></ul></section>\n",
+      section, "<div id=facts></div>\n<script type=\"application/json\" id=page-data>", quoted_data,
+      "</script>\n<script>\n{\n", kTablesScript, "}\n</script>\n</main>\n</body>\n</html>\n");
 }
 
 }  // namespace flashbvh::tool

@@ -1,0 +1,53 @@
+// Pages: what a command prints as JSON, below a drawing that answers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/json.hpp"
+#include "flashbvh/version.hpp"
+#include "viewer/live_section.hpp"
+
+namespace flashbvh::tool {
+
+/// A line at the top of a page, in the colour of a guard's verdict: 0 free, 1 warn, 3 stop.
+struct Headline {
+  int verdict;
+  std::string text;
+};
+
+/// A self-contained HTML file, the same bytes for the same facts. `facts`: an array of objects.
+inline std::string page_text(const char* command, const std::string& title,
+                             const std::vector<Headline>& headlines, const Json& facts,
+                             const std::string& section) {
+  Json lines = Json::array();
+  for (const Headline& line : headlines) {
+    lines.push_back({line.verdict, line.text});
+  }
+  const std::string version = concat("flashbvh ", FLASHBVH_VERSION_MAJOR, ".",
+                                     FLASHBVH_VERSION_MINOR, ".", FLASHBVH_VERSION_PATCH);
+  const Json data = {{"command", command},
+                     {"title", title},
+                     {"headlines", lines},
+                     {"facts", facts},
+                     {"version", version}};
+  return page_of(data.dump(-1, ' ', false, Json::error_handler_t::replace), section);
+}
+
+/// Links that no guard looks at, a line each reason.
+inline void add_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded,
+                          std::vector<Headline>& lines) {
+  for (const WhyUnguarded why : {WhyUnguarded::zone, WhyUnguarded::believed}) {
+    std::vector<UnguardedPair> pairs;
+    for (const UnguardedPair& pair : unguarded) {
+      if (pair.why == why) {
+        pairs.push_back(pair);
+      }
+    }
+    if (!pairs.empty()) {
+      lines.push_back({1, "Not guarded: " + names_of(model, pairs)});
+    }
+  }
+}
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,83 @@
+// The page of flashbvh guard: the robot on its way, with the guard's verdicts.
+#include <algorithm>
+
+#include "cli/page.hpp"
+#include "cli/robot/guard_output.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// The largest number of periods that a page plays: it skips periods of longer trajectories.
+constexpr std::size_t kMostPlayed = 4000;
+
+/// Of each few periods the worst one.
+LivePeriods played_periods(const GuardedTrajectory& guarded) {
+  const Trajectory& trajectory = guarded.trajectory;
+  const std::size_t step = (trajectory.size() + kMostPlayed - 1) / kMostPlayed;
+  LivePeriods played;
+  for (std::size_t first = 0; first < trajectory.size(); first += step) {
+    const auto begin = guarded.answers.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(step, trajectory.size() - first));
+    const auto worst = std::max_element(begin, end, [](const GuardAnswer& p, const GuardAnswer& q) {
+      return p.verdict < q.verdict;
+    });
+    const auto period = static_cast<std::size_t>(worst - guarded.answers.begin());
+    const float* const values = trajectory.values(period);
+    played.values.insert(played.values.end(), values, values + trajectory.variables());
+    played.verdicts += static_cast<char>('0' + static_cast<int>(worst->verdict));
+    const std::string line = concat("line ", trajectory.line(period));
+    played.names.push_back(
+        trajectory.has_times() ? concat(line, " (", shortest(trajectory.time(period)), ")") : line);
+  }
+  return played;
+}
+
+/// "stop: 12 of 301 periods, first at line 3, upper - fore".
+std::string first_text(const GuardedTrajectory& guarded, const ReplaySummary& summary,
+                       std::size_t kind) {
+  const std::size_t first = summary.first[kind];
+  const GuardAnswer& answer = guarded.answers[first];
+  const std::string text = concat(kKindNames[kind], ": ", summary.periods[kind], " of ",
+                                  guarded.answers.size(), " periods");
+  if (kind == 0) {
+    return text;
+  }
+  const std::string at = concat(text, ", first at line ", guarded.trajectory.line(first));
+  if (kind == kRefusedKind || answer.pair == kNoPair) {
+    return at;
+  }
+  const RobotPair& links = guarded.robot.pairs[answer.pair];
+  return concat(at, ", ", link_name(guarded, links.a), " - ", link_name(guarded, links.b));
+}
+
+/// A line for each verdict that occurs, the worst first; motions; what is not guarded.
+std::vector<Headline> headlines_of(const GuardedTrajectory& guarded) {
+  const ReplaySummary summary = summary_of(guarded.answers);
+  std::vector<Headline> lines;
+  for (std::size_t i = kKindsInOrder.size(); i-- > 0;) {
+    const std::size_t kind = kKindsInOrder[i];
+    if (summary.periods[kind] != 0) {
+      lines.push_back({static_cast<int>(kind), first_text(guarded, summary, kind)});
+    }
+  }
+  const auto& motions = guarded.motions;
+  const auto bad = std::count_if(motions.begin(), motions.end(),
+                                 [](const CertifiedMotion& motion) { return !is_free(motion); });
+  if (bad != 0) {
+    lines.insert(lines.begin(), {3, concat("motions from line to line: ", bad, " of ",
+                                           motions.size(), " not free")});
+  }
+  add_unguarded(guarded.model, guarded.unguarded, lines);
+  return lines;
+}
+
+}  // namespace
+
+std::string guard_page(const GuardedTrajectory& guarded) {
+  return page_text("guard", guarded.model.name, headlines_of(guarded),
+                   Json::array({guarded_facts(guarded)}),
+                   live_section(guarded.image, {}, played_periods(guarded)));
+}
+
+}  // namespace flashbvh::tool
