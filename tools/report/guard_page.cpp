@@ -150,7 +150,7 @@ std::string motion_decision(const GuardedTrajectory& guarded) {
                   is_refused ? "" : pair_name(guarded, first->answer.pair));
 }
 
-/// The result of the trajectory: the stops, or that it is free.
+/// The result of the trajectory: what is not free, the worst first, or that all is free.
 std::string decisions(const GuardedTrajectory& guarded) {
   const ReplaySummary summary = summary_of(guarded.answers);
   const auto first = [&](Verdict verdict, const char* what) {
@@ -159,14 +159,14 @@ std::string decisions(const GuardedTrajectory& guarded) {
   const std::string bad =
       first(Verdict::stop, "Stops at") + first(Verdict::not_yet_known, "Not yet known at") +
       first_decision(guarded, summary, kRefusedKind, "Firmware refuses the values of") +
-      motion_decision(guarded);
+      motion_decision(guarded) + first(Verdict::warn, "Warns at");
   return (bad.empty()
               ? decision("v0", "Free",
                          concat(counted(guarded.answers.size(), "period", "periods"), ", ",
                                 counted(guarded.robot.pair_count, "pair", "pairs"), " guarded, ",
                                 grouped(guarded.unguarded.size()), " not looked at"))
               : bad) +
-         unguarded_decisions(guarded.model, guarded.unguarded) + first(Verdict::warn, "Warns at");
+         unguarded_decisions(guarded.model, guarded.unguarded);
 }
 
 std::string counts(const GuardedTrajectory& guarded) {

@@ -15,12 +15,14 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr std::pair<MatrixVerdict, const char*> kMeanings[] = {
-    {MatrixVerdict::never, "proven to collide nowhere"},
-    {MatrixVerdict::can, "collide at this share of random configurations"},
-    {MatrixVerdict::undecided, "neither proven nor found to collide"},
-    {MatrixVerdict::fixed, "no joint moves them"},
-    {MatrixVerdict::believed, "disabled in the SRDF, not guarded"}};
+/// A verdict's style, name and meaning.
+constexpr const char* kMeanings[][3] = {
+    {"never", "never", "proven to collide nowhere"},
+    {"never", "never outside zone", "they touch about their joint, proven to collide nowhere else"},
+    {"can", "can", "collide at this share of random configurations"},
+    {"undecided", "undecided", "neither proven nor found to collide"},
+    {"fixed", "fixed", "no joint moves them"},
+    {"believed", "believed", "disabled in the SRDF, not guarded"}};
 
 /// A short text for a cell: a share, or the reason.
 std::string short_reason(const PairVerdict& pair, const std::string& share) {
@@ -34,7 +36,7 @@ std::string short_reason(const PairVerdict& pair, const std::string& share) {
 
 std::string cell(const PairVerdict& pair, const std::string& share) {
   return concat("<td class=is-", name_of(pair.verdict), shown_values(pair.witness), ">",
-                name_of(pair.verdict), "<small>", short_reason(pair, share), "</small></td>");
+                name_of(pair), "<small>", short_reason(pair, share), "</small></td>");
 }
 
 std::string matrix_of(const DecidedRobot& decided, const std::vector<std::string>& shares) {
@@ -52,9 +54,8 @@ std::string matrix_of(const DecidedRobot& decided, const std::vector<std::string
 
 std::string keys() {
   std::string html = "<p class=keys>";
-  for (const auto& [verdict, meaning] : kMeanings) {
-    const std::string name = name_of(verdict);
-    html += key("is-" + name, "<b>" + name + "</b>: " + meaning);
+  for (const auto& [style, name, meaning] : kMeanings) {
+    html += key(concat("is-", style), concat("<b>", name, "</b>: ", meaning));
   }
   return html + "</p>\n";
 }
@@ -62,7 +63,7 @@ std::string keys() {
 std::string words(const DecidedRobot& decided) {
   std::vector<Cells> rows;
   for (const PairVerdict& pair : decided.pairs) {
-    rows.push_back({links_of(decided.model, pair.a, pair.b), name_of(pair.verdict),
+    rows.push_back({links_of(decided.model, pair.a, pair.b), name_of(pair),
                     pair.is_guarded ? "guarded" : "&ndash;", grouped(pair.joint_boxes),
                     escaped(pair.reason)});
   }
@@ -124,7 +125,7 @@ std::string guarded_decision(const DecidedRobot& decided) {
                        concat("Guarded: ", guarded, " of ",
                               counted(decided.pairs.size(), "pair", "pairs"), " of links"),
                        concat(can, " can collide; ", grouped(decided.pairs.size() - guarded),
-                              " are proven never to, fixed, or believed")));
+                              " never collide outside zones, are fixed, or believed")));
 }
 
 std::vector<LiveZone> live_zones(const DecidedRobot& decided) {
