@@ -40,13 +40,18 @@ std::string missing_section(const Model& model, const Audit& audit) {
 }  // namespace
 
 std::string audit_page(const Model& model, const std::string& srdf, const Audit& audit) {
-  const bool holds = audit.count(LineVerdict::refuted) == 0;
+  const bool is_refuted = audit.count(LineVerdict::refuted) != 0;
+  const bool is_undecided = audit.count(LineVerdict::undecided) != 0;
   return page(escaped(model.name), "audit", "which pairs of an SRDF may be disabled",
-              decision_section(
-                  "The SRDF",
-                  decision(holds ? "v0" : "v3", holds ? "No line is refuted" : "Lines are refuted",
-                           escaped(std::filesystem::path(srdf).filename().string() + ": " +
-                                   summary_of(audit)))) +
+              decision_section("The SRDF",
+                               decision(is_refuted     ? "v3"
+                                        : is_undecided ? "v2"
+                                                       : "v0",
+                                        is_refuted     ? "Lines are refuted"
+                                        : is_undecided ? "Lines are undecided"
+                                                       : "No line is refuted",
+                                        escaped(std::filesystem::path(srdf).filename().string() +
+                                                ": " + summary_of(audit)))) +
                   lines_section(model, audit) + missing_section(model, audit) + footer());
 }
 
