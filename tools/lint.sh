@@ -36,8 +36,8 @@ lint() {
 lint lib "" lib/src/*/*.cpp
 lint cycles "" ports/cycles/*.cpp
 # Components whose names do not clash are checked together: the standard library's headers are half of the work.
-# Sources that replace others, where there are no processes or readers, are checked separately.
-instead="tools/mesh/import_here.cpp tools/robot/read/foreign_unread.cpp"
+# Sources that replace others, where there are no processes, are checked separately.
+instead=tools/mesh/import_here.cpp
 lint bakes "$expensive" $(printf '%s\n' tools/text/*.cpp tools/mesh/*.cpp tools/bake/*.cpp tools/image/*.cpp \
   tools/robot/*.cpp tools/robot/*/*.cpp | grep -vxF "$(printf '%s\n' $instead)")
 lint instead "$expensive" $instead
@@ -45,9 +45,7 @@ lint cli "$expensive" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
-    # There are two programs; one needs the headers of libsdformat.
-    readers) lint readers "$expensive" tools/readers/reader.cpp tools/readers/mjcf*.cpp ;;
-    # tools/compare needs the headers of the libraries that it compares, tools/release has no source, and
+    # tools/compare needs the headers of OPCODE, tools/release has no source, and
     # tools/npm has sources for another machine.
     compare | npm | release) ;;
     live) lint live "$expensive" tools/live/live_section.cpp ;; # arm.cpp is for another machine

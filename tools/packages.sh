@@ -27,8 +27,8 @@ ensure_packages() {
 }
 
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev
-  libmujoco-dev libsdformat-dev liburdfdom-dev nlohmann-json3-dev libyaml-cpp-dev catch2 python3"
-test_packages="ccache clang-format doxygen fish zsh"
+  liburdfdom-dev nlohmann-json3-dev libyaml-cpp-dev catch2 python3"
+test_packages="ccache clang-format doxygen"
 # The sanitizers and the fuzzer; without the fuzzer, tests only replay the corpora.
 sanitizer_packages="clang lld libclang-rt-14-dev"
 # Exact rationals for the distance oracle.
@@ -43,7 +43,6 @@ riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-a
 # Compiles the WebAssembly of interactive pages.
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
-xtensa_packages="gcc-xtensa-lx106 picolibc-xtensa-lx106-elf libstdc++-arm-none-eabi-dev qemu-system-misc"
 # Builds and checks a release's packages.
 release_packages="arduino-builder debhelper dh-python dpkg-dev help2man libxml2-utils lintian python3-dateutil
   python3-jsonschema python3-kconfiglib python3-pip python3-pykwalify python3-ruamel.yaml

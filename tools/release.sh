@@ -36,20 +36,6 @@ build_debs() (
   dpkg-buildpackage --unsigned-source --unsigned-changes --build=binary
 )
 quietly build_debs
-# pack_npm DIR: packs like `npm pack`.
-pack_npm() {
-  package=build/$native/npm/flashbvh-library
-  mkdir -p "$1/npm"
-  version=$(sed -n 's/.*"version": "\(.*\)".*/\1/p' $package/package.json)
-  tar -C $package --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=644 --transform 's,^,package/,' \
-    -cf - $(ls $package) | gzip -9n >"$1/npm/flashbvh-library-$version.tgz"
-}
-make_npm_library() {
-  rm -f "build/$native/tools/npm/library"/*.wasm # compiled for each release, so that the bytes can be compared
-  quietly cmake --build --preset "$native" --target flashbvh_npm_library
-}
-make_npm_library
-pack_npm "$release"
 quietly /usr/bin/python3 -B tools/release/archives.py "$release"
 # Removes files that are specific to one build on one machine.
 rm -rf "$tree" "$release"/debian/*.buildinfo "$release"/debian/*.changes
@@ -60,15 +46,13 @@ echo "packages: ${release#"$PWD/"}"
 
 again=$PWD/build/release-again
 /usr/bin/python3 tools/release/release.py "$again" "$flashbvh"
-make_npm_library
-pack_npm "$again"
 rm -rf "$again"/debian/flashbvh-*/
 quietly /usr/bin/python3 -B tools/release/archives.py "$again"
 diff -r --exclude='*.deb' "$release" "$again" || { echo "release: not the same bytes" >&2; exit 1; }
 echo "made again, the same bytes; not compared: .deb files; not compiled again: the programs in archives and npm"
 
 export ROOT="$PWD" PACKAGES="$release" FLASHBVH="$flashbvh"
-echo archives debian arduino cmake amalgamation copied manifests npm_library python | xargs -n 1 -P "$(nproc)" sh -c '
+echo archives debian arduino cmake amalgamation copied manifests python | xargs -n 1 -P "$(nproc)" sh -c '
   began=$(date +%s)
   WORK=$ROOT/build/release-test/$0 sh "$ROOT/tests/release/$0.sh" >build/log/release-$0 2>&1 ||
     { tail -n 60 build/log/release-$0; echo "== $0 FAILED"; exit 255; }

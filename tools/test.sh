@@ -3,7 +3,7 @@
 #                   natively with sanitizers, on each board under QEMU, and as WebAssembly in node.
 # test.sh --quick   What most changes of the library break: formatting, the library's tests on this
 #                   machine without sanitizers, answers and arithmetic on a Cortex-M4F.
-# test.sh --all     Also an Xtensa LX106 and a plain RV32IM; on every board all tests that fit it, which
+# test.sh --all     Also a plain RV32IM; on every board all tests that fit it, which
 #                   otherwise run natively and on the Cortex-M4F (on a Cortex-M0 what a core has of
 #                   its own: answers, arithmetic, stack, bounds, figures; of the others answers and
 #                   arithmetic); random tests with all their tries, compilers in all ways, libFuzzer;
@@ -24,7 +24,7 @@ case ${1:-} in
   "") ;;
   --quick) host_steps=library cores=netduinoplus2 packages= at_once=1
     export FLASHBVH_QUICK=ON ;;
-  --all) list=--all packages="$packages $xtensa_packages" release=yes
+  --all) list=--all packages="$packages" release=yes
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;
   *) sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac

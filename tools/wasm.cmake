@@ -26,7 +26,6 @@ function(flashbvh_wasm module)
       --one-caller-inline-max-function-size=60 --always-inline-max-function-size=6 ${module} -o ${module})
   endif()
   # Links without -O, because Clang would call wasm-opt in its own way. The portable forms need no 128-bit integers.
-  # Size trade-offs: lib/docs/decisions/0030-npm-library.md.
   add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${module} VERBATIM
     COMMAND ${compile} -Oz -mllvm -inline-threshold=-15 -mllvm -disable-lsr -mbulk-memory -msign-ext -std=c++17
       -fno-exceptions -fno-rtti -fvisibility=hidden -DNDEBUG -DFLASHBVH_PORTABLE -DFLASHBVH_INLINE=

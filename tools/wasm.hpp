@@ -1,4 +1,4 @@
-// Shared by the WebAssembly modules of pages and of the npm package.
+// Shared by the WebAssembly modules of pages.
 #pragma once
 
 #include <stdint.h>

@@ -7,7 +7,7 @@
 # includes "<name>.robot.h", for C and C++, which declares the array <name>_robot_image for
 # view_robot_unchecked(), and has flashbvh::robot. FORMAT image makes no code: each target that links the
 # library gets the folder of <name>.robot, an image for open_robot(), as an include folder, for .incbin.
-# FORMAT both makes both. The file may be MJCF or SDF, too. The options are those of `flashbvh robot`; lengths
+# FORMAT both makes both. The options are those of `flashbvh robot`; lengths
 # are in metres. The build bakes the robot again if its file, the SRDF, the joint limits, a mesh, an included
 # file, an option or the tool changes; the tool lists the files in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)

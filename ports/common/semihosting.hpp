@@ -20,7 +20,7 @@ enum class HostCall : uint32_t {
 };
 
 /// Makes one call. `argument` depends on the call: mostly the address of a block of words.
-#if defined(__xtensa__) || defined(__wasm__)
+#if defined(__wasm__)
 int32_t call_host(HostCall call, const void* argument);  // host.cpp
 #else
 inline int32_t call_host(HostCall call, const void* argument) {

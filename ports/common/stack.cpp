@@ -24,15 +24,6 @@ __attribute__((always_inline)) inline uint32_t* paint_below_frame() {
       : [top] "=&r"(top), [word] "+r"(word)
       : [paint] "r"(kPaint)
       : "ra", "memory");
-#elif defined(__xtensa__)
-  __asm__ volatile(
-      "  mov %[top], sp\n"
-      "1: s32i %[paint], %[word], 0\n"
-      "  addi %[word], %[word], 4\n"
-      "  bltu %[word], %[top], 1b\n"
-      : [top] "=&r"(top), [word] "+r"(word)
-      : [paint] "r"(kPaint)
-      : "a0", "memory");
 #else
   __asm__ volatile(
       ".syntax unified\n"

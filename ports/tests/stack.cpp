@@ -3,26 +3,9 @@
 
 #include "checks.hpp"
 
-// Pushes 2 words, `context` times.
-#if defined(__xtensa__)
-extern "C" void push_pairs(void*);
-__asm__(
-    ".text\n"
-    ".align 4\n"
-    "push_pairs:\n"
-    "  mov a3, sp\n"
-    "1: addi sp, sp, -8\n"
-    "  s32i a2, sp, 0\n"
-    "  s32i a2, sp, 4\n"
-    "  addi a2, a2, -1\n"
-    "  bnez a2, 1b\n"
-    "  mov sp, a3\n"
-    "  ret\n");
-#endif
-
 namespace {
 
-#if !defined(__xtensa__)
+// Pushes 2 words, `context` times.
 __attribute__((naked)) void push_pairs(void*) {
   __asm__ volatile(
 #if defined(__riscv)
@@ -45,7 +28,6 @@ __attribute__((naked)) void push_pairs(void*) {
 #endif
   );
 }
-#endif
 
 volatile uint32_t in_data[50] = {1};
 volatile uint32_t in_bss[50];

@@ -104,7 +104,7 @@ struct Contacts {
 bool first_contact_agrees(Scene& s) {
   const Motions motions(s);
   const std::uint32_t within = s.random.below(2) == 0   ? 0
-                               : s.random.below(8) == 0 ? kMaxDistance / 2 + s.random.below(2)
+                               : s.random.below(8) == 0 ? kMaxMotionDistance + s.random.below(2)
                                                         : s.random.below(600);
   Contacts both = {s, motions, within};
   bool agree = both.start();

@@ -26,9 +26,6 @@ function(flashbvh_add_test name)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
-  if(FLASHBVH_ARCHITECTURE STREQUAL "xtensa")
-    math(EXPR arg_TIMEOUT "3 * ${arg_TIMEOUT}")  # each 64-bit product is a call
-  endif()
   set(labels "")
   set(components ${arg_LIBRARIES})
   list(FILTER components EXCLUDE REGEX

@@ -43,7 +43,7 @@ class Checked {
     if (answer.outcome == ContactOutcome::contact) {
       REQUIRE(touch_at(answer.to));
     } else {
-      REQUIRE(least_distance(answer.from, answer.to) <= 1 + off_at_end());
+      REQUIRE(least_distance(answer.from, answer.to) <= (query.close_distance() - within_) / 256.0);
     }
     return answer.outcome;
   }

@@ -107,7 +107,6 @@ void add_bench(CLI::App& app);
 void add_robot(CLI::App& app);
 void add_guard(CLI::App& app);
 void add_audit(CLI::App& app);
-void add_completion(CLI::App& app);
 /// Must come last: its help covers the commands added before.
 void add_help(CLI::App& app);
 

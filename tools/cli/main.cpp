@@ -70,7 +70,6 @@ int run(int argc, char** argv) {
   add_robot(app);
   add_guard(app);
   add_audit(app);
-  add_completion(app);
   add_help(app);
   add_example(app, "help bake", "prints the options of bake, and an example");
   if (argc < 2) {

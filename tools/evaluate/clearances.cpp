@@ -103,7 +103,7 @@ std::uint32_t fine_length(double length, double cell, std::uint32_t most, Roundi
                                                      : std::floor(steps * (1 + kDoubles));
   if (!(length >= 0 && whole <= most)) {
     throw UserError(what + " " + shortest(length), "is out of range: 0 to ",
-                    significant(most * cell / kFineOne, 6), ", 2^", std::ilogb(most / kFineOne),
+                    significant(most * cell / kFineOne, 6), ", ", most / kFineOne,
                     " cells; bake with a larger --cell to reach further");
   }
   return static_cast<std::uint32_t>(whole);

@@ -64,11 +64,12 @@ std::vector<FoundContact> contacts_of(const Mesh& a, const Mesh& b, const BodyMo
   do {
     query.pass();
     const auto answer = query.run(UINT32_MAX);
-    found.push_back({answer.status,
-                     answer.outcome,
-                     {answer.triangles.a, answer.triangles.b},
-                     answer.from,
-                     answer.to});
+    found.push_back({{answer.status,
+                      answer.outcome,
+                      {answer.triangles.a, answer.triangles.b},
+                      answer.from,
+                      answer.to},
+                     query.close_distance()});
   } while (all && found.back().status == Status::done &&
            found.back().outcome == ContactOutcome::close);
   return found;

@@ -31,7 +31,9 @@ Move lattice_move(const UnitMove& move, double cell, const std::string& place);
 /// UserError, naming the line, as above, or if there are no moves or more than kMostMoves.
 std::vector<Move> read_moves(const std::string& path, double cell);
 
-using FoundContact = FirstContactAnswerOf<std::uint32_t>;
+struct FoundContact : FirstContactAnswerOf<std::uint32_t> {
+  std::uint32_t close_distance;  ///< FirstContact::close_distance()
+};
 
 /// The outcomes of a motion. `free` or `contact` ends the list; so does the first `close`, unless
 /// `all` is true. `within`: in 1/256 cell. Both images are post-indexed partners. UserError, naming

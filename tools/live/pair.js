@@ -65,7 +65,7 @@ class Meshes {
     return this.library.is_closer(a, b, Math.min(Math.floor(length / this.all[a].cell * FINE_ONE), 2 ** 28)) !== 0;
   }
 
-  // B's straight motion from one pose to another. `outcome`: 0 free, 1 touches, 2 comes within a cell; `share`: the
+  // B's straight motion from one pose to another. `outcome`: 0 free, 1 touches, 2 comes close; `share`: the
   // part of the motion before that. A status other than 0: undecided.
   way(a, b, from, to) {
     this.place(a, from);

@@ -122,7 +122,7 @@ class PairStage extends Stage {
     const { status, outcome, share } = this.meshes.way(this.a, this.b, from, to);
     if (status !== 0) return "; the straight way there is not decided";
     const after = `after ${+(100 * share).toPrecision(3)} % of it`;
-    return `; the straight way there ${["is free", `touches ${after}`, `comes within a cell ${after}`][outcome]}`;
+    return `; the straight way there ${["is free", `touches ${after}`, `comes close ${after}`][outcome]}`;
   }
 
   // The verdict and details about it.

@@ -28,7 +28,6 @@ def build(target: str) -> tuple[Path, Path]:
     run(ROOT / "tools/release/dependencies.sh", target, prefix)
     run("cmake", "-G", "Ninja", "-S", ROOT, "-B", program, "--toolchain", ROOT / f"tools/release/targets/{target}.cmake",
         "-DCMAKE_BUILD_TYPE=Release", "-DFLASHBVH_BUILD_TOOL=ON", "-DFLASHBVH_BUILD_TESTS=OFF",
-        "-DFLASHBVH_READ_MJCF=OFF", "-DFLASHBVH_READ_SDF=OFF",
         f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_FIND_ROOT_PATH={prefix}",
         f"-DCMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES={prefix}/include")
     run("cmake", "--build", program, "--target", "flashbvh_tool")

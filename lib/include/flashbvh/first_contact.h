@@ -27,6 +27,8 @@ FLASHBVH_OPAQUE(flashbvh_body_motion, 1, 184, uint32_t);
 
 /** The most moves of a motion that a query takes. */
 #define FLASHBVH_MOST_MOVES 64
+/** The largest `within` of a motion, in 1/256 cell. */
+#define FLASHBVH_MAX_MOTION_DISTANCE ((uint32_t)32000 * 256)
 
 /** BodyMotion::between(): straight, with the shorter turn. MOTION_OUT_OF_RANGE; the poses'
  * NOT_A_ROTATION and TRANSLATION_OUT_OF_RANGE. */
@@ -53,7 +55,7 @@ FLASHBVH_OPAQUE(flashbvh_contact_cursor, 0, 36, uint32_t);
 /** Starts a query; meshes and motion must outlive it. `within`, in 1/256 cell: bodies this near are
  * in contact; 0: only bodies that intersect. SUSPENDED: there is work to run. The motion's status;
  * MOTION_OUT_OF_RANGE, also for too many moves or far origins; DISTANCE_OUT_OF_RANGE: `within` is
- * beyond FLASHBVH_MAX_DISTANCE / 2. Every run returns the status again, or CELL_MISMATCH. */
+ * beyond FLASHBVH_MAX_MOTION_DISTANCE. Every run returns the status again, or CELL_MISMATCH. */
 flashbvh_status flashbvh_first_contact_start(flashbvh_first_contact_query* query,
                                              const flashbvh_mesh* a, const flashbvh_mesh* b,
                                              const flashbvh_body_motion* motion, uint32_t within);

@@ -12,6 +12,10 @@ namespace {
 /// Bound on origins, exclusive, in cells.
 constexpr uint32_t kFarthestOrigin = 1u << 18;
 
+/// Bound on the arcs of a point, in 2^-31 cell by turn: 2^23 cells times a turn, a path below 2^26
+/// cells. So the shortest interval, 2^-29 of a motion, moves no point by a quarter of a cell.
+constexpr uint64_t kLongestPath = uint64_t{1} << 54;
+
 /// A part of a move's travel, and of the arc of a point at distance `lever` from the axis; in
 /// 1/2,048 cell, rounded up.
 uint64_t part_of(uint32_t length, uint32_t part) {
@@ -64,6 +68,13 @@ bool BodyReach::set(const BodyMotion& motion, const PackedBox& packed, const int
   const uint64_t most = farthest(motion, uint64_t{length_of(frame_of(motion.from()).translation)} +
                                              length_of(centre_) + radius_);
   if (most > kMaxFrameTranslation) {
+    return false;
+  }
+  uint64_t turned = 0;  // in 2^-20 turn
+  for (uint32_t i = 0; i < motion.move_count(); ++i) {
+    turned += magnitude(motion.move(i).turn) >> 8;
+  }
+  if (turned * most > kLongestPath) {
     return false;
   }
   rounding_ = kVertexRounding + static_cast<uint32_t>(from_origin * 443 >> 23) + 1;

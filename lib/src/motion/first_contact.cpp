@@ -16,6 +16,9 @@ constexpr uint8_t kMostNearSteps = 4;
 /// A walk tests the begin only if no interval down to 1/kLateWalk of the motion is certified.
 constexpr uint32_t kLateWalk = 4;
 
+/// So a walk can test the distance of each interval that is too short to be cut.
+static_assert(kMaxMotionDistance + 512 * kFineOne < detail::Within::kMostShort,
+              "errors of paths and of rounding are below 512 cells");
 /// Work of kinematics and a test of two triangles (query.hpp).
 constexpr uint32_t kProbeWork = 64;
 /// Work of kinematics, and of making and resuming a query.
@@ -48,7 +51,7 @@ Status BasicFirstContact<MeshType>::prepare() {
   if (motion_->status() != Status::done) {
     return motion_->status();
   }
-  if (within_ > kMaxDistance / 2) {
+  if (within_ > kMaxMotionDistance) {
     return Status::distance_out_of_range;
   }
   if (motion_->move_count() > kMostMoves ||

@@ -63,6 +63,8 @@ TEST_CASE("files that are no URDF") {
   CHECK_THAT(said_of_file(std::string("<robot\0>", 8)), Contains("is no text"));
   CHECK_THAT(said_of_file("<robot name=\"r\"><xacro:arm/></robot>"),
              Contains("is a xacro (it has <xacro:arm>)"));
+  CHECK_THAT(said_of_file("<mujoco/>"), Contains("is MJCF; convert it to a URDF"));
+  CHECK_THAT(said_of_file("<sdf version=\"1.9\"/>"), Contains("is SDF; convert it to a URDF"));
   CHECK_THAT(said_of_file("<robot><link name=\"a\"/></robot>"), Contains("No name given"));
   CHECK_THAT(said_of_file("<robot name=\"r\"></robot>"), Contains("No link elements"));
   const std::string deep = repeated("<a>", 100000);

@@ -34,6 +34,10 @@ struct FoundMotion {
   const BodyMotion& motion;
   std::vector<FoundContact> parts;
 
+  /// How near the bodies come where they are close, in the unit.
+  double at_most(const FoundContact& part) const {
+    return part.close_distance / double{kFineOne} * a.cell();
+  }
   Json pose_json(std::uint32_t time) const { return pose_numbers(motion.pose_at(time), a.cell()); }
 };
 
@@ -46,6 +50,9 @@ void print_json(const FoundMotion& found) {
                    {"triangles", {part.triangles.a, part.triangles.b}},
                    {"from_pose", found.pose_json(part.from)},
                    {"to_pose", found.pose_json(part.to)}});
+    }
+    if (part.outcome == ContactOutcome::close) {
+      line["distance_at_most"] = found.at_most(part);
     }
     print_object(line);
   }
@@ -77,7 +84,12 @@ void print_table(const FoundMotion& found, const std::string& names, double with
   if (within != 0) {
     std::cout << ", within " << shortest(within) << (unit.empty() ? "" : " " + unit);
   }
-  std::cout << ": " << outcome_name(outcome) << "\n";
+  std::cout << ": " << outcome_name(outcome);
+  if (outcome == ContactOutcome::close) {
+    std::cout << ", at most " << significant(found.at_most(found.parts.front()), 6)
+              << (unit.empty() ? "" : " " + unit) << " apart";
+  }
+  std::cout << "\n";
   if (outcome == ContactOutcome::free) {
     return;
   }
@@ -99,7 +111,7 @@ ExitCode certify_motion(const MotionArguments& arguments) {
   check_partners(a, b);
   const double cell = a.cell();
   const std::uint32_t within =
-      fine_length(arguments.within, cell, kMaxDistance / 2, Rounding::upwards);
+      fine_length(arguments.within, cell, kMaxMotionDistance, Rounding::upwards);
   const Pose from = read_pose_argument(arguments.from, cell, "--from");
   std::vector<Move> moves;
   if (!arguments.moves.empty()) {
@@ -125,7 +137,7 @@ void add_motion(CLI::App& app) {
       app, "motion",
       "Certify that B is apart from A at every moment on its way from one pose to another, by the "
       "firmware's own\ncode. Prints free; contact, from where to where they first touch; or close, "
-      "where they come within a cell\nand may touch.\nExit code 0: free; 1: contact or close.",
+      "where they come near and may\ntouch.\nExit code 0: free; 1: contact or close.",
       certify_motion);
   add_option(command, "A", a.a, "FILE.fbvh", "Image (.fbvh) that stays in place")->required();
   add_option(command, "B", a.b, "FILE.fbvh", "Image (.fbvh) that moves")->required();

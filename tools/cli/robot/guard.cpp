@@ -355,7 +355,7 @@ void add_guard(CLI::App& app) {
         return guard_trajectory(given, *app.get_subcommand("guard"));
       });
   add_robot_options(command, "ROBOT", a);
-  command.get_option("ROBOT")->description("The robot (URDF, MJCF or SDF), or its image (.robot)");
+  command.get_option("ROBOT")->description("The robot (URDF), or its image (.robot)");
   add_option(command, "TRAJECTORY", a.trajectory, "FILE.csv",
              "A CSV: a line with the joints' names, then one a period with their values, in "
              "radians\nand metres")

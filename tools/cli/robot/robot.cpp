@@ -146,7 +146,7 @@ void make_robot(const OutputArguments& arguments) {
 void add_robot(CLI::App& app) {
   auto [command, a] =
       add_command<OutputArguments>(app, "robot",
-                                   "Bake a robot (URDF, MJCF or SDF) into an image: joints, links, "
+                                   "Bake a robot (URDF) into an image: joints, links, "
                                    "and which pairs of links can collide.\n"
                                    "Lengths are in metres, angles in radians.",
                                    make_robot);

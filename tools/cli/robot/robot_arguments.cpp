@@ -208,7 +208,7 @@ std::vector<std::string> files_read(const RobotArguments& arguments, const Model
 }
 
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
-  add_option(command, name.c_str(), arguments.urdf, "FILE", "The robot (URDF, MJCF or SDF)")
+  add_option(command, name.c_str(), arguments.urdf, "FILE", "The robot (URDF)")
       ->required();
   repeated(
       add_option(command, "--package", arguments.packages, "NAME=DIR",

@@ -49,8 +49,8 @@ class FirstContacts(NamedTuple):
     """First contacts of two bodies; one row per motion, with the poses' leading shape."""
 
     outcome: npt.NDArray[np.uint8]
-    """(...,): a ContactOutcome. CONTACT: they touch at `end`. CLOSE: they are within a cell between `start` and
-    `end`, and may touch there."""
+    """(...,): a ContactOutcome. CONTACT: they touch at `end`. CLOSE: they come near between `start` and
+    `end`, within two cells or little more, and may touch there."""
     start: npt.NDArray[np.float64]
     """(...,): up to here, a share of the motion, they certainly do not touch; 1 if they are free."""
     end: npt.NDArray[np.float64]

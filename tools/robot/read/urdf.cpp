@@ -5,7 +5,6 @@
 
 #include "mesh/mesh_builder.hpp"
 #include "robot/kinematics.hpp"
-#include "robot/read/foreign.hpp"
 #include "robot/read/joint_limits.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
@@ -186,8 +185,7 @@ class TreeBuilder {
       return;
     }
     const std::string place = at_element(path_, "joint", joint.name);
-    Transform turned = rotation_to(unit_axis(joint.axis, place, warnings_));
-    turned.translation = joint.anchor;
+    const Transform turned = rotation_to(unit_axis(joint.axis, place, warnings_));
     ModelJoint made;
     made.name = joint.name;
     made.parent = parent.joint;
@@ -242,16 +240,9 @@ bool are_neighbours(const Model& model, std::size_t a, std::size_t b) {
   return joint_a == joint_b || hangs_on(joint_a, joint_b) || hangs_on(joint_b, joint_a);
 }
 
-constexpr const char* kUrdfShapes = "a <collision>";
-constexpr const char* kMjcfShapes = "a geom that contacts (contype, conaffinity)";
-
-/// The warning for a link without collision geometry.
-std::string is_seen_alone(const UrdfRobot& robot) {
-  const char* const shapes = robot.is_mjcf ? kMjcfShapes : kUrdfShapes;
-  return concat("has ", robot.is_mjcf ? "visual geoms" : "a <visual>", " but no ", shapes + 2,
-                ": it collides with nothing; give it ", shapes,
-                ", or let all such links collide by their visual shapes: --visual-too");
-}
+constexpr const char* kSeenAlone =
+    "has a <visual> but no <collision>: it collides with nothing; give it a <collision>, or let all "
+    "such links collide by their visual shapes: --visual-too";
 
 void add_links(const UrdfRobot& robot, const std::string& path, const Packages& packages,
                Model& model, Warnings& warnings) {
@@ -259,7 +250,7 @@ void add_links(const UrdfRobot& robot, const std::string& path, const Packages& 
     const UrdfLink& link = robot.links[i];
     if (link.collisions.empty()) {
       if (link.has_visual) {
-        warnings.add(at_element(path, "link", link.name), is_seen_alone(robot));
+        warnings.add(at_element(path, "link", link.name), kSeenAlone);
       }
       continue;
     }
@@ -269,26 +260,19 @@ void add_links(const UrdfRobot& robot, const std::string& path, const Packages& 
     add_link_mesh(link, model.mounts[i].transform, path, packages, model.links.back(), warnings);
   }
   if (model.links.empty()) {
-    throw UserError(path, "has no link with ", robot.is_mjcf ? kMjcfShapes : kUrdfShapes,
-                    "; give those that can collide one");
+    throw UserError(path, "has no link with a <collision>; give those that can collide one");
   }
 }
 
-/// Chooses the reader by the outermost element.
+/// UserError for a file of a form that has converters to URDF.
 UrdfRobot read_document(const std::string& path, bool visual_too, Warnings& warnings) {
   check_no_mesh(path);
   std::string text = read_file(path);
   const std::string_view root = root_element(text);
-  if (!is_foreign_form(root)) {
-    return read_urdf_document(path, std::move(text), visual_too, warnings);
+  if (root == "mujoco" || root == "sdf") {
+    throw UserError(path, "is ", root == "sdf" ? "SDF" : "MJCF", "; convert it to a URDF");
   }
-  UrdfRobot robot = read_foreign(path, root, warnings);
-  for (UrdfLink& link : robot.links) {
-    if (visual_too && link.collisions.empty()) {
-      link.collisions = std::move(link.visuals);
-    }
-  }
-  return robot;
+  return read_urdf_document(path, std::move(text), visual_too, warnings);
 }
 
 }  // namespace
@@ -302,7 +286,6 @@ Model read_urdf(const std::string& path, const Packages& packages, const std::st
   Model model;
   model.name = robot.name;
   model.path = path;
-  model.files = std::move(robot.files);
   TreeBuilder(robot, path, model, warnings).build();
   add_links(robot, path, packages, model, warnings);
   for (std::size_t a = 0; a < model.links.size(); ++a) {

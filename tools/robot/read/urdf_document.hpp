@@ -34,7 +34,6 @@ struct UrdfLink {
   std::string name;
   std::vector<UrdfCollision> collisions;
   bool has_visual = false;
-  std::vector<UrdfCollision> visuals;  ///< for forms other than URDF
 };
 
 struct UrdfMimic {
@@ -52,7 +51,6 @@ struct UrdfJoint {
   std::size_t child = 0;
   Transform origin;       ///< in the parent's frame
   Vector3 axis{1, 0, 0};  ///< of any length, in the child's frame
-  Vector3 anchor{};       ///< a point of the axis, in the child's frame
   double lower = 0;       ///< also for a continuous joint, if the file has limits
   double upper = 0;
   std::optional<UrdfMimic> mimic;  ///< none on fixed joints
@@ -64,8 +62,6 @@ struct UrdfRobot {
   std::size_t root = 0;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
-  std::vector<std::string> files;  ///< further files that were read
-  bool is_mjcf = false;            ///< for messages: it has geoms, no <visual> and no <collision>
 };
 
 /// Parses the URDF `text` of the file `path`. UserError, with the element and the remedy, if it is

@@ -16,12 +16,7 @@
 #define FLASHBVH_INLINE_FOR_SPEED FLASHBVH_INLINE
 #endif
 /// For functions that make a query, so that compilers drop stores that are not read until it ends.
-/// Not on Xtensa, whose frames grow by 16 bytes at a time.
-#if defined(__XTENSA__)
-#define FLASHBVH_INLINE_TO_RUN FLASHBVH_NOINLINE
-#else
 #define FLASHBVH_INLINE_TO_RUN FLASHBVH_INLINE_FOR_SPEED
-#endif
 #else
 #define FLASHBVH_NOINLINE
 #define FLASHBVH_INLINE

@@ -19,8 +19,8 @@ namespace detail {
 class BodyReach {
  public:
   /// Sets the bounds for B with its root's box; the origins are the meshes'. False if any point may
-  /// get farther than 2^19 cells from A's frame, or if a coordinate of an origin is 2^18 cells or
-  /// more; no bound holds then.
+  /// get farther than 2^19 cells from A's frame or by a path of 2^25, or if a coordinate of an
+  /// origin is 2^18 cells or more; no bound holds then.
   bool set(const BodyMotion& motion, const PackedBox& box, const int32_t (&origin_a)[3],
            const int32_t (&origin_b)[3]);
 

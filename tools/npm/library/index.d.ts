@@ -1,2 +1,0 @@
-export * from "./meshes.js";
-export * from "./robot.js";

@@ -1,3 +1,0 @@
-// Both modules.
-export * from "./meshes.js";
-export * from "./robot.js";
