@@ -102,9 +102,8 @@ py::object matrix_rows(const Robot& robot) {
     if (!pair.witness.empty()) {
       witness = array_of(pair.witness);
     }
-    rows.append(names_of(robot, pair.a, pair.b) + py::make_tuple(tool::name_of(pair.verdict),
-                                                                 text(pair.reason), pair.is_guarded,
-                                                                 witness));
+    rows.append(names_of(robot, pair.a, pair.b) +
+                py::make_tuple(tool::name_of(pair), text(pair.reason), pair.is_guarded, witness));
   }
   return rows;
 }

@@ -82,6 +82,8 @@ struct Model {
   std::vector<ModelMount> mounts;
   /// Neighbours: links attached to one joint, or to a joint and its parent.
   std::vector<std::pair<std::size_t, std::size_t>> neighbours;
+  /// Links that one joint of the file joins: parent and child. For SRDFs.
+  std::vector<std::pair<std::size_t, std::size_t>> adjacent;
   std::vector<DisabledPair> disabled;
 
   /// The number of links that are not parts.

@@ -286,7 +286,7 @@ TEST_CASE("soft limits narrow the limits of a joint that has its own") {
   }
 }
 
-TEST_CASE("a base that floats over a link without shapes is fixed, no other is") {
+TEST_CASE("a base that floats is fixed if all shapes float with it, no other is") {
   RobotFiles files;
   const std::string joint = joint_text("j", "floating", "world", "a");
   const std::string arm = link_texts("ab") + joint_text("k", "revolute", "a", "b", kLimit);
@@ -297,6 +297,9 @@ TEST_CASE("a base that floats over a link without shapes is fixed, no other is")
   const std::string no = "is floating, which firmware does not move";
   for (const std::string& floating :
        {link_text("world"),
+        link_texts("c") + link_text("world", "") + joint_text("l", "fixed", "world", "c"),
+        link_texts("d") + link_text("c", "") + link_text("world", "") +
+            joint_text("l", "fixed", "world", "c") + joint_text("m", "revolute", "c", "d", kLimit),
         link_texts("c") + link_text("world", "") + joint_text("l", "floating", "world", "c"),
         link_texts("c") + link_text("world", "") + joint_text("l", "fixed", "c", "world")}) {
     CHECK_THAT(files.refusal(floating + joint + arm), Catch::Matchers::Contains(no));
@@ -306,8 +309,9 @@ TEST_CASE("a base that floats over a link without shapes is fixed, no other is")
 TEST_CASE("visual shapes collide where they are all that a link has, and only if they shall") {
   RobotFiles files;
   const std::string seen =
-      "<visual><origin xyz=\"1 0 0\"/><geometry><box size=\"1 1 1\"/></geometry><material "
-      "name=\"gone\"/></visual>";
+      "<visual name=\"v\"><origin xyz=\"1 0 0\"/><geometry><box size=\"1 1 "
+      "1\"/></geometry><material "
+      "name=\"gone\"><color/></material></visual>";
   const std::string robot =
       link_text("a") + link_text("b", seen) +
       joint_text("j", "revolute", "a", "b", "<axis xyz=\"0 0 1\"/>" + kLimit) +

@@ -78,6 +78,30 @@ TEST_CASE("files that are no URDF") {
   CHECK_THROWS_AS(tool::read_urdf("no such file", {}, "", warnings), tool::UserError);
 }
 
+TEST_CASE("a xacro that is not expanded, as a URDF and as an SRDF") {
+  const auto [inside, has] = GENERATE(table<const char*, const char*>({
+      {"<xacro:include filename=\"a\"/>", "<xacro:include>"},
+      {"\n<group name=\"g\"><xacro:if value=\"1\"/></group>", "<xacro:if>"},
+      {"<include filename=\"a.xacro\"/>", "<include>"},
+      {"<macro name=\"m\"/>", "<macro>"},
+      {"<property name=\"w\" value=\"1\"/>", "<property>"},
+      {"<link name=\"${prefix}a\"/>", "${prefix}a"},
+      {"<disable_collisions link1=\"a\" link2=\"$(arg side)_b\"/>", "$(arg side)_b"},
+  }));
+  const std::string text = "<robot xmlns:xacro=\"http://ros.org/wiki/xacro\" name=\"arm\">" +
+                           std::string(inside) + "</robot>";
+  CHECK_THAT(said_of_file(text), Contains("is a xacro (it has " + std::string(has)));
+  RobotFiles files;
+  files.write("arm.srdf", text);
+  CHECK_THAT(
+      refusal_of([&] {
+        return files.read(kTwoLinks + joint_text("j", "fixed", "a", "b"), files.path("arm.srdf"));
+      }),
+      Contains("arm.srdf:" + std::string(inside[0] == '\n' ? "2" : "1") + ": is a xacro (it has " +
+               has) &&
+          Contains("write `xacro ") && Contains("arm.srdf > OUT.srdf`"));
+}
+
 TEST_CASE("joints that firmware can't hold, and what is missing of them") {
   const auto [type, inside, wanted] = GENERATE(table<const char*, const char*, const char*>({
       {"revolute", R"(<limit lower="-1" upper="2" effort="1" velocity="1"/>)", ""},
@@ -188,6 +212,90 @@ TEST_CASE("shapes that are none") {
       {R"(<box size="1 1 1"/><box size="1 1 1"/>)", "without one shape"},
   }));
   check_said(said_of_shape(shape), wanted);
+}
+
+TEST_CASE("what URDF does not know of a pose, a size or a limit") {
+  const auto [in_collision, in_geometry,
+              wanted] = GENERATE(table<const char*, const char*, const char*>({
+      {R"(<origin xyz="1 0 0" quat_xyzw="0 0 0 1"/>)", "",
+       "arm.urdf, link 'a': has <origin quat_xyzw=\"0 0 0 1\">, which URDF does not know; its "
+       "attributes are xyz, rpy"},
+      {R"(<origin xyz="1 0 0" rpyy="0 0 1"/>)", "", "<origin rpyy=\"0 0 1\">"},
+      {R"(<origin XYZ="1 0 0"/>)", "", "<origin XYZ=\"1 0 0\">"},
+      {R"(<origin xyz="0 0 1" xyz="0 0 2"/>)", "", "is no XML"},
+      {R"(<origin/><origin xyz="1 0 0"/>)", "",
+       "arm.urdf, link 'a': has two <origin> in one <collision>; leave one of them out"},
+      {"<origin>1 0 0</origin>", "", "has text in its <origin>"},
+      {"<origin><xyz>1 0 0</xyz></origin>", "", "has <xyz> in <origin>"},
+      {R"(<orgin xyz="1 0 0"/>)", "", "has <orgin> in <collision>, which URDF does not know"},
+      {"<pose>1 0 0 0 0 0</pose>", "", "has <pose> in <collision>"},
+      {R"(<geometry><box size="2 2 2"/></geometry>)", "", "has two <geometry> in one <collision>"},
+      {"", R"(<box size="1 1 1" scale="2 2 2"/>)", "<box scale=\"2 2 2\">"},
+      {"", R"(<box size="1 1"/>)", "Link [a]"},
+      {"", R"(<box size="1m 1m 1m"/>)", "[1m]"},
+      {"", "<box><size>1 1 1</size></box>", "has <size> in <box>"},
+      {"", R"(<sphere radius="1" diameter="1"/>)", "<sphere diameter=\"1\">"},
+      {"", R"(<cylinder radius="1" lenght="1"/>)", "<cylinder lenght=\"1\">"},
+      {"", R"(<cylinder radius="1"/>)", "Link [a]"},
+      {"", R"(<mesh filename="a.stl" scal="0.001 0.001 0.001"/>)", "<mesh scal="},
+      {"", R"(<mesh filename="a.stl" scale="0.001"/>)", "Link [a]"},
+      {"", R"(<mesh filename="a.stl"><scale>2 2 2</scale></mesh>)", "has <scale> in <mesh>"},
+      {"", R"(<origin xyz="1 0 0"/><box size="1 1 1"/>)", "without one shape in its <geometry>"},
+  }));
+  const std::string shape = *in_geometry == 0 ? R"(<sphere radius="1"/>)" : in_geometry;
+  check_said(said_of_link("<collision>" + std::string(in_collision) + "<geometry>" + shape +
+                          "</geometry></collision>"),
+             wanted);
+}
+
+TEST_CASE("shapes and places of a link that URDF does not read") {
+  CHECK_THAT(
+      said_of_link(kBall + "<colision><geometry><sphere radius=\"1\"/></geometry></colision>"),
+      Contains("link 'a': has a shape in <colision>"));
+  CHECK_THAT(said_of_link(kBall + "<geometry><sphere radius=\"1\"/></geometry>"),
+             Contains("has a shape in <geometry>"));
+  CHECK_THAT(said_of_link(kBall + R"(<origin xyz="1 0 0"/>)"),
+             Contains("has an <origin> of its own"));
+  CHECK(said_of_link(kBall + R"(<origin xyz="0 0 0" rpy="0 -0 0"/>)") == "");
+}
+
+TEST_CASE("what URDF does not know of a joint") {
+  const auto [inside, wanted] = GENERATE(table<const char*, const char*>({
+      {R"(<axis xzy="0 0 1"/>)",
+       "arm.urdf, joint 'j': has <axis xzy=\"0 0 1\">, which URDF does not know; its attributes "
+       "are xyz"},
+      {R"(<axis xyz="0 0 1" rpy="0 0 1"/>)", "has <axis rpy=\"0 0 1\">"},
+      {R"(<axis xyz="0 0 1" rpy="0 0 0"/>)", ""},
+      {"<axis/>", "which has no direction"},
+      {"<axis>0 0 1</axis>", "has text in its <axis>"},
+      {R"(<axes xyz="0 0 1"/>)", "has <axes> in <joint>"},
+      {R"(<axis xyz="0 0 1"/><axis xyz="1 0 0"/>)", "has two <axis> in one <joint>"},
+      {R"(<limit lower="-2" upper="2"/>)", "has two <limit> in one <joint>"},
+      {R"(<origin rotation="0 0 1"/>)", "has <origin rotation=\"0 0 1\">"},
+      {R"(<origin/><origin/>)", "has two <origin> in one <joint>"},
+      {R"(<parent link="b"/>)", "has two <parent> in one <joint>"},
+      {R"(<child link="a"/>)", "has two <child> in one <joint>"},
+      {R"(<mimic joint="k" multipler="2"/>)", "has <mimic multipler=\"2\">"},
+      {R"(<safety_controller soft_lower_limt="0"/>)", "has <safety_controller soft_lower_limt="},
+      {R"(<safety_controller soft_lower_limit="0 rad"/>)",
+       "soft_lower_limit that is no number, '0 rad'"},
+      {R"(<dynamics damping="?" springs="1"/><gazebo><axes/></gazebo><transmission/><my:axis xzy="1"/>)",
+       ""},
+  }));
+  check_said(said_of_joint("revolute", kLimit + inside), wanted);
+}
+
+TEST_CASE("a misspelt limit, or one for another joint type") {
+  CHECK_THAT(said_of_joint("revolute", R"(<limit lower="-1" uper="1"/>)"),
+             Contains("has <limit uper=\"1\">"));
+  CHECK_THAT(said_of_joint("revolute", R"(<limits lower="-1" upper="1"/>)"),
+             Contains("has <limits> in <joint>"));
+  CHECK_THAT(said_of_joint("fixed", R"(<orgin xyz="1 0 0"/>)"), Contains("has <orgin> in <joint>"));
+  RobotFiles files;
+  (void)files.read(kTwoLinks + joint_text("j", "revolute", "a", "b", R"(<limit lower="-1"/>)"));
+  REQUIRE(files.warnings.all().size() == 1);
+  CHECK(files.warnings.all()[0].what ==
+        "has a <limit> without upper, which URDF takes for 0; write upper=\"0\" if that is meant");
 }
 
 TEST_CASE("links without a shape that collides") {

@@ -71,12 +71,14 @@ void print_pairs(const Model& model, const std::vector<PairVerdict>& pairs) {
     return model.links[pair.a].name + " - " + model.links[pair.b].name;
   };
   const int width = width_of(pairs, "pair", links_of);
+  const int verdicts =
+      width_of(pairs, "collide", [](const PairVerdict& pair) { return name_of(pair); });
   std::cout << "\n"
-            << std::left << std::setw(width) << "pair" << std::setw(11) << "collide"
+            << std::left << std::setw(width) << "pair" << std::setw(verdicts) << "collide"
             << "reason\n";
   for (const PairVerdict& pair : pairs) {
-    std::cout << std::left << std::setw(width) << links_of(pair) << std::setw(11)
-              << name_of(pair.verdict) << pair.reason
+    std::cout << std::left << std::setw(width) << links_of(pair) << std::setw(verdicts)
+              << name_of(pair) << pair.reason
               << (pair.verdict == MatrixVerdict::never && pair.is_guarded
                       ? "; guarded: may come within --stop"
                       : "")
@@ -96,9 +98,9 @@ Json pair_json(const Model& model, const PairVerdict& pair) {
   for (std::size_t i = 0; i < pair.witness.size(); ++i) {
     witness[model.joints[model.variables[i]].name] = pair.witness[i];
   }
-  return {{"a", model.links[pair.a].name},    {"b", model.links[pair.b].name},
-          {"verdict", name_of(pair.verdict)}, {"reason", pair.reason},
-          {"witness", std::move(witness)},    {"cells", pair.joint_boxes},
+  return {{"a", model.links[pair.a].name}, {"b", model.links[pair.b].name},
+          {"verdict", name_of(pair)},      {"reason", pair.reason},
+          {"witness", std::move(witness)}, {"cells", pair.joint_boxes},
           {"guarded", pair.is_guarded}};
 }
 

@@ -31,7 +31,7 @@ class MatrixRow(NamedTuple):
     a: str
     b: str
     verdict: str
-    """never, can, undecided, fixed or believed."""
+    """never, never outside zone, can, undecided, fixed or believed."""
     reason: str
     is_guarded: bool
     witness: Optional[npt.NDArray[np.float64]]

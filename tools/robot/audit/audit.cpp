@@ -17,16 +17,28 @@ double default_value(const ModelJoint& joint) {
   return joint.lower <= 0 && joint.upper >= 0 ? 0 : 0.5 * (joint.lower + joint.upper);
 }
 
-/// True if the links intersect at the default configuration and at every other one that is tried.
-bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
-  const PairSpace space(decided.model, {pair.a, decided.meshes[pair.a]},
-                        {pair.b, decided.meshes[pair.b]}, decided.cell);
+PairSpace space_of(const DecidedPairs& decided, const PairVerdict& pair) {
+  return {decided.model,
+          {pair.a, decided.meshes[pair.a]},
+          {pair.b, decided.meshes[pair.b]},
+          decided.cell};
+}
+
+/// True if the links intersect at the default configuration.
+bool intersect_at_default(const DecidedPairs& decided, const PairSpace& space) {
   std::vector<double> at_default;
   for (const Dimension& dimension : space.dimensions()) {
     at_default.push_back(
         default_value(decided.model.joints[decided.model.variables[dimension.variable]]));
   }
-  return space.intersect(at_default) && intersect_wherever_tried(space, MatrixOptions{}.looks);
+  return space.intersect(at_default);
+}
+
+/// True if the links intersect at the default configuration and at every other one that is tried.
+bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
+  const PairSpace space = space_of(decided, pair);
+  return intersect_at_default(decided, space) &&
+         intersect_wherever_tried(space, MatrixOptions{}.looks);
 }
 
 /// The joint between two neighbours if the search for its zone ran out of time.
@@ -42,8 +54,9 @@ LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
   }
   switch (pair.verdict) {
     case MatrixVerdict::never:
-    case MatrixVerdict::fixed:
       return LineVerdict::proven;
+    case MatrixVerdict::fixed:
+      return is_in_contact(decided, pair) ? LineVerdict::contact : LineVerdict::proven;
     case MatrixVerdict::can:
     case MatrixVerdict::believed:
       return is_in_contact(decided, pair) ? LineVerdict::contact
@@ -55,16 +68,21 @@ LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
   return LineVerdict::undecided;
 }
 
-/// The SRDF's reason for disabling the pair, or null if planners have to check it.
-const char* reason_of(const Model& model, const PairVerdict& pair, LineVerdict verdict) {
-  const bool is_adjacent =
-      std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& neighbours) {
-        return std::minmax(neighbours.first, neighbours.second) == std::minmax(pair.a, pair.b);
-      });
-  return verdict != LineVerdict::proven && verdict != LineVerdict::contact ? nullptr
-         : is_adjacent                                                     ? "Adjacent"
-         : verdict == LineVerdict::proven                                  ? "Never"
-                                                                           : "Default";
+/// The SRDF's reason for disabling the pair, or null if planners have to check it. "Never" only of
+/// whole links that never collide, "Default" only of links that intersect at the default
+/// configuration.
+const char* reason_of(const DecidedPairs& decided, const PairVerdict& pair, LineVerdict verdict) {
+  const auto& adjacent = decided.model.adjacent;
+  if (verdict != LineVerdict::proven && verdict != LineVerdict::contact) {
+    return nullptr;
+  }
+  if (std::find(adjacent.begin(), adjacent.end(), std::pair(pair.a, pair.b)) != adjacent.end()) {
+    return "Adjacent";
+  }
+  return verdict == LineVerdict::proven                           ? "Never"
+         : pair.verdict == MatrixVerdict::fixed                   ? "Always"
+         : intersect_at_default(decided, space_of(decided, pair)) ? "Default"
+                                                                  : "User";
 }
 
 FileTriangle file_triangle(const ModelLink& link, std::size_t triangle) {
@@ -75,7 +93,7 @@ FileTriangle file_triangle(const ModelLink& link, std::size_t triangle) {
 }
 
 std::string why_of(const DecidedPairs& decided, const PairVerdict& pair, LineVerdict verdict) {
-  if (verdict == LineVerdict::contact && !pair.zone) {
+  if (verdict == LineVerdict::contact && !pair.zone && pair.verdict != MatrixVerdict::fixed) {
     return "intersect at the default configuration and wherever tried; sampled, not proven";
   }
   const std::optional<std::size_t> late = late_joint(decided, pair);
@@ -123,7 +141,7 @@ SrdfChanges Audit::changes() const {
 std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided) {
   std::vector<SrdfLine> lines;
   for (const PairVerdict& pair : decided.pairs) {
-    if (const char* reason = reason_of(decided.model, pair, line_verdict(decided, pair))) {
+    if (const char* reason = reason_of(decided, pair, line_verdict(decided, pair))) {
       lines.push_back({pair.a, pair.b, reason});
     }
   }

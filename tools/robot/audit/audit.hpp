@@ -12,8 +12,10 @@
 namespace flashbvh::tool {
 
 enum class LineVerdict : std::uint8_t {
-  proven,     ///< the two links never collide
-  contact,    ///< they intersect at all configurations tried: a planner must not check them
+  proven,  ///< the two links never collide
+  /// They intersect at all configurations tried, or in their joint's zone: a planner must not check
+  /// them.
+  contact,
   refuted,    ///< they can collide, with a witness
   undecided,  ///< neither proven nor refuted
 };

@@ -13,7 +13,7 @@ namespace flashbvh::tool {
 struct SrdfLine {
   std::size_t a;
   std::size_t b;
-  const char* reason;  ///< MoveIt's: Adjacent, Never, Default
+  const char* reason;  ///< MoveIt's: Adjacent, Never, Always, Default, User
 };
 
 /// An SRDF with only these lines.

@@ -135,8 +135,18 @@ Model RobotFile::model() const {
 std::vector<UnguardedPair> RobotFile::unguarded() const {
   std::vector<UnguardedPair> unguarded;
   const RobotUnguarded* const kept = flashbvh::unguarded_pairs(words_.data());
+  // Parts outside a zone are links with the names of their links.
+  const auto is_of = [&](std::uint8_t part, std::uint8_t link) {
+    return std::strcmp(link_name(words_.data(), part), link_name(words_.data(), link)) == 0;
+  };
   for (std::uint32_t i = 0; i < unguarded_count(words_.data()); ++i) {
-    unguarded.push_back(unguarded_pair(kept[i], cell()));
+    const RobotUnguarded& of = kept[i];
+    const bool is_guarded =
+        std::any_of(robot_.pairs, robot_.pairs + robot_.pair_count, [&](const RobotPair& pair) {
+          return (is_of(pair.a, of.a) && is_of(pair.b, of.b)) ||
+                 (is_of(pair.a, of.b) && is_of(pair.b, of.a));
+        });
+    unguarded.push_back(unguarded_pair(of, cell(), of.why == WhyUnguarded::zone && !is_guarded));
   }
   return unguarded;
 }

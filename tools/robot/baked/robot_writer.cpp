@@ -51,11 +51,13 @@ std::string unguarded_text(const Model& model, const std::vector<UnguardedPair>&
   const std::vector<OutputName> links = distinct_names(names_of(model.links));
   const std::vector<OutputName> joints = distinct_names(names_of(model.joints));
   for (const UnguardedPair& pair : unguarded) {
-    text += concat(" * ", links[pair.a].word, " - ", links[pair.b].word,
-                   pair.joint == kNoJoint ? ""
-                                          : concat(" within ", significant(pair.radius, 4),
-                                                   " m about ", joints[pair.joint].word),
-                   "\n");
+    text +=
+        concat(" * ", links[pair.a].word, " - ", links[pair.b].word,
+               pair.joint == kNoJoint ? ""
+                                      : concat(" within ", significant(pair.radius, 4), " m about ",
+                                               joints[pair.joint].word,
+                                               pair.is_never_outside ? ", never outside zone" : ""),
+               "\n");
   }
   return text + (unguarded.empty() ? " * There are none. */\n" : " */\n");
 }

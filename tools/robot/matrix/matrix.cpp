@@ -261,6 +261,11 @@ const char* name_of(MatrixVerdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
+const char* name_of(const PairVerdict& pair) {
+  return pair.zone && pair.verdict == MatrixVerdict::never ? "never outside zone"
+                                                           : name_of(pair.verdict);
+}
+
 std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<WholeMesh>& meshes,
                                       const std::vector<JointZone>& zones, const Reaches& reaches,
                                       double cell, const MatrixOptions& options,

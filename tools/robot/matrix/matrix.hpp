@@ -43,6 +43,10 @@ struct PairVerdict {
   std::vector<std::pair<std::size_t, std::size_t>> bodies = {{a, b}};
 };
 
+/// The verdict on a pair for users: `never` only if the two whole links never collide, "never
+/// outside zone" if they touch in their joint's zone.
+const char* name_of(const PairVerdict& pair);
+
 /// Reports that `decided` of all `pairs` are decided. One call at a time, from any thread.
 using MatrixProgress = std::function<void(std::size_t decided, std::size_t pairs)>;
 

@@ -23,7 +23,7 @@ struct Why {
 
 constexpr Why kWhys[] = {
     {WhyUnguarded::zone, "neighbours touch about their joint",
-     "what lies outside is guarded; another zone by --zone JOINT=LENGTH"},
+     "what may collide outside is guarded; another zone by --zone JOINT=LENGTH"},
     {WhyUnguarded::believed, "disabled in the SRDF and believed, though they may collide",
      "to guard a pair, delete its line in the SRDF and its --believe"},
 };
@@ -35,7 +35,8 @@ const Why& of(WhyUnguarded why) {
 std::string name_of(const Model& model, const UnguardedPair& pair) {
   return concat(model.links[pair.a].name, " - ", model.links[pair.b].name,
                 pair.why == WhyUnguarded::zone
-                    ? concat(" within ", radius_text(model, pair.radius, pair.joint))
+                    ? concat(" within ", radius_text(model, pair.radius, pair.joint),
+                             pair.is_never_outside ? " (never outside zone)" : "")
                     : "");
 }
 
@@ -106,7 +107,8 @@ void check_disabled(const Model& model, const std::vector<PairVerdict>& pairs,
 
 std::string reason_of(const Model& model, const UnguardedPair& pair) {
   return pair.why == WhyUnguarded::zone
-             ? concat("touch within ", radius_text(model, pair.radius, pair.joint))
+             ? concat("touch within ", radius_text(model, pair.radius, pair.joint),
+                      pair.is_never_outside ? ", never outside zone" : "")
              : of(pair.why).meaning;
 }
 
@@ -118,7 +120,8 @@ std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs
       unguarded.push_back({pair.a, pair.b, WhyUnguarded::believed});
     } else if (pair.zone) {
       const JointZone& zone = zones[*pair.zone];
-      unguarded.push_back({pair.a, pair.b, WhyUnguarded::zone, zone.joint, zone.shape.radius});
+      unguarded.push_back({pair.a, pair.b, WhyUnguarded::zone, zone.joint, zone.shape.radius,
+                           pair.verdict == MatrixVerdict::never && !pair.is_guarded});
     }
   }
   return unguarded;
@@ -130,9 +133,13 @@ RobotUnguarded fixed_unguarded(const UnguardedPair& pair, double cell) {
           static_cast<std::uint32_t>(std::ceil(pair.radius / cell * kFineOne))};
 }
 
-UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell) {
-  return {fixed.a, fixed.b, fixed.why, fixed.joint == kBase ? kNoJoint : fixed.joint,
-          fixed.radius * cell / kFineOne};
+UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell, bool is_never_outside) {
+  return {fixed.a,
+          fixed.b,
+          fixed.why,
+          fixed.joint == kBase ? kNoJoint : fixed.joint,
+          fixed.radius * cell / kFineOne,
+          is_never_outside};
 }
 
 std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs) {

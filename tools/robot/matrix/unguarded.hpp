@@ -18,9 +18,11 @@ struct UnguardedPair {
   WhyUnguarded why;
   std::size_t joint = kNoJoint;  ///< of a zone
   double radius = 0;             ///< of a zone, in metres
+  /// Of a zone: nothing outside is guarded, since the links never collide there.
+  bool is_never_outside = false;
 };
 
-/// For users: "touch within 0.126 m about elbow".
+/// For users: "touch within 0.126 m about elbow", and ", never outside zone" if so.
 std::string reason_of(const Model& model, const UnguardedPair& pair);
 
 /// The pairs that may collide and that are not guarded, or only outside a zone; in their order.
@@ -29,9 +31,10 @@ std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs
 
 /// Conversions to firmware's form and back.
 RobotUnguarded fixed_unguarded(const UnguardedPair& pair, double cell);
-UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell);
+UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell, bool is_never_outside);
 
-/// "base - arm within 0.1 m about shoulder, arm - hand": the pairs by the names of their links.
+/// "base - arm within 0.1 m about shoulder, arm - hand": the pairs by the names of their links. A
+/// zone is followed by "(never outside zone)" if that is proven.
 std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs);
 
 /// For users: each reason with all its pairs by name, its meaning and a remedy.

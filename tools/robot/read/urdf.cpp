@@ -295,6 +295,13 @@ Model read_urdf(const std::string& path, const Packages& packages, const std::st
       }
     }
   }
+  for (const UrdfJoint& joint : robot.joints) {
+    const std::size_t parent = find_link(model, robot.links[joint.parent].name);
+    const std::size_t child = find_link(model, robot.links[joint.child].name);
+    if (parent != kNoLink && child != kNoLink) {
+      model.adjacent.emplace_back(std::minmax(parent, child));
+    }
+  }
   if (!srdf.empty()) {
     model.disabled = read_srdf(srdf, model, warnings);
   }

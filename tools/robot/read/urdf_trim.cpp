@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robot/read/xml_file.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -34,6 +35,149 @@ void keep_only(TiXmlElement& element, std::initializer_list<std::string_view> na
   });
 }
 
+/// The attributes of an element that has a pose, a size or a limit, and the elements inside that
+/// are read, once each.
+struct ElementRule {
+  std::string_view name;
+  std::vector<std::string_view> attributes;
+  std::vector<std::string_view> inside = {};
+};
+
+const ElementRule kRules[] = {
+    {"joint",
+     {"name", "type"},
+     {"origin", "parent", "child", "axis", "limit", "mimic", "safety_controller"}},
+    {"collision", {"name", "group", "concave"}, {"origin", "geometry"}},
+    {"geometry", {}, {"box", "sphere", "cylinder", "mesh"}},
+    {"origin", {"xyz", "rpy"}},
+    {"parent", {"link"}},
+    {"child", {"link"}},
+    {"axis", {"xyz"}},
+    {"limit",
+     {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk", "damping",
+      "friction"}},
+    {"mimic", {"joint", "multiplier", "offset"}},
+    {"safety_controller",
+     {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity", "k_effort"}},
+    {"box", {"size"}},
+    {"sphere", {"radius"}},
+    {"cylinder", {"radius", "length"}},
+    {"mesh", {"filename", "scale"}},
+};
+
+/// Other programs' elements in a joint or a collision, which move and bound nothing.
+constexpr std::initializer_list<std::string_view> kOtherPrograms = {
+    "calibration",
+    "color",
+    "contact",
+    "contact_coefficients",
+    "dynamics",
+    "gazebo",
+    "hardwareInterface",
+    "hardware_interface",
+    "joint_properties",
+    "material",
+    "max_contacts",
+    "plugin",
+    "properties",
+    "property",
+    "sensor",
+    "surface",
+    "texture",
+    "transmission",
+    "verbose",
+};
+
+/// True if the name has another program's namespace, such as drake:.
+bool is_foreign(const std::string& name) {
+  return name.find(':') != std::string::npos;
+}
+
+template <class Names>
+bool has(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// True of "0 0.0 -0" and the like.
+bool is_zero(const std::string& numbers) {
+  return numbers.find_first_not_of("0.+- \t\r\n") == std::string::npos;
+}
+
+std::string listed(const std::vector<std::string_view>& names) {
+  return joined(names, [](std::string_view name) { return std::string(name); });
+}
+
+/// UserError for what urdfdom skips of a pose, a size or a limit: unknown attributes and elements,
+/// text, and a second element of a name. `place`: of the link or joint.
+void check_element(const TiXmlElement& element, const std::string& place) {
+  const std::string& name = element.ValueStr();
+  const auto rule = std::find_if(std::begin(kRules), std::end(kRules),
+                                 [&](const ElementRule& of) { return of.name == name; });
+  if (rule == std::end(kRules)) {
+    return;
+  }
+  for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    const std::string attribute = a->Name();
+    // Some programs write rpy="0 0 0" into each <axis>.
+    const bool is_idle = name == "axis" && attribute == "rpy" && is_zero(a->ValueStr());
+    if (!has(rule->attributes, attribute) && !is_foreign(attribute) && !is_idle) {
+      throw UserError(place, "has <", name, " ", attribute, "=\"", one_line(a->ValueStr()),
+                      "\">, which URDF does not know; ",
+                      rule->attributes.empty() ? "it has no attributes"
+                                               : "its attributes are " + listed(rule->attributes));
+    }
+  }
+  std::set<std::string> seen;
+  for (const TiXmlNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToText() != nullptr && rule->inside.empty()) {
+      throw UserError(place, "has text in its <", name,
+                      ">, which URDF does not read; its numbers are ", listed(rule->attributes),
+                      ", as attributes");
+    }
+    const TiXmlElement* const inside = node->ToElement();
+    if (inside == nullptr || is_foreign(inside->ValueStr())) {
+      continue;
+    }
+    if (!has(rule->inside, inside->ValueStr())) {
+      if (rule->inside.empty() || !has(kOtherPrograms, inside->ValueStr())) {
+        throw UserError(
+            place, "has <", inside->Value(), "> in <", name, ">, which URDF does not know; ",
+            rule->inside.empty() ? "correct it or leave it out"
+                                 : "correct it or leave it out: it reads " + listed(rule->inside));
+      }
+      continue;
+    }
+    if (!seen.insert(inside->ValueStr()).second) {
+      throw UserError(place, "has two <", inside->Value(), "> in one <", name,
+                      ">; leave one of them out");
+    }
+    check_element(*inside, place);
+  }
+}
+
+/// UserError for shapes of a link that are in no <collision> or <visual>, and for an <origin> of a
+/// link, which moves nothing.
+void check_link(TiXmlElement& link, const std::string& place) {
+  for (const TiXmlElement* e : elements_in(link)) {
+    if (is_one_of(e->ValueStr(), {"collision", "visual", "inertial"}) ||
+        is_foreign(e->ValueStr())) {
+      continue;
+    }
+    if (e->FirstChildElement("geometry") != nullptr ||
+        is_one_of(e->ValueStr(), {"geometry", "box", "sphere", "cylinder", "mesh"})) {
+      throw UserError(place, "has a shape in <", e->Value(),
+                      ">, which URDF does not know; put it into a <collision>");
+    }
+    for (const TiXmlAttribute* a = e->FirstAttribute(); a != nullptr; a = a->Next()) {
+      if (e->ValueStr() == "origin" && !is_zero(a->ValueStr())) {
+        throw UserError(place,
+                        "has an <origin> of its own, which moves nothing in URDF; put it into "
+                        "its <collision>, or into the joint above");
+      }
+    }
+  }
+}
+
 /// Normalises attributes as XML demands (1.0, 3.3.3): tabs and line ends become blanks. Also trims
 /// blanks: urdfdom refuses "0.5 " as a number.
 void normalise_attributes(TiXmlElement& element) {
@@ -56,10 +200,9 @@ void normalise_attributes(TiXmlElement& element) {
 void drop_foreign(TiXmlElement& element, const std::string& place) {
   std::string dropped;
   remove_nodes(element, [&](const TiXmlNode& node) {
-    const bool is_foreign =
-        node.ToElement() != nullptr && node.ValueStr().find(':') != std::string::npos;
-    dropped = is_foreign ? node.ValueStr() : dropped;
-    return is_foreign;
+    const bool is_dropped = node.ToElement() != nullptr && is_foreign(node.ValueStr());
+    dropped = is_dropped ? node.ValueStr() : dropped;
+    return is_dropped;
   });
   if (!dropped.empty() && element.FirstChildElement() == nullptr) {
     throw UserError(place, "has a <collision> whose only shape, <", dropped,
@@ -93,21 +236,24 @@ void check_geometry(TiXmlElement& collision, const std::string& place) {
 UrdfLink trim_link(TiXmlElement& link, const std::string& path, bool visual_too) {
   UrdfLink trimmed;
   trimmed.name = attribute(&link, "name");
+  const std::string place = at_element(path, "link", trimmed.name);
+  check_link(link, place);
   trimmed.has_visual = link.FirstChildElement("visual") != nullptr;
   if (visual_too && link.FirstChildElement("collision") == nullptr) {
     for (TiXmlElement* visual : elements_in(link, "visual")) {
-      keep_only(*visual, {"origin", "geometry"});
       visual->SetValue("collision");
     }
   }
   keep_only(link, {"collision"});
   for (TiXmlElement* collision : elements_in(link)) {
-    check_geometry(*collision, at_element(path, "link", trimmed.name));
+    check_geometry(*collision, place);
+    check_element(*collision, place);
   }
   return trimmed;
 }
 
-void check_limits(TiXmlElement& joint, const std::string& type, const std::string& place) {
+void check_limits(TiXmlElement& joint, const std::string& type, const std::string& place,
+                  Warnings& warnings) {
   TiXmlElement* const limit = joint.FirstChildElement("limit");
   const bool has_range = limit != nullptr && (limit->Attribute("lower") != nullptr ||
                                               limit->Attribute("upper") != nullptr);
@@ -115,19 +261,32 @@ void check_limits(TiXmlElement& joint, const std::string& type, const std::strin
     throw UserError(place, "is ", type, " without limits; give it <limit lower=\"...\" upper=\"...",
                     type == "revolute" ? "\">, or make it continuous" : "\">");
   }
+  for (const char* const end : {"lower", "upper"}) {
+    if (type != "continuous" && joint.FirstChildElement("mimic") == nullptr &&
+        limit->Attribute(end) == nullptr) {
+      warnings.add(place, concat("has a <limit> without ", end, ", which URDF takes for 0; write ",
+                                 end, "=\"0\" if that is meant"));
+    }
+  }
   if (limit != nullptr) {  // urdfdom demands forces and speeds; firmware ignores them
     limit->SetAttribute("effort", "0");
     limit->SetAttribute("velocity", "0");
   }
 }
 
-SoftLimits soft_limits_of(const TiXmlElement& joint) {
+std::optional<double> soft_limit(const TiXmlElement& joint, const char* name,
+                                 const std::string& place) {
   const TiXmlElement* const soft = joint.FirstChildElement("safety_controller");
-  return {parse_number(attribute(soft, "soft_lower_limit")),
-          parse_number(attribute(soft, "soft_upper_limit"))};
+  const std::string text = attribute(soft, name);
+  const std::optional<double> limit = parse_number(text);
+  if (!limit && soft != nullptr && soft->Attribute(name) != nullptr) {
+    throw UserError(place, "has a ", name, " that is no number, ", tool::quoted(one_line(text)),
+                    "; give radians or metres");
+  }
+  return limit;
 }
 
-void trim_joint(TiXmlElement& joint, const std::string& path) {
+SoftLimits trim_joint(TiXmlElement& joint, const std::string& path, Warnings& warnings) {
   const std::string place = at_element(path, "joint", attribute(&joint, "name"));
   const std::string type = attribute(&joint, "type");
   if (is_one_of(type, {"floating", "planar"})) {
@@ -135,16 +294,24 @@ void trim_joint(TiXmlElement& joint, const std::string& path) {
                     ", which firmware does not move; make it fixed, or write it as prismatic and "
                     "revolute joints with links without geometry between");
   }
-  if (type == "fixed") {
+  if (type == "fixed") {  // it reads no axis and no limits, correct or not
+    remove_nodes(joint, [](const TiXmlNode& node) {
+      return is_one_of(node.ValueStr(), {"axis", "limit", "mimic", "safety_controller"});
+    });
+    check_element(joint, place);
     keep_only(joint, {"origin", "parent", "child"});
-    return;
+    return {};
   }
   if (!is_one_of(type, {"revolute", "continuous", "prismatic"})) {
     throw UserError(place, "is of type ", tool::quoted(type),
                     "; use revolute, continuous, prismatic or fixed");
   }
-  check_limits(joint, type, place);
+  check_element(joint, place);
+  check_limits(joint, type, place, warnings);
+  const SoftLimits soft = {soft_limit(joint, "soft_lower_limit", place),
+                           soft_limit(joint, "soft_upper_limit", place)};
   keep_only(joint, {"origin", "parent", "child", "axis", "limit", "mimic"});
+  return soft;
 }
 
 /// The number of the link that <parent> or <child> names.
@@ -170,29 +337,38 @@ void add_joints(TiXmlElement& robot, const std::string& path, TrimmedRobot& trim
   }
 }
 
-/// The robot's only floating joint if its parent is a root without shapes, or null.
-TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
-  TiXmlElement* floating = nullptr;
-  std::set<std::string> children;
-  for (TiXmlElement* e : elements_in(robot, "joint")) {
-    children.insert(attribute(e->FirstChildElement("child"), "link"));
-    if (attribute(e, "type") == "floating") {
-      if (floating != nullptr) {
-        return nullptr;
+/// The links below a joint: its child's, and those of all joints that follow.
+std::set<std::string> links_below(const TiXmlElement& joint,
+                                  const std::vector<TiXmlElement*>& joints) {
+  std::set<std::string> below = {attribute(joint.FirstChildElement("child"), "link")};
+  for (std::size_t before = 0; before != below.size();) {
+    before = below.size();
+    for (const TiXmlElement* e : joints) {
+      if (below.count(attribute(e->FirstChildElement("parent"), "link")) != 0) {
+        below.insert(attribute(e->FirstChildElement("child"), "link"));
       }
-      floating = e;
     }
   }
-  const std::string root =
-      floating == nullptr ? "" : attribute(floating->FirstChildElement("parent"), "link");
+  return below;
+}
+
+/// The robot's only floating joint if all shapes are below it, or null.
+TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
+  const std::vector<TiXmlElement*> joints = elements_in(robot, "joint");
+  const auto floats = [](const TiXmlElement* e) { return attribute(e, "type") == "floating"; };
+  const auto floating = std::find_if(joints.begin(), joints.end(), floats);
+  if (std::count_if(joints.begin(), joints.end(), floats) != 1) {
+    return nullptr;
+  }
+  const std::set<std::string> below = links_below(**floating, joints);
   for (const TiXmlElement* e : elements_in(robot, "link")) {
     const bool has_shapes = e->FirstChildElement("collision") != nullptr ||
                             (visual_too && e->FirstChildElement("visual") != nullptr);
-    if (attribute(e, "name") == root && has_shapes) {
+    if (has_shapes && below.count(attribute(e, "name")) == 0) {
       return nullptr;
     }
   }
-  return children.count(root) == 0 ? floating : nullptr;
+  return *floating;
 }
 
 /// Collisions between a robot's links do not depend on the pose of its base.
@@ -214,12 +390,6 @@ TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual
   parse_xml(std::move(text), path, "robot", document);
   TiXmlElement& robot = *document.RootElement();
   TrimmedRobot trimmed;
-  for (const TiXmlElement* e : elements_in(robot)) {
-    if (e->ValueStr().compare(0, 6, "xacro:") == 0) {
-      throw UserError(path, "is a xacro (it has <", e->Value(),
-                      ">), not yet a URDF; write one with `xacro IN.xacro > OUT.urdf`");
-    }
-  }
   keep_only(robot, {"link", "joint"});
   normalise_attributes(robot);
   fix_floating_base(robot, visual_too, path, warnings);
@@ -227,8 +397,7 @@ TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual
     if (e->ValueStr() == "link") {
       trimmed.links.push_back(trim_link(*e, path, visual_too));
     } else {
-      trimmed.soft_limits.push_back(soft_limits_of(*e));
-      trim_joint(*e, path);
+      trimmed.soft_limits.push_back(trim_joint(*e, path, warnings));
     }
   }
   add_joints(robot, path, trimmed);

@@ -14,6 +14,29 @@ constexpr std::size_t kMostLevels = 1000;
 /// TinyXML reads as many bytes of a character as its first byte announces, even beyond the end.
 constexpr std::size_t kLongestCharacter = 4;
 
+/// UserError if the text is a xacro that is not expanded. `is_top`: of an element in the root.
+void refuse_xacro(const TiXmlElement& element, const std::string& path, bool is_top) {
+  const std::string& name = element.ValueStr();
+  const bool is_old = is_top && (name == "include" || name == "macro" || name == "property");
+  std::string found = name.compare(0, 6, "xacro:") == 0 || is_old ? "<" + name + ">" : "";
+  for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    const std::string& value = a->ValueStr();
+    if (value.find("${") != std::string::npos || value.find("$(") != std::string::npos) {
+      found = one_line(value);
+    }
+  }
+  if (!found.empty()) {
+    const char* const out = path.find(".srdf") == std::string::npos ? "OUT.urdf" : "OUT.srdf";
+    throw UserError(at_line(path, static_cast<std::size_t>(element.Row())), "is a xacro (it has ",
+                    found, "), not yet expanded; write `xacro ", path, " > ", out, "` and name ",
+                    out);
+  }
+  for (const TiXmlElement* e = element.FirstChildElement(); e != nullptr;
+       e = e->NextSiblingElement()) {
+    refuse_xacro(*e, path, false);
+  }
+}
+
 }  // namespace
 
 std::string_view root_element(std::string_view text) {
@@ -58,6 +81,9 @@ void parse_xml(std::string text, const std::string& path, const char* root,
   if (name != root) {
     throw UserError(path, "begins with <", found == nullptr ? "nothing" : found->Value(),
                     ">, not with <", root, ">; name another file");
+  }
+  for (const TiXmlElement* e : elements_in(*document.RootElement())) {
+    refuse_xacro(*e, path, true);
   }
 }
 

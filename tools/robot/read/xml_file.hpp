@@ -13,7 +13,7 @@ namespace flashbvh::tool {
 std::string_view root_element(std::string_view text);
 
 /// Reads a file whose outermost element is <`root`>. UserError if it is missing, malformed, nested
-/// deeper than any robot, or has another root.
+/// deeper than any robot, a xacro that is not expanded, or has another root.
 void read_xml(const std::string& path, const char* root, TiXmlDocument& document);
 /// Parses a text like read_xml(). `path`: for messages.
 void parse_xml(std::string text, const std::string& path, const char* root,
