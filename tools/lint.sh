@@ -45,9 +45,8 @@ lint cli "$expensive" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
-    # tools/compare needs the headers of the libraries that it compares, tools/release has no source, and
-    # tools/npm has sources for another machine.
-    compare | npm | release) ;;
+    # tools/compare needs the headers of the libraries that it compares; tools/npm has no source.
+    compare | npm) ;;
     live) lint live "$expensive" tools/live/live_section.cpp ;; # arm.cpp is for another machine
     python)
       if [ -e "$python/Python.h" ] && [ -e /usr/include/pybind11/pybind11.h ]; then

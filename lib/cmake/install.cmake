@@ -1,5 +1,5 @@
 # cmake --install: headers, the libraries' sources and the CMake package. A native build also installs the
-# libraries and, if it was built, the program with its shell completions.
+# libraries and, if it was built, the program.
 #
 # Firmware needs the libraries with its own compiler and flags, so a cross build that uses the package
 # compiles the installed sources.
@@ -21,17 +21,6 @@ if(TARGET flashbvh_tool)
   install(TARGETS flashbvh_tool EXPORT flashbvhToolTargets
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
-  # Shell completions, as the program prints them.
-  set(scripts ${PROJECT_BINARY_DIR}/completion)
-  foreach(script bash-completion/completions/flashbvh zsh/site-functions/_flashbvh
-      fish/vendor_completions.d/flashbvh.fish)
-    string(REGEX MATCH "^[a-z]+" shell ${script})
-    get_filename_component(folder ${scripts}/${script} DIRECTORY)
-    file(MAKE_DIRECTORY ${folder})
-    install(CODE "execute_process(COMMAND \"$<TARGET_FILE:flashbvh_tool>\" completion ${shell}
-      OUTPUT_FILE \"${scripts}/${script}\" COMMAND_ERROR_IS_FATAL ANY)")
-  endforeach()
-  install(DIRECTORY ${scripts}/ DESTINATION ${CMAKE_INSTALL_DATADIR})
 endif()
 
 foreach(library flashbvh flashbvh_robot_lib)
