@@ -29,10 +29,6 @@ class Failed(Exception):
     pass
 
 
-class LeftOut(Exception):
-    pass
-
-
 def hold(good, otherwise):
     if not good:
         raise Failed(otherwise)
@@ -41,7 +37,8 @@ def hold(good, otherwise):
 def need(*programs):
     missing = [program for program in programs if not shutil.which(program)]
     if missing:
-        raise LeftOut(f"not installed: {' '.join(missing)}")
+        print(f"left out, not installed: {' '.join(missing)}")
+        sys.exit(77)
 
 
 def run(*command):
@@ -99,41 +96,29 @@ def edit(file, *changes):
     Path(file).write_text(text)
 
 
-def own_tool():
-    """A copy of the tool, to be touched."""
-    Path("tool").mkdir()
-    return shutil.copy(FLASHBVH, Path("tool/flashbvh").absolute())
-
-
 def package_in(prefix):
     return next(Path(prefix).absolute().rglob("flashbvhConfig.cmake")).parent
 
 
 def enter_cross_environment():
-    """Sets the compiler of a cross build in the environment; returns whether there is one."""
+    """Sets the compiler of a cross build in the environment."""
+    need("arm-none-eabi-g++")
     Path("toolchain.cmake").write_text("set(CMAKE_SYSTEM_NAME Generic)\nset(CMAKE_SYSTEM_PROCESSOR arm)\n"
                                        "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\n")
-    is_arm = shutil.which("arm-none-eabi-g++") is not None
-    if is_arm:
-        os.environ.update(CC="arm-none-eabi-gcc", CXX="arm-none-eabi-g++", LDFLAGS="--specs=nosys.specs",
-                          CXXFLAGS="-mcpu=cortex-m4 -mthumb -DFOR_THE_TARGET")
-    else:
-        os.environ.update(CC="cc", CXX="c++", CXXFLAGS="-DFOR_THE_TARGET")
-    os.environ.update(CFLAGS=os.environ["CXXFLAGS"], CMAKE_TOOLCHAIN_FILE=str(Path("toolchain.cmake").absolute()))
-    return is_arm
+    flags = "-mcpu=cortex-m4 -mthumb -DFOR_THE_TARGET"
+    os.environ.update(CC="arm-none-eabi-gcc", CXX="arm-none-eabi-g++", LDFLAGS="--specs=nosys.specs", CFLAGS=flags,
+                      CXXFLAGS=flags, CMAKE_TOOLCHAIN_FILE=str(Path("toolchain.cmake").absolute()))
 
 
 def for_the_target(program):
-    hold(Path(program).exists() and Path(program).stat().st_size, f"no {program}")
-    if os.environ["CXX"] != "c++":
-        run("arm-none-eabi-readelf", "-h", program)
-        hold(re.search("Machine: *ARM", log), f"{program} is no ARM program")
+    hold(run("arm-none-eabi-readelf", "-h", program) and re.search("Machine: *ARM", log), f"{program} is no ARM program")
 
 
 def bakes_on_change(baked, program, others, sources, options, header, effect):
     """With Ninja and with make: bakes if one of the sources, the options or the tool changes, and not if others do.
     `options`: the first ones and other ones, which have an effect on the header."""
-    tool = own_tool()
+    Path("tool").mkdir()
+    tool = shutil.copy(FLASHBVH, Path("tool/flashbvh").absolute())  # to be touched
     for generator in GENERATORS:
         configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", options[0], *BARE, generator=generator)
         bakes("built", "the first time", baked)
@@ -234,6 +219,7 @@ def find_package():
     """An installed package: natively with its libraries and its tool; in a cross build it compiles the libraries for
     the target. It can be moved, and contains no path of the machine that built it."""
     made = Path("made").absolute()
+    need("arm-none-eabi-g++")
     hold(run(CMAKE, "--install", f"{FOLDER}/cross/built/flashbvh-host", "--prefix", made), "install")
     prefix = made.rename(made.parent / "moved here")
     # A path that begins there; "${folder}/project" does not refer to a checkout in /project.
@@ -261,19 +247,14 @@ def find_package():
     for_the_target("cross/guard")
 
 
-def install_library():
-    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
-    build("library")
-    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
-
-
 def machine_target():
     """The machine's flags reach firmware only by a target, like Zephyr's: FLASHBVH_LINK passes them to the library and
     the baked meshes, from sources and from a package."""
-    is_arm = enter_cross_environment()
+    enter_cross_environment()
     os.environ.update(CXXFLAGS="", CFLAGS="")
-    flags = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16" if is_arm else "-DFOR_THE_TARGET"
-    install_library()
+    flags = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16"
+    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
+    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
     for way in "add_subdirectory", "find_package":
         configure(way, f"-DWAY={way}", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}",
                   f"-Dflashbvh_DIR={package_in('prefix')}", f"-DMACHINE={flags}", "-DROBOT=",
@@ -286,16 +267,17 @@ def machine_target():
         build(way)
         for_the_target(f"{way}/consumer")
     # Without it, linking fails.
-    if is_arm:
-        configure("wrong", *WITH_TOOL, f"-DMACHINE={flags}", *BARE)
-        hold(not run(CMAKE, "--build", "wrong"), "linked with a library for another machine")
+    configure("wrong", *WITH_TOOL, f"-DMACHINE={flags}", *BARE)
+    hold(not run(CMAKE, "--build", "wrong"), "linked with a library for another machine")
 
 
 def runtime_only():
     """Firmware that links prebaked arrays needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom, yaml-cpp or
     Catch2, whichever way it includes the library."""
     hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "c"), "bake")
-    install_library()
+    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
+    build("library")
+    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
     hold(not Path("prefix/bin").exists(), "a program was installed")
     at = f"-DCMAKE_PREFIX_PATH={Path('prefix').absolute()}"
     for way in "add_subdirectory", "fetch_content", "find_package":  # FetchContent from a local folder
@@ -336,7 +318,7 @@ def two_files():
     # After Arduino.h, whose macros take these names; an older C++ is reported.
     macros = [f"#define {name}(...) +\n" for name in "min max abs round radians degrees sq bit word constrain F".split()]
     macros += [f"#define {name} +\n" for name in "PI B0 B1 A0 A1 HIGH LOW INPUT OUTPUT CHANGE DEFAULT EULER".split()]
-    Path("sketch.cpp").write_text("".join(macros) + "#include <flashbvh.h>\n#include <flashbvh_robot.hpp>\n")
+    Path("sketch.cpp").write_text("#include <stdlib.h>\n" + "".join(macros) + "#include <flashbvh.h>\n#include <flashbvh_robot.hpp>\n")
     hold(run(*cxx, "-fsyntax-only", "sketch.cpp"), "Arduino's macros")
     hold(not run(*cxx, "-std=c++14", "-fsyntax-only", "sketch.cpp") and "flashbvh is C++17: set" in log, "C++14")
 
@@ -443,8 +425,5 @@ if __name__ == "__main__":
     enter(chosen.__name__)
     try:
         chosen()
-    except LeftOut as reason:
-        print(f"left out: {reason}")
-        sys.exit(77)
     except Failed as failure:
         sys.exit("\n".join([f"FAILED: {failure}", *log.splitlines()[-40:]]))
