@@ -382,7 +382,7 @@ def manifests():
 def lib_alone():
     """`lib`, copied alone, builds by its CMake file and by `g++ -c` of its sources."""
     shutil.copytree(f"{ROOT}/lib", "alone")
-    configure("built", source="alone")
+    configure("built", "-Werror=dev", source="alone")
     build("built")
     hold(Path("built/libflashbvh_robot.a").exists(), "no library")
     hold(run(*LAUNCHER.split(), "g++", "-std=c++17", "-Ialone/include", "-c", *Path("alone/src").glob("*/*.cpp")), "g++ -c")
