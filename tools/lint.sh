@@ -45,9 +45,8 @@ lint cli "$expensive" tools/cli/*.cpp tools/cli/*/*.cpp tools/evaluate/*.cpp
 for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
-    # tools/compare needs the headers of OPCODE, tools/release has no source, and
-    # tools/npm has sources for another machine.
-    compare | npm | release) ;;
+    # tools/compare needs the headers of OPCODE; tools/npm has no source.
+    compare | npm) ;;
     viewer) lint viewer "$expensive" tools/viewer/live_section.cpp ;; # arm.cpp is for another machine
     python)
       if [ -e "$python/Python.h" ] && [ -e /usr/include/pybind11/pybind11.h ]; then

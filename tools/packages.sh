@@ -43,12 +43,6 @@ riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf libstdc++-a
 # Compiles the WebAssembly of interactive pages.
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
-# Builds and checks a release's packages.
-release_packages="arduino-builder debhelper dh-python dpkg-dev help2man libxml2-utils lintian python3-dateutil
-  python3-jsonschema python3-kconfiglib python3-pip python3-pykwalify python3-ruamel.yaml
-  python3-setuptools python3-wheel python3-yaml"
-# The program for machines without Debian: compilers and emulators.
-archive_packages="$live_packages dpkg-dev emscripten g++-mingw-w64-x86-64-posix libutfcpp-dev nodejs wine64"
 # The Python package and its tests.
 python_packages="pybind11-dev python3-dev python3-matplotlib python3-numpy mypy"
 # Checks the proofs (tools/prove.sh).

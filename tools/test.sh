@@ -7,8 +7,7 @@
 #                   otherwise run natively and on the Cortex-M4F (on a Cortex-M0 what a core has of
 #                   its own: answers, arithmetic, stack, bounds, figures; of the others answers and
 #                   arithmetic); random tests with all their tries, compilers in all ways, libFuzzer;
-#                   builds of others that build the host program; a deeper lint; the packages of a
-#                   release.
+#                   builds of others that build the host program; a deeper lint.
 #
 # A step (tools/test_step.sh) a core, side by side; what each prints is in build/log. Says at the end
 # where the minutes went. Installs what is missing.
@@ -19,14 +18,13 @@ cd "$(dirname "$0")/.."
 host_steps="tool lint native long python"
 cores= list=--steps at_once=$(nproc)
 packages="$riscv_packages $wasm_packages $digest_packages $python_packages clang-tidy"
-release=
 case ${1:-} in
   "") ;;
   --quick) host_steps=library cores=netduinoplus2 packages= at_once=1
     export FLASHBVH_QUICK=ON ;;
-  --all) list=--all packages="$packages" release=yes
+  --all) list=--all
     export FLASHBVH_ALL_TESTS=ON FLASHBVH_THOROUGH=yes FLASHBVH_DEEP_LINT=yes ;;
-  *) sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 ensure_packages $host_packages $sanitizer_packages $oracle_packages $board_packages $packages $test_packages
 
@@ -44,7 +42,6 @@ echo formatting configured | xargs -n 1 -P "$(nproc)" tools/test_step.sh
 # The longest steps start first, so that none is left over at the end. All wait for `tool` except lint, which keeps
 # the other core busy while `tool` bakes.
 echo $host_steps $cores | xargs -n 1 -P "$at_once" tools/test_step.sh
-[ -z "$release" ] || tools/release.sh --test
 python3 - "$(($(date +%s) - began))" "$(nproc)" <<'PYTHON'
 import sys
 def seconds_in(time):

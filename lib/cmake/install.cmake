@@ -6,10 +6,10 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/flashbvh)
-set(source_folder ${CMAKE_INSTALL_DATADIR}/flashbvh/src)
+set(source_folder ${CMAKE_INSTALL_DATADIR}/flashbvh)
 
 install(DIRECTORY lib/include/flashbvh DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY lib/src/ DESTINATION ${source_folder})
+install(DIRECTORY lib/ DESTINATION ${source_folder} PATTERN docs EXCLUDE)
 install(FILES lib/cmake/flashbvh_add_mesh.cmake lib/cmake/flashbvh_add_robot.cmake
   lib/cmake/host_tool.cmake DESTINATION ${package_folder})
 if(NOT CMAKE_CROSSCOMPILING)
@@ -23,14 +23,10 @@ if(TARGET flashbvh_tool)
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
 endif()
 
-foreach(library flashbvh flashbvh_robot_lib)
-  get_target_property(${library}_sources ${library} SOURCES)
-  list(TRANSFORM ${library}_sources REPLACE "^src/" "")
-endforeach()
 configure_package_config_file(lib/cmake/flashbvhConfig.cmake.in
   ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
   INSTALL_DESTINATION ${package_folder}
-  PATH_VARS source_folder CMAKE_INSTALL_INCLUDEDIR
+  PATH_VARS source_folder
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 # Valid for any architecture, because the package contains the sources.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake

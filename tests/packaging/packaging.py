@@ -1,13 +1,16 @@
-"""packaging.py WAY: flashbvh in the build of a firmware project (consumer/), in its own folder.
+"""packaging.py WAY: flashbvh as its users build it, in a folder of the way: in a firmware project (consumer/), as the two
+files, as a package.
 
 WAY names a function below. Environment: FLASHBVH, the tool; ROOT, the repository; FOLDER, the parent of the ways'
 folders; CMAKE.
 """
+import json
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tarfile
 from pathlib import Path
 
 ROOT, FOLDER, FLASHBVH, CMAKE = (os.environ[name] for name in ("ROOT", "FOLDER", "FLASHBVH", "CMAKE"))
@@ -16,6 +19,7 @@ GENERATORS = "Ninja", "Unix Makefiles"
 # No package but the compiler's: the build must not look for these.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
         ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom", "yaml-cpp")]
+LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
 WITH_TOOL = [*IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
 log = ""
@@ -28,6 +32,13 @@ class Failed(Exception):
 def hold(good, otherwise):
     if not good:
         raise Failed(otherwise)
+
+
+def need(*programs):
+    missing = [program for program in programs if not shutil.which(program)]
+    if missing:
+        print(f"left out, not installed: {' '.join(missing)}")
+        sys.exit(77)
 
 
 def run(*command):
@@ -85,41 +96,29 @@ def edit(file, *changes):
     Path(file).write_text(text)
 
 
-def own_tool():
-    """A copy of the tool, to be touched."""
-    Path("tool").mkdir()
-    return shutil.copy(FLASHBVH, Path("tool/flashbvh").absolute())
-
-
 def package_in(prefix):
     return next(Path(prefix).absolute().rglob("flashbvhConfig.cmake")).parent
 
 
 def enter_cross_environment():
-    """Sets the compiler of a cross build in the environment; returns whether there is one."""
+    """Sets the compiler of a cross build in the environment."""
+    need("arm-none-eabi-g++")
     Path("toolchain.cmake").write_text("set(CMAKE_SYSTEM_NAME Generic)\nset(CMAKE_SYSTEM_PROCESSOR arm)\n"
                                        "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\n")
-    is_arm = shutil.which("arm-none-eabi-g++") is not None
-    if is_arm:
-        os.environ.update(CC="arm-none-eabi-gcc", CXX="arm-none-eabi-g++", LDFLAGS="--specs=nosys.specs",
-                          CXXFLAGS="-mcpu=cortex-m4 -mthumb -DFOR_THE_TARGET")
-    else:
-        os.environ.update(CC="cc", CXX="c++", CXXFLAGS="-DFOR_THE_TARGET")
-    os.environ.update(CFLAGS=os.environ["CXXFLAGS"], CMAKE_TOOLCHAIN_FILE=str(Path("toolchain.cmake").absolute()))
-    return is_arm
+    flags = "-mcpu=cortex-m4 -mthumb -DFOR_THE_TARGET"
+    os.environ.update(CC="arm-none-eabi-gcc", CXX="arm-none-eabi-g++", LDFLAGS="--specs=nosys.specs", CFLAGS=flags,
+                      CXXFLAGS=flags, CMAKE_TOOLCHAIN_FILE=str(Path("toolchain.cmake").absolute()))
 
 
 def for_the_target(program):
-    hold(Path(program).exists() and Path(program).stat().st_size, f"no {program}")
-    if os.environ["CXX"] != "c++":
-        run("arm-none-eabi-readelf", "-h", program)
-        hold(re.search("Machine: *ARM", log), f"{program} is no ARM program")
+    hold(run("arm-none-eabi-readelf", "-h", program) and re.search("Machine: *ARM", log), f"{program} is no ARM program")
 
 
 def bakes_on_change(baked, program, others, sources, options, header, effect):
     """With Ninja and with make: bakes if one of the sources, the options or the tool changes, and not if others do.
     `options`: the first ones and other ones, which have an effect on the header."""
-    tool = own_tool()
+    Path("tool").mkdir()
+    tool = shutil.copy(FLASHBVH, Path("tool/flashbvh").absolute())  # to be touched
     for generator in GENERATORS:
         configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", options[0], *BARE, generator=generator)
         bakes("built", "the first time", baked)
@@ -201,16 +200,6 @@ def cells():
     hold(not Path("built/flashbvh/more/tool.fbvh").exists(), "an image that was not requested")
 
 
-def fetch_content():
-    """FetchContent from a local folder, with images next to the code."""
-    configure("built", "-DWAY=fetch_content", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}",
-              "-DOPTIONS=FORMAT;both;UNIT;mm", *BARE)
-    bakes("built", "the first time")
-    answers("built/consumer")
-    hold(run(FLASHBVH, "check", "built/flashbvh/parts/peg.fbvh", "--mesh", "firmware/peg.obj"), "no image")
-    rests("built")
-
-
 def cross():
     """A cross build with its compiler, flags and toolchain file in the environment: they apply to the library and the
     baked code, not to the tool, which the project builds for this machine."""
@@ -230,6 +219,7 @@ def find_package():
     """An installed package: natively with its libraries and its tool; in a cross build it compiles the libraries for
     the target. It can be moved, and contains no path of the machine that built it."""
     made = Path("made").absolute()
+    need("arm-none-eabi-g++")
     hold(run(CMAKE, "--install", f"{FOLDER}/cross/built/flashbvh-host", "--prefix", made), "install")
     prefix = made.rename(made.parent / "moved here")
     # A path that begins there; "${folder}/project" does not refer to a checkout in /project.
@@ -257,18 +247,12 @@ def find_package():
     for_the_target("cross/guard")
 
 
-def install_library():
-    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
-    build("library")
-    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
-
-
 def machine_target():
     """The machine's flags reach firmware only by a target, like Zephyr's: FLASHBVH_LINK passes them to the library and
     the baked meshes, from sources and from a package."""
-    is_arm = enter_cross_environment()
+    enter_cross_environment()
     os.environ.update(CXXFLAGS="", CFLAGS="")
-    flags = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16" if is_arm else "-DFOR_THE_TARGET"
+    flags = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16"
     configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
     hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
     for way in "add_subdirectory", "find_package":
@@ -283,19 +267,20 @@ def machine_target():
         build(way)
         for_the_target(f"{way}/consumer")
     # Without it, linking fails.
-    if is_arm:
-        configure("wrong", *WITH_TOOL, f"-DMACHINE={flags}", *BARE)
-        hold(not run(CMAKE, "--build", "wrong"), "linked with a library for another machine")
+    configure("wrong", *WITH_TOOL, f"-DMACHINE={flags}", *BARE)
+    hold(not run(CMAKE, "--build", "wrong"), "linked with a library for another machine")
 
 
 def runtime_only():
     """Firmware that links prebaked arrays needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom, yaml-cpp or
     Catch2, whichever way it includes the library."""
     hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "c"), "bake")
-    install_library()
+    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
+    build("library")
+    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
     hold(not Path("prefix/bin").exists(), "a program was installed")
     at = f"-DCMAKE_PREFIX_PATH={Path('prefix').absolute()}"
-    for way in "add_subdirectory", "fetch_content", "find_package":
+    for way in "add_subdirectory", "fetch_content", "find_package":  # FetchContent from a local folder
         configure(way, f"-DWAY={way}", f"-DFLASHBVH_ROOT={ROOT}", f"-DBAKED={Path('baked').absolute()}", at, *BARE)
         build(way)
         answers(f"{way}/consumer")
@@ -309,6 +294,110 @@ def runtime_only():
     refuses("assimp not found: apt-get install .*FLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
 
 
+def two_files():
+    """The two files, compiled with all warnings, answer like the library: the digest and a robot's guard; C's is C99."""
+    hold(run(f"{ROOT}/tools/amalgamation.py", "two"), "two files")
+    warnings = "-Wall -Wextra -Wconversion -Wshadow -Wdouble-promotion -Werror -Wno-sign-conversion".split()
+    cxx = [*LAUNCHER.split(), "g++", "-std=c++17", "-ffp-contract=off", "-Itwo"]
+    for file in "flashbvh", "flashbvh_robot":
+        hold(run(*cxx, *warnings, "-c", f"two/{file}.cpp", "-o", f"{file}.o"), file)
+    # The digest uses names of detail/ that the two files hide; everything else comes from them.
+    hold(run(*cxx, *Path(ROOT, "tests/digest").glob("*.cpp"), "flashbvh.o", f"-I{ROOT}/tests", "-idirafter",
+             f"{ROOT}/lib/include", "-o", "digest"), "the digest")
+    answers("digest")
+    hold("3584 queries" in log, "no digest")
+    example = Path(ROOT, "firmware_examples/robot_guard")
+    arm = example / "cell_arm"
+    hold(run(FLASHBVH, "robot", arm / "cell_arm.urdf", "--stop", "0.005", "--warn", "0.03", "-o", "."), "robot")
+    hold(run(*cxx, "-I.", f"-I{example}", f"-I{arm}", f"-I{ROOT}/firmware_examples/host", example / "main.cpp", "-x", "c++",
+             "cell_arm.robot.c", "-x", "none", "flashbvh.o", "flashbvh_robot.o", "-o", "guard"), "the guard")
+    answers("guard")
+    hold(re.fullmatch(re.escape((arm / "expected.txt").read_text()).replace(r"\#", r"\d*"), log), "the guard's answers")
+    Path("c.c").write_text('#include "flashbvh.h"\nint main(void) { return FLASHBVH_STATUS_DONE; }\n')
+    hold(run("cc", "-std=c99", "-pedantic", *warnings, "-Itwo", "-c", "c.c"), "C99")
+    # After Arduino.h, whose macros take these names; an older C++ is reported.
+    macros = [f"#define {name}(...) +\n" for name in "min max abs round radians degrees sq bit word constrain F".split()]
+    macros += [f"#define {name} +\n" for name in "PI B0 B1 A0 A1 HIGH LOW INPUT OUTPUT CHANGE DEFAULT EULER".split()]
+    Path("sketch.cpp").write_text("#include <stdlib.h>\n" + "".join(macros) + "#include <flashbvh.h>\n#include <flashbvh_robot.hpp>\n")
+    hold(run(*cxx, "-fsyntax-only", "sketch.cpp"), "Arduino's macros")
+    hold(not run(*cxx, "-std=c++14", "-fsyntax-only", "sketch.cpp") and "flashbvh is C++17: set" in log, "C++14")
+
+
+def copied():
+    """quick_start, copied out of the tree: make builds it with the two files for a Cortex-M4F; QEMU runs it."""
+    need("arm-none-eabi-g++", "qemu-system-arm", "make")
+    hold(run(f"{ROOT}/tools/amalgamation.py", "two"), "two files")
+    shutil.copytree(f"{ROOT}/firmware_examples/quick_start", "copied", ignore=shutil.ignore_patterns("build"))
+    del os.environ["FLASHBVH"]  # which the Makefile reads, too
+    os.environ["PATH"] = f"{Path(FLASHBVH).parent}:{os.environ['PATH']}"
+    make = ["make", "-s", "--no-print-directory", "-C", "copied/cortex_m4", f"CC={LAUNCHER} arm-none-eabi-gcc -Werror",
+            f"CXX={LAUNCHER} arm-none-eabi-g++ -Werror"]
+    hold(not run(*make) and "no flashbvh in FLASHBVH=../../flashbvh: name the folder" in log, "no message")
+    make.append(f"FLASHBVH={Path('two').absolute()}")
+    hold(run(*make), "make")
+    hold(run(*make, "run") and log == Path("copied/expected.txt").read_text(), "other answers")
+    # A changed mesh is baked again: over a plate a millimetre higher, the peg is not free.
+    edit("copied/plate.obj", (" 0\n", " 1\n"))
+    hold(not run(*make, "run") and "0.5 mm above the plate: touches\n" in log, "not the plate as it is")
+    # In C: the guide's program, which exits with 0 if its answers are right.
+    shutil.copy(f"{ROOT}/firmware_examples/quick_start/plate.obj", "copied")
+    for file in "copied/main.cpp", "copied/cortex_m4/build/main.o", "copied/cortex_m4/build/main.d":
+        os.remove(file)
+    shutil.copy(f"{ROOT}/tests/docs/guide.c", "copied/main.c")
+    hold(run(sys.executable, f"{ROOT}/tests/docs/snippets.py", "copied"), "snippets")
+    hold(run(*make, "run"), "C")
+
+
+def version():
+    return ".".join(re.findall(r"_(?:MAJOR|MINOR|PATCH) (\d+)", Path(ROOT, "lib/include/flashbvh/version.hpp").read_text()))
+
+
+def manifests():
+    """Each manifest has the library's version and names what is there; ESP-IDF and Zephyr are given all sources."""
+    hold(run(f"{ROOT}/tools/amalgamation.py", "two"), "two files")
+    lib = Path(ROOT, "lib")
+    arduino = dict(line.split("=", 1) for line in Path("two/library.properties").read_text().splitlines())
+    platformio = json.loads((lib / "library.json").read_text())
+    esp_idf, zephyr = (dict(re.findall(r"^ *(\w+): *(.*)$", (lib / file).read_text(), re.M))
+                       for file in ("idf_component.yml", "zephyr/module.yml"))
+    build = platformio["build"]
+    versions = arduino["version"], platformio["version"], esp_idf["version"].strip('"')
+    hold({*versions} == {version()}, f"versions: {versions}")
+    for path in (Path("two", arduino["includes"]), lib / build["srcDir"], lib / zephyr["cmake"] / "CMakeLists.txt",
+                 lib / zephyr["kconfig"], *(lib / build["includeDir"] / name for name in platformio["headers"])):
+        hold(path.exists(), f"no {path}")
+    calls = "idf_component_register", "zephyr_include_directories", "zephyr_library_named", "zephyr_library_sources"
+    Path("calls.cmake").write_text("".join(f'macro({call})\nmessage("{call};${{ARGN}}")\nendmacro()\n' for call in calls)
+                                   + "include(${FILE})\n")
+    sources = {file.resolve() for file in lib.glob("src/*/*.cpp")}
+    robot = {file for file in sources if re.search(r"/(robot/|c/c_robot_)[^/]*$", str(file))}
+    for file, options, given in (("CMakeLists.txt", ["ESP_PLATFORM"], sources), ("zephyr/CMakeLists.txt", [], set()),
+                                 ("zephyr/CMakeLists.txt", ["CONFIG_FLASHBVH"], sources - robot),
+                                 ("zephyr/CMakeLists.txt", ["CONFIG_FLASHBVH", "CONFIG_FLASHBVH_ROBOT"], sources)):
+        hold(run(CMAKE, f"-DFILE={lib / file}", *(f"-D{option}=y" for option in options), "-P", "calls.cmake"), file)
+        named = {Path(name).resolve() for name in re.findall(r"[^;\n]+\.cpp", log)}
+        hold(named == given, f"{file}, {options}: other sources")
+
+
+def lib_alone():
+    """`lib`, copied alone, builds by its CMake file and by `g++ -c` of its sources."""
+    shutil.copytree(f"{ROOT}/lib", "alone")
+    configure("built", "-Werror=dev", source="alone")
+    build("built")
+    hold(Path("built/libflashbvh_robot.a").exists(), "no library")
+    hold(run(*LAUNCHER.split(), "g++", "-std=c++17", "-Ialone/include", "-c", *Path("alone/src").glob("*/*.cpp")), "g++ -c")
+
+
+def npm():
+    """The program as npm package, from nothing, bakes what this one bakes."""
+    need("emcc", "node")
+    hold(run(f"{ROOT}/tools/npm/build.py"), "build.py")
+    tarfile.open(f"{ROOT}/build/npm/flashbvh-{version()}.tgz").extractall()
+    for folder, program in ("native", FLASHBVH), ("node", "package/flashbvh.js"):
+        hold(run(program, "bake", "firmware/plate.obj", "firmware/peg.obj", "--unit", "mm", "-o", folder), program)
+    hold(run("diff", "-r", "native", "node"), "other bytes")
+
+
 def enter(way):
     """A separate folder with the firmware project. Programs compiled there hardly run, so they are unoptimised."""
     work = Path(FOLDER, way)
@@ -319,13 +408,14 @@ def enter(way):
     for mesh in Path(ROOT, "firmware_examples/quick_start").glob("*.obj"):
         shutil.copy(mesh, "firmware")
     launcher = Path("unoptimised").absolute()
-    launcher.write_text(f'#!/bin/sh\nexec {os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")} "$@" -O0\n')
+    launcher.write_text(f'#!/bin/sh\nexec {LAUNCHER} "$@" -O0\n')
     launcher.chmod(0o755)
     os.environ.update(CMAKE_C_COMPILER_LAUNCHER=str(launcher), CMAKE_CXX_COMPILER_LAUNCHER=str(launcher))
 
 
-WAYS = (add_subdirectory, fetch_content, cells, machine_target, runtime_only, robot, cross, find_package)
-THOROUGH_WAYS = (machine_target, cross, find_package)
+WAYS = (add_subdirectory, cells, machine_target, runtime_only, robot, cross, find_package, two_files, copied, manifests,
+        lib_alone, npm)
+THOROUGH_WAYS = (machine_target, cross, find_package, npm)
 
 if __name__ == "__main__":
     chosen = next(way for way in WAYS if way.__name__ == sys.argv[1])

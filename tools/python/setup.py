@@ -1,4 +1,4 @@
-"""Builds the package from a checkout or from its source archive: CMake makes the module, setuptools the wheel.
+"""Builds the package from a checkout: CMake makes the module, setuptools the wheel.
 
 Offline, with Debian's packages: pip install --no-build-isolation ./tools/python
 """
@@ -12,7 +12,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
-ROOT = next(folder for folder in (HERE, *HERE.parents) if (folder / "lib/include/flashbvh/version.hpp").exists())
+ROOT = HERE.parents[1]
 WORK = ROOT / "build/pip"  # keeps build files out of the sources
 
 

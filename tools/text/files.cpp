@@ -46,11 +46,7 @@ class Rollback {
   std::vector<fs::path> made_;
 };
 
-#ifdef _WIN32
-constexpr std::array kEnding = {SIGINT, SIGTERM};
-#else
 constexpr std::array kEnding = {SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
-#endif
 
 volatile std::sig_atomic_t held_signal = 0;  // the last received signal; 0 if none
 

@@ -6,4 +6,4 @@ set(options ENVIRONMENT=node NODERAWFS WASM_ASYNC_COMPILATION=0 EXIT_RUNTIME ALL
   NODEJS_CATCH_EXIT=0 NODEJS_CATCH_REJECTION=0)
 list(TRANSFORM options PREPEND "-s")
 list(JOIN options " " options)
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-fwasm-exceptions ${options} --pre-js ${CMAKE_CURRENT_LIST_DIR}/../../npm/before.js")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-fwasm-exceptions ${options} --pre-js ${CMAKE_CURRENT_LIST_DIR}/before.js")
