@@ -27,7 +27,7 @@ ensure_packages() {
 }
 
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev
-  liburdfdom-dev nlohmann-json3-dev libyaml-cpp-dev catch2 python3"
+  liburdfdom-dev nlohmann-json3-dev catch2 python3"
 test_packages="ccache clang-format doxygen"
 # The sanitizers and the fuzzer; without the fuzzer, tests only replay the corpora.
 sanitizer_packages="clang lld libclang-rt-14-dev"

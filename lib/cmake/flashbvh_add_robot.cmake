@@ -1,5 +1,5 @@
 # flashbvh_add_robot(name URDF file [VISUAL_TOO]
-#                    [PACKAGE name=folder]... [SRDF file] [JOINT_LIMITS file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n]
+#                    [PACKAGE name=folder]... [SRDF file] [BELIEVE link,link]... [CELL length] [LEAF_SIZE n]
 #                    [SIMPLIFY length] [FIT bytes] [STOP length]
 #                    [WARN length] [PAIR link,link=stop[,warn]]... [ZONE joint=length]... [TIME seconds] [FORMAT c|image|both])
 #
@@ -8,12 +8,12 @@
 # view_robot_unchecked(), and has flashbvh::robot. FORMAT image makes no code: each target that links the
 # library gets the folder of <name>.robot, an image for open_robot(), as an include folder, for .incbin.
 # FORMAT both makes both. The options are those of `flashbvh robot`; lengths
-# are in metres. The build bakes the robot again if its file, the SRDF, the joint limits, a mesh, an included
+# are in metres. The build bakes the robot again if its file, the SRDF, a mesh, an included
 # file, an option or the tool changes; the tool lists the files in a depfile.
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_robot name)
-  set(files URDF SRDF JOINT_LIMITS)
+  set(files URDF SRDF)
   set(single CELL LEAF_SIZE SIMPLIFY FIT STOP WARN TIME FORMAT)
   cmake_parse_arguments(PARSE_ARGV 1 arg "VISUAL_TOO" "${files};${single}" "PACKAGE;PAIR;ZONE;BELIEVE")
   set(odd ${arg_PACKAGE} ${arg_PAIR} ${arg_ZONE})
@@ -54,7 +54,7 @@ function(flashbvh_add_robot name)
   elseif(arg_FORMAT STREQUAL "c")
     set(image "")
   endif()
-  flashbvh_set_options(VISUAL_TOO SRDF JOINT_LIMITS ${single} PACKAGE PAIR ZONE BELIEVE)
+  flashbvh_set_options(VISUAL_TOO SRDF ${single} PACKAGE PAIR ZONE BELIEVE)
   set(depfile ${folder}/${name}.robot.d)
   flashbvh_add_baked(${name} flashbvh::robot ${folder} "${code}" "${image}"
     "robot;${arg_URDF};--name;${name};--depfile;${depfile};${options}" "${depends}" DEPFILE ${depfile})

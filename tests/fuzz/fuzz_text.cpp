@@ -1,7 +1,7 @@
 // Arbitrary bytes as one of the tool's text formats other than meshes: read, or refused with a
 // message that names the place.
 //
-// The input: a line with the kind (urdf, srdf, limits, poses, values: a trajectory), then the file.
+// The input: a line with the kind (urdf, srdf, poses, values: a trajectory), then the file.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -84,8 +84,6 @@ void read(const std::string& kind, const std::string& path) {
   } else if (kind == "srdf") {
     const std::vector<DisabledPair> pairs = read_srdf(path, arm(), warnings);
     change(path, !pairs.empty());
-  } else if (kind == "limits") {
-    check(read_urdf(MemoryFile(kArm).path(), {}, "", warnings, path));
   } else if (kind == "poses") {
     (void)read_lattice_poses(path, 0.001);
     (void)read_lattice_poses(path, 0.001, /*as_floats=*/true);
@@ -105,8 +103,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string input(reinterpret_cast<const char*>(bytes), size);
   const std::size_t end = input.find('\n');
   const std::string kind = input.substr(0, end);
-  if (end == std::string::npos || (kind != "urdf" && kind != "srdf" && kind != "limits" &&
-                                   kind != "poses" && kind != "values")) {
+  if (end == std::string::npos ||
+      (kind != "urdf" && kind != "srdf" && kind != "poses" && kind != "values")) {
     return 0;
   }
   const MemoryFile file(input.substr(end + 1));

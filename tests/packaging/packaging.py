@@ -18,7 +18,7 @@ HERE = Path(__file__).resolve().parent
 GENERATORS = "Ninja", "Unix Makefiles"
 # No package but the compiler's: the build must not look for these.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
-        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom", "yaml-cpp")]
+        ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom")]
 LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
 WITH_TOOL = [*IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
@@ -272,7 +272,7 @@ def machine_target():
 
 
 def runtime_only():
-    """Firmware that links prebaked arrays needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom, yaml-cpp or
+    """Firmware that links prebaked arrays needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom or
     Catch2, whichever way it includes the library."""
     hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "c"), "bake")
     configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)

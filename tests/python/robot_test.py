@@ -62,15 +62,11 @@ class RobotTest(Scene):
     def test_files_and_sizes_are_those_of_the_program(self):
         (self.folder / "elsewhere").mkdir()
         program.write_obj(self.folder / "elsewhere/peg.obj", *shapes.torus(24, 12, 0.03, 0.01))
-        limits = self.folder / "limits.yaml"
-        limits.write_text(
-            "joint_limits:\n  fold:\n    has_position_limits: true\n    min_position: -1.0\n    max_position: 1.0\n")
         mesh = '<mesh filename="package://parts/peg.obj"/>'
         urdf = self.folder / "meshes.urdf"
         urdf.write_text(arm.URDF.replace('<box size="0.02 0.02 0.1"/>', mesh, 1).replace("<collision>", "<visual>", 1)
                         .replace("</collision>", "</visual>", 1))
         for options, words in (({}, []), ({"visual_too": True}, ["--visual-too"]),
-                               ({"joint_limits": limits}, ["--joint-limits", limits]),
                                ({"simplify": 0.002}, ["--simplify", "0.002"]), ({"fit": 12000}, ["--fit", "12000"]),
                                ({"fit": 12000, "leaf_size": 2}, ["--fit", "12000", "--leaf-size", "2"])):
             with self.subTest(words), warnings.catch_warnings():

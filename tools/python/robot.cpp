@@ -36,8 +36,7 @@ using Text = std::optional<std::string>;
 
 std::unique_ptr<Robot> robot_of_urdf(const py::object& urdf, const std::string& stop,
                                      const Text& warn_length, const py::object& srdf,
-                                     const Texts& believed, const Texts& packages,
-                                     const py::object& joint_limits, bool visual_too,
+                                     const Texts& believed, const Texts& packages, bool visual_too,
                                      const Text& cell, std::optional<std::uint32_t> leaf_size,
                                      const Text& simplify, const Text& fit, const Texts& pairs,
                                      const Texts& zones, const Text& time) {
@@ -48,7 +47,6 @@ std::unique_ptr<Robot> robot_of_urdf(const py::object& urdf, const std::string& 
   arguments.srdf = srdf.is_none() ? "" : path_of(srdf);
   arguments.believed = believed;
   arguments.packages = packages;
-  arguments.joint_limits = joint_limits.is_none() ? "" : path_of(joint_limits);
   arguments.visual_too = visual_too;
   arguments.cell = cell;
   arguments.has_leaf_size = leaf_size.has_value();

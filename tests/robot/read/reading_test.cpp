@@ -323,7 +323,7 @@ TEST_CASE("visual shapes collide where they are all that a link has, and only if
       "has a <visual> but no <collision>: it collides with nothing; give it a <collision>, or let "
       "all such links collide by their visual shapes: --visual-too");
   tool::Warnings warnings;
-  const tool::Model model = tool::read_urdf(files.path("arm.urdf"), {}, "", warnings, "", true);
+  const tool::Model model = tool::read_urdf(files.path("arm.urdf"), {}, "", warnings, true);
   CHECK(warnings.all().empty());
   REQUIRE(model.links.size() == 3);
   CHECK(model.links[1].mesh.vertices[7] == std::array<double, 3>{1.5, 0.5, 0.5});

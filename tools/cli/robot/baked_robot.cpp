@@ -333,7 +333,7 @@ std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& 
 Model described_robot(const RobotArguments& arguments, Warnings& warnings) {
   (void)usual_distances(arguments);
   Model model = read_urdf(arguments.urdf, packages_of(arguments.packages), arguments.srdf, warnings,
-                          arguments.joint_limits, arguments.visual_too);
+                          arguments.visual_too);
   check_counts(model, arguments.urdf);
   for (const std::string& names : arguments.believed) {
     const std::string place = "--believe " + names;

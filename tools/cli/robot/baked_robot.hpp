@@ -26,7 +26,6 @@ namespace flashbvh::tool {
 struct RobotArguments {
   std::string urdf;
   std::vector<std::string> packages;
-  std::string joint_limits;
   bool visual_too = false;
   std::string srdf;
   std::vector<std::string> believed;  ///< pairs of the SRDF to believe
@@ -43,7 +42,7 @@ struct RobotArguments {
   bool progress = false;
 };
 
-/// Declares the robot's file, its packages, its joint limits and --visual-too.
+/// Declares the robot's file, its packages and --visual-too.
 void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments);
 /// Declares all options of a robot: all commands share them and describe the same robot.
 void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments);

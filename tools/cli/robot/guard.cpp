@@ -232,8 +232,8 @@ struct Guarded {
 /// given options of add_robot_options(), which are for baking.
 BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
   for (const char* const option :
-       {"--package", "--joint-limits", "--visual-too", "--srdf", "--believe", "--cell",
-        "--leaf-size", "--simplify", "--fit", "--stop", "--warn", "--pair", "--zone", "--time"}) {
+       {"--package", "--visual-too", "--srdf", "--believe", "--cell", "--leaf-size", "--simplify",
+        "--fit", "--stop", "--warn", "--pair", "--zone", "--time"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");

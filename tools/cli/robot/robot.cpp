@@ -158,10 +158,8 @@ void add_robot(CLI::App& app) {
   add_option(command, "--name", a.name, "NAME",
              "Name of the files and their contents; default: that of the robot")
       ->check([](const std::string& name) { return name.empty() ? "is empty; give a name" : ""; });
-  add_option(
-      command, "--depfile", a.depfile, "FILE",
-      "Write what was read, for make and Ninja: the robot's files, the SRDF, the joint limits and "
-      "the meshes");
+  add_option(command, "--depfile", a.depfile, "FILE",
+             "Write what was read, for make and Ninja: the robot's files, the SRDF and the meshes");
   add_option(command, "--write-srdf", a.written_srdf, "FILE",
              "Write an SRDF that disables the pairs that no planner has to check");
   add_option(command, "--report", a.page, "PAGE.html",

@@ -195,12 +195,9 @@ Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
 
 std::vector<std::string> files_read(const RobotArguments& arguments, const Model& model) {
   std::set<std::string> read = {arguments.urdf};
-  for (const std::string& file : {arguments.srdf, arguments.joint_limits}) {
-    if (!file.empty()) {
-      read.insert(file);
-    }
+  if (!arguments.srdf.empty()) {
+    read.insert(arguments.srdf);
   }
-  read.insert(model.files.begin(), model.files.end());
   for (const ModelLink& link : model.links) {
     read.insert(link.files.begin(), link.files.end());
   }
@@ -213,8 +210,6 @@ void add_described_options(CLI::App& command, const std::string& name, RobotArgu
       add_option(command, "--package", arguments.packages, "NAME=DIR",
                  "Folder of the package NAME, for meshes at package://NAME/...; may be repeated. "
                  "\nDefault: the first folder of that name next to the robot's file or above it"));
-  add_option(command, "--joint-limits", arguments.joint_limits, "FILE",
-             "MoveIt's joint_limits.yaml, whose position limits narrow the robot's");
   command.add_flag("--visual-too", arguments.visual_too,
                    "Links with visual shapes alone collide by them; without it, with nothing");
 }

@@ -93,7 +93,7 @@ class Guard:
     def check(self, trajectory: npt.ArrayLike, work: int) -> npt.NDArray[np.void]: ...
 
 def robot_of_urdf(urdf: object, stop: Optional[str], warn: Optional[str], srdf: object, believed: list[str],
-                  packages: list[str], joint_limits: object, visual_too: bool, cell: Optional[str],
+                  packages: list[str], visual_too: bool, cell: Optional[str],
                   leaf_size: Optional[int], simplify: Optional[str], fit: Optional[str], pairs: list[str],
                   zones: list[str], time: Optional[str]) -> Robot: ...
 def certify(robot: Robot, start: npt.ArrayLike, end: npt.ArrayLike) -> tuple[

@@ -66,7 +66,7 @@ class Robot(Image[_native.Robot]):
     @classmethod
     def from_urdf(cls, path: Path, *, stop: float = 0.0, warn: Optional[float] = None,
                   srdf: Optional[Path] = None, believe: Sequence[tuple[str, str]] = (),
-                  packages: Optional[Mapping[str, str]] = None, joint_limits: Optional[Path] = None,
+                  packages: Optional[Mapping[str, str]] = None,
                   visual_too: bool = False, cell: Optional[float] = None, leaf_size: Optional[int] = None,
                   simplify: Optional[float] = None, fit: Optional[int] = None,
                   pairs: Optional[Mapping[tuple[str, str], tuple[float, float]]] = None,
@@ -75,7 +75,7 @@ class Robot(Image[_native.Robot]):
 
         stop, warn: distances at which two links must stop, or cause a warning; warn is stop by default.
         srdf: pairs that need no guard. believe: pairs of the SRDF to leave unguarded although they can collide.
-        packages: folders by package, for meshes at package://NAME/. joint_limits: MoveIt's joint_limits.yaml.
+        packages: folders by package, for meshes at package://NAME/.
         visual_too: links that have only visual shapes collide by them. cell, leaf_size: of the links' meshes.
         simplify, fit: fewer triangles, within a length or a number of bytes. pairs: (stop, warn) of two links.
         zones: radii around joints within which two links may touch. time: seconds; later pairs stay undecided.
@@ -85,7 +85,7 @@ class Robot(Image[_native.Robot]):
         """
         return cls(_native.robot_of_urdf(
             path, _number(stop), _number(warn), srdf, [f"{a},{b}" for a, b in believe],
-            [f"{name}={folder}" for name, folder in (packages or {}).items()], joint_limits, visual_too,
+            [f"{name}={folder}" for name, folder in (packages or {}).items()], visual_too,
             _number(cell), leaf_size, _number(simplify), None if fit is None else str(int(fit)),
             [f"{a},{b}={_number(s)},{_number(w)}" for (a, b), (s, w) in (pairs or {}).items()],
             [f"{joint}={_number(radius)}" for joint, radius in (zones or {}).items()], _number(time)))

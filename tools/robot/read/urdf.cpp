@@ -5,7 +5,6 @@
 
 #include "mesh/mesh_builder.hpp"
 #include "robot/kinematics.hpp"
-#include "robot/read/joint_limits.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/files.hpp"
@@ -241,7 +240,8 @@ bool are_neighbours(const Model& model, std::size_t a, std::size_t b) {
 }
 
 constexpr const char* kSeenAlone =
-    "has a <visual> but no <collision>: it collides with nothing; give it a <collision>, or let all "
+    "has a <visual> but no <collision>: it collides with nothing; give it a <collision>, or let "
+    "all "
     "such links collide by their visual shapes: --visual-too";
 
 void add_links(const UrdfRobot& robot, const std::string& path, const Packages& packages,
@@ -278,11 +278,8 @@ UrdfRobot read_document(const std::string& path, bool visual_too, Warnings& warn
 }  // namespace
 
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
-                Warnings& warnings, const std::string& joint_limits, bool visual_too) {
+                Warnings& warnings, bool visual_too) {
   UrdfRobot robot = read_document(path, visual_too, warnings);
-  if (!joint_limits.empty()) {
-    narrow_limits(joint_limits, path, robot, warnings);
-  }
   Model model;
   model.name = robot.name;
   model.path = path;

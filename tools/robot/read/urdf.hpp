@@ -10,11 +10,11 @@
 
 namespace flashbvh::tool {
 
-/// `srdf`, `joint_limits`: files, or empty. UserError, with the element and the remedy, for files
+/// `srdf`: a file, or empty. UserError, with the element and the remedy, for files
 /// that are no robot or that firmware can't hold; warns of ignored elements. `visual_too`: links
 /// with visual shapes alone collide by them.
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
-                Warnings& warnings, const std::string& joint_limits = "", bool visual_too = false);
+                Warnings& warnings, bool visual_too = false);
 
 /// The disabled pairs of links, each once: those of <disable_collisions>, in the file's order; then
 /// those of links in <disable_default_collisions> except pairs in <enable_collisions>. Warns of
