@@ -163,10 +163,10 @@ bool has_cell(const Opened& opened) {
   return static_cast<uint32_t>(opened.cell_bits >> 32) << 1 != 0;
 }
 
-/// True if a query may use the mesh: it is open and not unusable.
-template <class Mesh>
-bool is_usable(const Mesh& mesh) {
-  return static_cast<int32_t>(mesh.cell_bits >> 32) > 0;
+/// True if a mesh or a robot has a cell that is not unusable.
+template <class Opened>
+bool is_usable(const Opened& opened) {
+  return static_cast<int32_t>(opened.cell_bits >> 32) > 0;
 }
 
 /// True if a query may use two meshes together: their cells are equal, and both are usable.

@@ -66,7 +66,7 @@ inline JointCoordinate exact_slide_coordinate(float length, const CellsPerUnit& 
 }
 
 inline Status set_translation(const Robot& robot, const float (&metres)[3], Frame& frame) {
-  if (!is_open(robot)) {
+  if (!is_usable(robot)) {
     return Status::not_open;
   }
   const CellsPerUnit cells = exact_cells_per_unit(robot.cell_bits);
