@@ -70,7 +70,12 @@ Scene::Scene(Random& from)
       damaged(a.image.size() + 1),
       pose(any_pose(from)),
       c_pose(c_pose_of(pose)),
-      distance(any_distance(from)) {}
+      distance(any_distance(from)) {
+  if (from.below(9) == 0) {
+    b.mesh = {};
+    b.c = {};
+  }
+}
 
 bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known) {
   return same(c.status, known.status) && c.in_range == known.in_range && c.lower == known.lower &&

@@ -29,7 +29,7 @@ struct Scene {
 
   Random& random;
   Object a;
-  Object b;                            ///< sometimes of another cell
+  Object b;                            ///< sometimes of another cell, or not open
   std::vector<std::uint32_t> damaged;  ///< memory for a's image, and an extra word
   Pose pose;                           ///< sometimes an impossible one
   flashbvh_pose c_pose;

@@ -21,6 +21,9 @@
 /** A call that returns yes or no. */
 #define CHECK_YES(call, wanted) CHECK((call) == FLASHBVH_STATUS_DONE && yes == (wanted))
 
+/** A call that refuses, and writes that the answer may be yes. */
+#define CHECK_NOT_OPEN(call) CHECK((yes = false, (call) == FLASHBVH_STATUS_NOT_OPEN && yes))
+
 static long failures;
 static bool yes;
 static flashbvh_mesh block;
@@ -257,7 +260,96 @@ static void bending(void) {
   CHECK(vertex == 5);
 }
 
+/** Meshes that nobody opened, or whose image is bad, permit nothing; on boards address 0 is
+ * readable, so nothing faults. */
+static void not_open(void) {
+  static flashbvh_mesh none;
+  static flashbvh_query query;
+  static flashbvh_clearance_query clearance_query;
+  static flashbvh_within_query within;
+  static flashbvh_first_contact_query contact;
+  static flashbvh_body_motion motion;
+  static flashbvh_deformable bent;
+  static const uint32_t bad[4] = {1, 2, 3, 4};
+  const flashbvh_segment ray = {{0, 0, 100}, {0, 0, -100}};
+  const flashbvh_point at = {0, 0, 0};
+  flashbvh_mesh failed = block;
+  const flashbvh_mesh* const pairs[][2] = {
+      {&none, &none}, {&none, &block}, {&block, &none}, {&failed, &failed}, {&block, &failed}};
+  flashbvh_witness hint = {0, 0};
+  flashbvh_point_shape point;
+  flashbvh_pair found[1];
+  flashbvh_clearance distance;
+  flashbvh_point_side side;
+  flashbvh_pose pose;
+  flashbvh_hit hit;
+  int32_t outwards;
+  uint32_t vertex;
+  (void)flashbvh_pose_translated(0, 0, 0, &pose);
+  CHECK(flashbvh_open(bad, sizeof bad, &failed) == FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH);
+  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; ++i) {
+    const flashbvh_mesh* const a = pairs[i][0];
+    const flashbvh_mesh* const b = pairs[i][1];
+    CHECK_NOT_OPEN(flashbvh_intersects(a, b, &pose, &yes));
+    CHECK_NOT_OPEN(flashbvh_intersects_hinted(a, b, &pose, &hint, &yes));
+    CHECK_NOT_OPEN(flashbvh_closer_than(a, b, &pose, 2560, &yes));
+    CHECK_NOT_OPEN(flashbvh_one_is_inside(a, b, &pose, &yes));
+    CHECK_NOT_OPEN(flashbvh_solids_intersect(a, b, &pose, &yes));
+    CHECK(flashbvh_distance(a, b, &pose, NULL, &distance) == FLASHBVH_STATUS_NOT_OPEN);
+    CHECK(flashbvh_count_pairs(a, b, &pose).status == FLASHBVH_STATUS_NOT_OPEN);
+  }
+  CHECK_NOT_OPEN(flashbvh_nearest_hit(&none, &ray, FLASHBVH_NO_HINT, &yes, &hit));
+  CHECK_NOT_OPEN(flashbvh_nearest_hit(&none, &ray, 0, &yes, &hit));
+  CHECK_NOT_OPEN(flashbvh_any_hit(&none, &ray, &yes, &hit));
+  CHECK_NOT_OPEN(flashbvh_intersects_itself(&none, &yes));
+  CHECK(flashbvh_signed_crossings(&none, &ray, &outwards) == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_inside(&none, &at, &side) == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(side == FLASHBVH_POINT_INSIDE);
+  CHECK(flashbvh_point_shape_make(&point, &none, &at) == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK_NOT_OPEN(flashbvh_intersects(&block, &point.mesh, &pose, &yes));
+  CHECK(flashbvh_deformable_refit(&bent, UINT32_MAX, &vertex) == FLASHBVH_STATUS_NOT_OPEN);
+  /* Objects that nobody started. */
+  CHECK(flashbvh_query_run(&query, UINT32_MAX, found, 1).status == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_within_run(&within, UINT32_MAX, found, 1).status == FLASHBVH_STATUS_NOT_OPEN);
+  vertex = UINT32_MAX;
+  CHECK(flashbvh_clearance_run(&clearance_query, &vertex) == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_first_contact_run(&contact, UINT32_MAX).status == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_first_contact_start(&contact, &block, &blade, &motion, 0) ==
+        FLASHBVH_STATUS_NOT_OPEN);
+}
+
 #ifdef STORY_HAS_ROBOT
+/** A guard, a motion and a workcell refuse a robot that nobody opened. */
+static void no_robot(const flashbvh_robot* robot) {
+  static uint32_t state[c_arm_GUARD_STATE_SIZE / 4];
+  static uint32_t motion_state[c_arm_MOTION_STATE_SIZE / 4];
+  static uint64_t memory[FLASHBVH_WORKCELL_SIZE(1, 1, 1, 1) / 8];
+  const flashbvh_workcell_room room = {1, 1, 1, 1};
+  const flashbvh_mount mount = {FLASHBVH_BASE, {{{0}}, {0}}};
+  const flashbvh_joint_coordinate values[c_arm_VARIABLE_COUNT] = {0};
+  flashbvh_guard guard;
+  flashbvh_motion motion;
+  flashbvh_workcell workcell;
+  flashbvh_guard_answer answers[3];
+  uint8_t link;
+  CHECK(flashbvh_guard_init(&guard, robot, state, sizeof state) == FLASHBVH_STATUS_NOT_OPEN);
+  answers[0] = flashbvh_guard_prime(&guard, values);
+  answers[1] = flashbvh_guard_update(&guard, values, UINT32_MAX);
+  answers[2] = flashbvh_guard_go_on(&guard, UINT32_MAX);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(answers[i].status == FLASHBVH_STATUS_NOT_OPEN);
+    CHECK(answers[i].verdict == FLASHBVH_VERDICT_REFUSED);
+  }
+  CHECK(flashbvh_guard_resume(&guard) == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_motion_init(&motion, robot, motion_state, sizeof motion_state) ==
+        FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_motion_start(&motion, values, values) == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_motion_run(&motion, UINT32_MAX).status == FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_workcell_init(&workcell, robot, memory, sizeof memory, &room) ==
+        FLASHBVH_STATUS_NOT_OPEN);
+  CHECK(flashbvh_workcell_add(&workcell, &block, &mount, &link) == FLASHBVH_STATUS_NOT_OPEN);
+}
+
 /** An arm moves from rest until it folds into itself. */
 static void robots(void) {
   static uint32_t state[c_arm_GUARD_STATE_SIZE / 4];
@@ -271,6 +363,13 @@ static void robots(void) {
   flashbvh_guard guard;
   flashbvh_motion motion;
   flashbvh_motion_answer answer;
+  static const flashbvh_robot none;
+  static const uint32_t bad[4] = {1, 2, 3, 4};
+  no_robot(&none);
+  flashbvh_view_robot_unchecked(c_arm_robot_image, links, &robot);
+  CHECK(flashbvh_open_robot(bad, sizeof bad, links, c_arm_LINK_COUNT, &robot) ==
+        FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH);
+  no_robot(&robot);
   flashbvh_view_robot_unchecked(c_arm_robot_image, links, &robot);
   flashbvh_set_values(&robot, rest, from);
   flashbvh_set_values(&robot, folded, to);
@@ -298,6 +397,7 @@ int main(void) {
   rays();
   solids_and_shapes();
   bending();
+  not_open();
 #ifdef STORY_HAS_ROBOT
   robots();
 #endif

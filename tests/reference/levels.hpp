@@ -100,6 +100,7 @@ template <class Index, Layout layout>
 Status open_image(const void* bytes, size_t size, BasicMeshWithLevels<Index, layout>& mesh) {
   BasicMesh<Index, layout> opened;
   const Status status = open_image(bytes, size, opened);
+  mesh = {};
   if (status != Status::done) {
     return status;
   }

@@ -118,7 +118,7 @@ Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
   detail::FirstQuery<Index> query(a, b, pose,
                                   hint.is_none() ? Order::as_ranked() : typename Order::Cursor());
   if (!hint.is_none() && !detail::is_pair(hint, a, b)) {
-    return {Status::hint_invalid, true};
+    return {query.status() == Status::suspended ? Status::hint_invalid : query.status(), true};
   }
   if (query.holds(hint)) {
     return {Status::done, true};

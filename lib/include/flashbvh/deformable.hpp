@@ -6,7 +6,7 @@
 // a stack, and can be cut into slices like a query.
 //
 // From the first move of a vertex until a refit ends `done`, boxes and vertices disagree and no
-// query may use the mesh. During a refit, queries of it, with any mesh or itself, end with
+// query may use the mesh. During a refit, queries and rays of it, with any mesh or itself, end with
 // `cell_mismatch`, and inside() with `not_closed`. A query begun before a refit must not resume
 // after it: DeformableQuery and its cursor detect that.
 //
@@ -26,8 +26,9 @@ namespace flashbvh {
 
 /// The result of a refit's run.
 struct [[nodiscard]] RefitResult {
-  /// `done`; `suspended`: run again; `vertex_out_of_lattice`: move that vertex to coordinates
-  /// within +-kMaxCoordinate and refit again. Until then no query may use the mesh.
+  /// `done`; `suspended`: run again; `not_open`: the baked mesh is not; `vertex_out_of_lattice`:
+  /// move that vertex to coordinates within +-kMaxCoordinate and refit again. Until then no query
+  /// may use the mesh.
   Status status;
   uint32_t vertex;  ///< the first vertex outside the lattice
   uint32_t work;    ///< work spent
@@ -44,6 +45,9 @@ class BasicDeformableMesh {
   /// Copies node_count nodes and vertex_count vertices of `baked` into `nodes` and `vertices`.
   BasicDeformableMesh(const Mesh& baked, Node<Index>* nodes, Vertex* vertices)
       : mesh_(baked), nodes_(nodes), vertices_(vertices) {
+    if (!detail::has_cell(baked)) {
+      return;
+    }
     __builtin_memcpy(nodes, baked.nodes, sizeof(Node<Index>) * baked.node_count);
     __builtin_memcpy(vertices, baked.vertices, sizeof(Vertex) * baked.vertex_count);
     mesh_.nodes = nodes;
@@ -204,6 +208,9 @@ void BasicDeformableMesh<MeshType>::begin() {
 
 template <class MeshType>
 RefitResult BasicDeformableMesh<MeshType>::refit(uint32_t work) {
+  if (!detail::has_cell(mesh_)) {
+    return {Status::not_open, 0, 0};
+  }
   if (node_ == 0) {
     begin();
   }

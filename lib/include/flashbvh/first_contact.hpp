@@ -58,7 +58,7 @@ class BodyMotion {
   /// `done`, or the error that queries return; for poses, their own. `motion_out_of_range`: B's
   /// origin may get farther than 2^19 cells from A's frame, by the sum of the lengths of all
   /// translations and points, points counted twice.
-  Status status() const { return status_; }
+  Status status() const { return is_made_ ? status_ : Status::not_open; }
 
   /// Returns B's pose at `time`, up to kMotionEnd: as given or made at both ends, in between within
   /// 2^-6 cell of the exact path. Instructions on a Cortex-M4 at -O2 for one move: 1,000 if it
@@ -84,6 +84,7 @@ class BodyMotion {
   Move own_;
   uint32_t count_;
   Status status_;
+  bool is_made_ = true;  ///< false for an object of zeros, which no constructor made
 };
 
 /// Most moves of a motion: their rounding errors then stay below the limit that decides a contact.
@@ -177,7 +178,7 @@ class BasicFirstContact {
   BasicFirstContact(const Mesh&, const Mesh&, const BodyMotion&&, const With&...) = delete;
 
   /// `suspended` while there is work left; `done`; or the query's error.
-  Status status() const { return at_.status; }
+  Status status() const { return a_ == nullptr ? Status::not_open : at_.status; }
 
   /// Does at most `work` (query.hpp), overdrawn by one step; UINT32_MAX: no limit.
   Answer run(uint32_t work);

@@ -82,7 +82,8 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 /// Checks all of it in linear time and constant memory: the checksum, links that go forward and
 /// nest, and indices in range. Levels, ranks and the header's numbers must match the tree. Each
 /// node's box must be in its parent's, each triangle in its leaf's. The longest edge and closedness
-/// must be right. Writes `mesh` only on `done`; queries on it then end and read only the image.
+/// must be right. On `done`, queries on `mesh` end and read only the image. After an error the mesh
+/// is not open: queries on it return `not_open`.
 ///
 /// Instructions: 10 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400
 /// bytes on Cortex-M3 to M55 at -O2.
@@ -98,7 +99,9 @@ Status open_image(const void* bytes, size_t size, MeshType& mesh);
 ///
 ///     const flashbvh::Mesh plate = flashbvh::view_unchecked<flashbvh::Mesh>(plate_image);
 ///
-/// Precondition: `image` starts at a multiple of 4, outlives the mesh and has its kind.
+/// Precondition: `image` starts at a multiple of 4, outlives the mesh and has its kind. A null
+/// pointer is not detected. At namespace scope such a line needs a start-up file that runs
+/// constructors; without, queries return `not_open` (lib/docs/guide.md, "Start-up").
 template <class MeshType>
 MeshType view_unchecked(const void* image);
 

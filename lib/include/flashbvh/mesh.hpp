@@ -25,6 +25,7 @@
 #include "flashbvh/detail/arch/packed.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/plain/results.h"
+#include "flashbvh/status.hpp"
 
 namespace flashbvh {
 
@@ -128,8 +129,9 @@ struct BasicMesh : Tree<IndexType, layout> {
   uint16_t longest_edge;  ///< length of the longest edge in cells, rounded up
   int32_t origin[3];      ///< the vertices' origin: a lattice point, in cells
   Unit unit;
-  bool is_closed;      ///< true if each edge is used as often in one direction as in the other
-  uint64_t cell_bits;  ///< the cell's length in the unit, as the bits of an IEEE binary64
+  bool is_closed;  ///< true if each edge is used as often in one direction as in the other
+  /// The cell's length in the unit, as the bits of an IEEE binary64. 0: the mesh is not open.
+  uint64_t cell_bits;
 
   /// Returns the slot of the leaf's first triangle in `triangles`.
   uint32_t first_triangle(uint32_t leaf) const {
@@ -155,16 +157,32 @@ namespace detail {
 /// shape does not fit the lattice. No baked mesh's cell is negative.
 constexpr uint64_t kUnusableCell = uint64_t{1} << 63;
 
-/// True if no query may use the mesh.
-template <class Mesh>
-bool is_unusable(const Mesh& mesh) {
-  return (mesh.cell_bits & kUnusableCell) != 0;
+/// True if a mesh or a robot has a cell, even an unusable one.
+template <class Opened>
+bool has_cell(const Opened& opened) {
+  return static_cast<uint32_t>(opened.cell_bits >> 32) << 1 != 0;
 }
 
-/// True if a query may use two meshes together: their cells are equal, and neither is unusable.
+/// True if a mesh or a robot has a cell that is not unusable.
+template <class Opened>
+bool is_usable(const Opened& opened) {
+  return static_cast<int32_t>(opened.cell_bits >> 32) > 0;
+}
+
+/// True if a query may use two meshes together: their cells are equal, and both are usable.
 template <class Mesh>
 bool have_one_cell(const Mesh& a, const Mesh& b) {
-  return a.cell_bits == b.cell_bits && !is_unusable(a);
+  return a.cell_bits == b.cell_bits && is_usable(a);
+}
+
+/// The error of a mesh that is not usable, and of two meshes without one cell.
+template <class Mesh>
+Status cell_error(const Mesh& a, const Mesh& b) {
+  return has_cell(a) && has_cell(b) ? Status::cell_mismatch : Status::not_open;
+}
+template <class Mesh>
+Status cell_error(const Mesh& mesh) {
+  return cell_error(mesh, mesh);
 }
 
 }  // namespace detail

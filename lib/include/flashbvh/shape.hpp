@@ -32,10 +32,10 @@ class Shape {
   /// Returns the mesh, for queries.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
-  /// Returns `done`, or `shape_too_large`: a coordinate is more than 16,383 cells from the middle,
-  /// or beyond 2^29. Until it is set again, such a shape has no valid cell and no inside: queries
-  /// of it end with `cell_mismatch`, inside() with `not_closed`. Only rays can hit it, at its last
-  /// points, or at the origin if it has none.
+  /// Returns `done`; `not_open`: `like` is not; or `shape_too_large`: a coordinate is more than
+  /// 16,383 cells from the middle, or beyond 2^29. Until it is set again, such a shape has no valid
+  /// cell and no inside: queries and rays of it end with `cell_mismatch`, inside() with
+  /// `not_closed`.
   [[nodiscard]] Status status() const { return status_; }
 
  protected:
@@ -76,7 +76,7 @@ class Shape {
       mesh_.is_closed = false;
       return;
     }
-    status_ = Status::done;
+    status_ = detail::has_cell(mesh_) ? Status::done : Status::not_open;
     mesh_.cell_bits &= ~detail::kUnusableCell;
     mesh_.is_closed = kIsClosed;
     mesh_.origin[0] = middle.x;
@@ -120,7 +120,7 @@ class Shape {
   uint16_t offsets_[2] = {0, triangles};
   uint16_t first_ = 0;
   Vertex vertices_[vertices] = {};
-  Status status_ = Status::done;
+  Status status_;
 };
 
 // Kept out of line for the smaller shapes, so that its frame is gone before queries run.

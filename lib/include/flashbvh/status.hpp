@@ -37,6 +37,7 @@ enum class Status : uint8_t {
   mesh_changed = FLASHBVH_STATUS_MESH_CHANGED,
   motion_out_of_range = FLASHBVH_STATUS_MOTION_OUT_OF_RANGE,
   self_test_failed = FLASHBVH_STATUS_SELF_TEST_FAILED,
+  not_open = FLASHBVH_STATUS_NOT_OPEN,
 
   image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
   image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,

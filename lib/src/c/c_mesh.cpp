@@ -9,12 +9,7 @@ static_assert(FLASHBVH_UNIT_FOOT == static_cast<int>(Unit::foot) &&
               "one list of units");
 
 flashbvh_status flashbvh_open(const void* image, size_t size, flashbvh_mesh* mesh) {
-  Mesh opened;
-  const Status status = open_image(image, size, opened);
-  if (status == Status::done) {
-    make(mesh, opened);
-  }
-  return c_status(status);
+  return c_status(open_image(image, size, make(mesh)));
 }
 
 void flashbvh_view_unchecked(const void* image, flashbvh_mesh* mesh) {

@@ -17,8 +17,7 @@ static_assert(FLASHBVH_GUARD_STATE_SIZE(1, 1, 1) == sizeof(GuardStateOf<1, 1, 1>
 
 flashbvh_status flashbvh_guard_init(flashbvh_guard* guard, const flashbvh_robot* robot, void* state,
                                     size_t size) {
-  return c_status(make(guard, *robot, state, size).fits() ? Status::done
-                                                          : Status::guard_state_invalid);
+  return c_status(make(guard, *robot, state, size).status());
 }
 
 void flashbvh_guard_forget(flashbvh_guard* guard) {

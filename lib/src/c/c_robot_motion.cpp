@@ -14,8 +14,7 @@ static_assert(FLASHBVH_MOTION_STATE_SIZE(1, 1) == sizeof(MotionStateOf<1, 1>) &&
 
 flashbvh_status flashbvh_motion_init(flashbvh_motion* motion, const flashbvh_robot* robot,
                                      void* state, size_t size) {
-  return c_status(make(motion, *robot, state, size).fits() ? Status::done
-                                                           : Status::guard_state_invalid);
+  return c_status(make(motion, *robot, state, size).status());
 }
 
 flashbvh_status flashbvh_motion_start(flashbvh_motion* motion,

@@ -16,9 +16,7 @@ static_assert(FLASHBVH_WORKCELL_SIZE(1, 1, 1, 1) == sizeof(WorkcellOf<1, 1, 1, 1
 flashbvh_status flashbvh_workcell_init(flashbvh_workcell* workcell, const flashbvh_robot* robot,
                                        void* memory, size_t size,
                                        const flashbvh_workcell_room* room) {
-  return c_status(make_in_place(workcell, *robot, memory, size, *room).fits()
-                      ? Status::done
-                      : Status::workcell_full);
+  return c_status(make_in_place(workcell, *robot, memory, size, *room).status());
 }
 
 const flashbvh_robot* flashbvh_workcell_robot(const flashbvh_workcell* workcell) {

@@ -41,6 +41,7 @@ const char* flashbvh_status_name(flashbvh_status status) {
     FLASHBVH_CASE(mesh_changed);
     FLASHBVH_CASE(motion_out_of_range);
     FLASHBVH_CASE(self_test_failed);
+    FLASHBVH_CASE(not_open);
   }
   return "unknown";
 }

@@ -259,10 +259,9 @@ Status read_image_header(const void* bytes, size_t size, ImageHeader& header) {
 
 template <class MeshType>
 Status open_image(const void* bytes, size_t size, MeshType& mesh) {
-  MeshType opened;
-  const Status status = open_any(bytes, size, opened);
-  if (status == Status::done) {
-    mesh = opened;
+  const Status status = open_any(bytes, size, mesh);
+  if (status != Status::done) {
+    mesh = {};
   }
   return status;
 }

@@ -178,7 +178,7 @@ Frame detail::frame_at(const BodyMotion& motion, uint32_t time) {
 }
 
 Pose BodyMotion::pose_at(uint32_t time) const {
-  if (status_ != Status::done) {
+  if (status() != Status::done) {
     return Pose::translated(INT32_MAX, 0, 0);
   }
   return time == 0            ? from_

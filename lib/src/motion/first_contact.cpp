@@ -48,6 +48,9 @@ BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
 /// Returns the error, or `suspended`.
 template <class MeshType>
 Status BasicFirstContact<MeshType>::prepare() {
+  if (!detail::have_one_cell(*a_, *b_)) {
+    return detail::cell_error(*a_, *b_);
+  }
   if (motion_->status() != Status::done) {
     return motion_->status();
   }
@@ -293,7 +296,7 @@ typename BasicFirstContact<MeshType>::Answer BasicFirstContact<MeshType>::run(ui
   while (at_.status == Status::suspended && work != 0) {
     step(work);
   }
-  Answer answer = {at_.status, at_.outcome, {}, at_.time, at_.time};
+  Answer answer = {status(), at_.outcome, {}, at_.time, at_.time};
   if (at_.near != Cursor::kNever) {
     answer.from = at_.near;
   }
@@ -319,6 +322,9 @@ void BasicFirstContact<MeshType>::pass() {
 
 template <class MeshType>
 Status BasicFirstContact<MeshType>::resume(const Cursor& at) {
+  if (status() != Status::suspended) {
+    return status();
+  }
   // After an interval that came near, `step` still holds its length.
   const bool is_behind = at.phase == ContactPhase::at_time;
   const uint32_t longest = is_behind ? kMotionEnd : kMotionEnd - at.time;
@@ -328,9 +334,6 @@ Status BasicFirstContact<MeshType>::resume(const Cursor& at) {
   const bool has_pair = at.hint.is_none() || detail::is_pair(at.hint, *a_, *b_);
   const bool is_known = (at.near == Cursor::kNever || at.near <= at.time) &&
                         at.phase < ContactPhase::done && at.status == Status::suspended;
-  if (at_.status != Status::suspended) {
-    return at_.status;
-  }
   if (!(is_even && is_in_motion && has_step && has_pair && is_known)) {
     return Status::cursor_invalid;
   }

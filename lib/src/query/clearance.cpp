@@ -140,6 +140,9 @@ Status BasicClearanceQuery<MeshType>::run_within(uint32_t& work) {
   if (status() != Status::suspended || work == 0) {
     return status();
   }
+  if (!this->is_made()) {
+    return Status::not_open;
+  }
   this->prepare();
   detail::NearestSoFar known(this->transform());
   const uint32_t kept = this->beyond;

@@ -11,14 +11,13 @@ namespace flashbvh {
 namespace detail {
 namespace {
 
-/// Returns the segment relative to the mesh's origin; if it is out of range, sets `status` to
-/// `ray_out_of_range`.
+/// Returns the segment relative to the mesh's origin, and sets `status`.
 template <class MeshType>
 Segment segment_from_origin(const MeshType& mesh, const Segment& segment, Status& status) {
   Segment moved = {};
   const bool fits = get_from_origin(mesh.origin, segment.from, kMaxRayCoordinate, moved.from) &&
                     get_from_origin(mesh.origin, segment.to, kMaxRayCoordinate, moved.to);
-  status = fits ? Status::done : Status::ray_out_of_range;
+  status = !is_usable(mesh) ? cell_error(mesh) : fits ? Status::done : Status::ray_out_of_range;
   return moved;
 }
 
@@ -105,7 +104,7 @@ RayAnswer<Index> nearest_hit(const BasicMesh<Index, Layout::post_indexed>& mesh,
                              const Segment& segment, Index hint) noexcept {
   detail::SegmentWalk<BasicMesh<Index, Layout::post_indexed>> walk(mesh, segment);
   RayAnswer<Index> answer = {walk.status(), walk.status() != Status::done, {}, 0};
-  if (hint != kNoHint<Index> && hint >= mesh.triangle_count) {
+  if (answer.status == Status::done && hint != kNoHint<Index> && hint >= mesh.triangle_count) {
     answer.status = Status::hint_invalid;
     answer.yes = true;
   }
@@ -144,7 +143,7 @@ template <class Index>
 CrossingCount signed_crossings(const BasicMesh<Index, Layout::post_indexed>& mesh,
                                const Segment& segment) noexcept {
   if (!mesh.is_closed) {
-    return {Status::not_closed, 0, 0};
+    return {detail::has_cell(mesh) ? Status::not_closed : Status::not_open, 0, 0};
   }
   detail::SegmentWalk<BasicMesh<Index, Layout::post_indexed>> walk(mesh, segment);
   const Point& from = walk.segment().from;

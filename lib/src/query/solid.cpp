@@ -108,8 +108,8 @@ bool has_shell_inside(const Mesh& mesh, const ToPoint& to_point, const Other& ot
 template <class Index>
 PointAnswer inside(const BasicMesh<Index, Layout::post_indexed>& mesh,
                    const Point& point) noexcept {
-  if (!mesh.is_closed) {
-    return {Status::not_closed, PointSide::inside, 0};
+  if (!mesh.is_closed || !detail::is_usable(mesh)) {
+    return {detail::has_cell(mesh) ? Status::not_closed : Status::not_open, PointSide::inside, 0};
   }
   PointAnswer answer = {Status::done, PointSide::outside, 0};
   Point p;
@@ -126,7 +126,7 @@ namespace {
 template <class MeshType>
 Status solids_error(const MeshType& a, const MeshType& b, const Pose& pose) {
   if (!detail::have_one_cell(a, b)) {
-    return Status::cell_mismatch;
+    return detail::cell_error(a, b);
   }
   if (pose.status() != Status::done) {
     return pose.status();

@@ -61,9 +61,20 @@ void Guard::forget() {
   }
 }
 
+/// Returns whether the guard is one of this robot and has had a period.
+bool Guard::has_values() const {
+  return fits() && core_->has_values != 0 && core_->robot_hash == robot_->hash;
+}
+
+/// The status of a guard without values.
+Status Guard::refusal() const {
+  const Status why = status();
+  return why == Status::done ? Status::guard_state_invalid : why;
+}
+
 /// Returns whether all indices of the state are in the robot's arrays, and all numbers in range.
 bool Guard::is_possible() const {
-  if (!fits() || core_->version != kStateVersion || core_->robot_hash != robot_->hash) {
+  if (!has_values() || core_->version != kStateVersion) {
     return false;
   }
   const uint16_t walked = core_->walked_pair;
@@ -90,7 +101,7 @@ bool Guard::has_triangles(uint16_t i, const Witness<uint16_t>& witness) const {
 Status Guard::resume() {
   if (!is_possible()) {
     forget();
-    return Status::guard_state_invalid;
+    return refusal();
   }
   forget_obstacles();  // they may have moved without a count: their workcell may be a new one
   if (core_->walked_pair != kNoPair) {  // the stored pose is not checked but made again
@@ -275,7 +286,7 @@ bool Guard::has_one_way(uint32_t i) const {
 
 Status Guard::move_to(const JointCoordinate* values) {
   if (!fits()) {
-    return Status::guard_state_invalid;
+    return refusal();
   }
   // Refused values must change nothing, so the new coordinates go to an array of their own.
   core_->has_frames = 0;
@@ -320,8 +331,8 @@ GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
 /// no pair is due twice. One iteration may instead end a walk of an earlier period. A walk is
 /// abandoned only for a pair with nothing left, whose own walk is never abandoned.
 GuardAnswer Guard::go_on(uint32_t work) {
-  if (!fits() || core_->has_values == 0) {
-    return {Status::guard_state_invalid, Verdict::refused, kNoPair, 0, 0};
+  if (!has_values()) {
+    return {refusal(), Verdict::refused, kNoPair, 0, 0};
   }
   const uint32_t granted = work;
   Found found = look();

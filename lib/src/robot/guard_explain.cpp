@@ -68,8 +68,8 @@ constexpr int32_t clamped(int64_t value) {
 PairDetail Guard::explain(uint16_t i, int32_t* changes) {
   PairDetail detail{};
   detail.variable = kNoVariable;
-  detail.status = Status::guard_state_invalid;
-  if (!fits() || core_->has_values == 0 || i >= robot_->pair_count) {
+  detail.status = refusal();
+  if (!has_values() || i >= robot_->pair_count) {
     return detail;
   }
   const RobotPair& pair = robot_->pairs[i];

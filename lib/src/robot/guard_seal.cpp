@@ -4,6 +4,7 @@
 
 namespace flashbvh {
 
+using detail::Fit;
 using detail::kNoWords;
 
 namespace {
@@ -53,6 +54,9 @@ void Guard::seal() {
 
 /// Checks in an order in which each pointer is checked before it is followed.
 Status Guard::verify() const {
+  if (fit_ == Fit::not_open && seal_ == 0) {
+    return Status::not_open;
+  }
   const bool is_intact = seal_ == own_checksum() && fits() && robot_seal_ == robot_checksum() &&
                          meshes_seal_ == meshes_checksum() && core_->checksum == state_checksum();
   return is_intact ? Status::done : Status::guard_state_invalid;

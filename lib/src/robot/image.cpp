@@ -51,7 +51,7 @@ uint32_t names_offset(const RobotImageHeader& header) {
 }
 
 bool counts_fit(const RobotImageHeader& header) {
-  return header.joint_count <= kMaxJoints && header.link_count >= 1 &&
+  return header.joint_count >= 1 && header.joint_count <= kMaxJoints && header.link_count >= 1 &&
          header.link_count <= kMaxLinks && header.variable_count <= header.joint_count &&
          header.slack >= kLeastSlack && header.slack <= kMaxGuardDistance && header.padding == 0;
 }
@@ -263,16 +263,17 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 
 Status open_robot(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_capacity,
                   Robot& robot) {
-  Robot opened;
-  const Status status = open_robot_unhashed(bytes, size, meshes, mesh_capacity, opened);
+  Status status = open_robot_unhashed(bytes, size, meshes, mesh_capacity, robot);
+  if (status == Status::done && robot_hash(robot) != robot.hash) {
+    status = Status::image_corrupt;
+  }
   if (status != Status::done) {
-    return status;
+    robot = {};
+    for (uint32_t i = 0; i < mesh_capacity; ++i) {
+      meshes[i] = {};
+    }
   }
-  if (robot_hash(opened) != opened.hash) {
-    return Status::image_corrupt;
-  }
-  robot = opened;
-  return Status::done;
+  return status;
 }
 
 Robot view_robot_unchecked(const void* image, Mesh* meshes) {

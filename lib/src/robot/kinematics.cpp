@@ -59,6 +59,9 @@ Frame joined(const Frame& outer, const Frame& inner) {
 
 Status set_coordinates(const Robot& robot, const JointCoordinate* values,
                        JointCoordinate* coordinates) noexcept {
+  if (!detail::is_open(robot)) {
+    return Status::not_open;
+  }
   for (uint32_t i = 0; i < robot.joint_count; ++i) {
     const RobotJoint& joint = robot.joints[i];
     if (joint.type != JointType::fixed && values[joint.variable] == kNoCoordinate) {

@@ -20,8 +20,8 @@ constexpr uint32_t kIntervalWork = 32;
 }  // namespace
 
 Status MotionQuery::start(const JointCoordinate* from, const JointCoordinate* to) {
-  if (!fits_) {
-    return Status::guard_state_invalid;
+  if (!fits()) {
+    return status();
   }
   Status status = set_coordinates(*robot_, from, coordinates_);
   if (status == Status::done) {
@@ -44,7 +44,7 @@ Status MotionQuery::start(const JointCoordinate* from, const JointCoordinate* to
 }
 
 void MotionQuery::set_values(uint32_t numerator, uint8_t level, JointCoordinate* values) const {
-  for (uint32_t i = 0; i < robot_->variable_count; ++i) {
+  for (uint32_t i = 0; fits() && i < robot_->variable_count; ++i) {
     const int64_t way = static_cast<int64_t>(to_[i]) - from_[i];
     const int64_t half = level == 0 ? 0 : int64_t{1} << (level - 1);
     values[i] = static_cast<JointCoordinate>(from_[i] + ((way * numerator + half) >> level));
@@ -183,8 +183,10 @@ void MotionQuery::step(uint32_t& work) {
 /// Terminates with unlimited work: each iteration advances a query, and each query's end halves the
 /// interval or proceeds to the next one. No interval is halved more than kMostLevels times.
 MotionAnswer MotionQuery::run(uint32_t work) {
-  if (!fits_ || core_->robot_hash != robot_->hash) {
-    return {Status::guard_state_invalid, MotionOutcome::close, 0, {}, 0, 0};
+  if (!fits() || core_->robot_hash != robot_->hash) {
+    const Status why = status();
+    return {
+        why == Status::done ? Status::guard_state_invalid : why, MotionOutcome::close, 0, {}, 0, 0};
   }
   while (core_->status == Status::suspended && work != 0) {
     step(work);

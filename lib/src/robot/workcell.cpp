@@ -9,6 +9,10 @@
 #include "spheres.hpp"
 
 namespace flashbvh {
+
+using detail::has_cell;
+using detail::is_open;
+
 namespace {
 
 /// Reach of the joint that counts how far an obstacle moved, in 1/256 cell. A tool's joint never
@@ -122,7 +126,7 @@ bool sweep_over(const RobotJoint& joint, RobotLink& link) {
 }  // namespace
 
 void Workcell::copy() {
-  if (room_.joints < robot_.joint_count || room_.links < robot_.link_count ||
+  if (!is_open(robot_) || room_.joints < robot_.joint_count || room_.links < robot_.link_count ||
       room_.pairs < robot_.pair_count || room_.reaches < robot_.reach_count) {
     room_ = {0, 0, 0, 0};
     return;
@@ -184,6 +188,9 @@ uint64_t Workcell::farthest_origin(const Mesh& mesh) const {
 }
 
 Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
+  if (!is_open(robot_) || !has_cell(mesh)) {
+    return Status::not_open;
+  }
   const uint32_t joint = robot_.joint_count;
   if (mount.joint != kBase && mount.joint >= own_joints_) {
     return Status::link_invalid;
@@ -254,6 +261,9 @@ uint8_t Workcell::joints_beside(const RobotLink& link, uint64_t other, uint64_t&
 }
 
 Status Workcell::keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn) {
+  if (!is_open(robot_)) {
+    return Status::not_open;
+  }
   if (a >= robot_.link_count || b >= robot_.link_count) {
     return Status::link_invalid;
   }
@@ -283,6 +293,9 @@ Status Workcell::keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn) 
 }
 
 Status Workcell::move(uint8_t link, const Frame& frame, uint32_t moved) {
+  if (!is_open(robot_)) {
+    return Status::not_open;
+  }
   const uint8_t number = link < robot_.link_count ? robot_.links[link].joint : kBase;
   if (number == kBase || number < own_joints_ || robot_.joints[number].parent != kBase) {
     return Status::link_invalid;

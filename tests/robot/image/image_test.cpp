@@ -4,8 +4,10 @@
 #include <iterator>
 
 #include "flashbvh/robot/image.hpp"
+#include "robot/hash.hpp"
 #include "support/arms/guarded_arm.hpp"
 #include "support/arms/image_in_parts.hpp"
+#include "support/refused.hpp"
 #include "support/same_view.hpp"
 #include "support/test.hpp"
 
@@ -165,6 +167,31 @@ TEST_CASE("an image at an address that is no multiple of 4, and with too little 
   }
 }
 
+TEST_CASE("a robot whose image is refused is not open, nor is any of its meshes") {
+  const Words whole = arm_images()[0].words;
+  for (std::size_t word = 0; word < whole.size(); word += 7) {
+    CAPTURE(word);
+    Opened opened(whole);
+    REQUIRE(detail::is_open(opened.robot));
+    Words words = whole;
+    words[word] ^= 0x400;
+    REQUIRE(open_robot(words.data(), size_of(words), opened.meshes.data(), kMaxLinks,
+                       opened.robot) != Status::done);
+    REQUIRE(opened.robot.hash == 0);
+    REQUIRE(opened.robot.joint_count == 0);
+    for (const Mesh& mesh : opened.meshes) {
+      REQUIRE(are_refused(mesh, mesh, Status::not_open));
+    }
+  }
+}
+
+TEST_CASE("no robot's hash is 0") {
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    const auto byte = static_cast<unsigned char>(i);
+    CHECK(detail::hash_of(&byte, 1, i) == 1);
+  }
+}
+
 TEST_CASE("bytes after the last mesh that the image counts as its own") {
   Words words = arm_images()[0].words;
   words.push_back(0);
@@ -206,8 +233,9 @@ TEST_CASE("as many joints and links as there may be, and one more") {
     CHECK(verdict.wrong == nullptr);
     return verdict.status;
   };
-  CHECK(opens_with(0, 1) == Status::done);
+  CHECK(opens_with(0, 1) == Status::image_invalid);
+  CHECK(opens_with(1, 1) == Status::done);
   CHECK(opens_with(kMaxJoints, kMaxLinks) == Status::done);
   CHECK(opens_with(kMaxJoints + 1, 1) == Status::image_invalid);
-  CHECK(opens_with(0, kMaxLinks + 1) == Status::image_invalid);
+  CHECK(opens_with(1, kMaxLinks + 1) == Status::image_invalid);
 }

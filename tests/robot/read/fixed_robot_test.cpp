@@ -154,7 +154,8 @@ TEST_CASE("links: a sphere round the mesh, where their reaches stand, what lies 
 
 TEST_CASE("a link's sphere holds what decides, and what firmware gets") {
   RobotFiles files;
-  const tool::Model model = files.read(link_text("a"));
+  const tool::Model model =
+      files.read(link_text("a") + link_text("b", "") + joint_text("j", "continuous", "a", "b"));
   constexpr double kCell = 1e-3;
   tool::ModelLink whole = model.links[0];
   tool::ModelLink coarse = model.links[0];
@@ -227,6 +228,9 @@ TEST_CASE("robots that firmware can't hold") {
   }
   CHECK_THAT(refusal_of([&] { bake_robot(files.read(links)); }),
              Catch::Matchers::Contains("has 65 links with a <collision>, firmware holds 64"));
+  CHECK(refusal_of([&] { bake_robot(files.read(link_text("l0"))); }) ==
+        "arm.urdf: has no joint that moves, so there is nothing to guard; give it one, or bake its "
+        "links' meshes by `flashbvh bake`");
   files.write("many.obj", [] {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (int i = 0; i < 65536; ++i) {
@@ -235,7 +239,8 @@ TEST_CASE("robots that firmware can't hold") {
     return text;
   }());
   const tool::Model many = files.read(
-      link_text("a", "<collision><geometry><mesh filename=\"many.obj\"/></geometry></collision>"));
+      link_text("a", "<collision><geometry><mesh filename=\"many.obj\"/></geometry></collision>") +
+      link_text("b", "") + joint_text("j", "continuous", "a", "b"));
   CHECK_THAT(refusal_of([&] { bake_robot(many); }),
              Catch::Matchers::StartsWith("arm.urdf, link 'a': 65536 triangles, but 16-bit indices "
                                          "reach 65535; with --simplify "));

@@ -127,6 +127,7 @@ TEST_CASE("far origins add their rounding to the slack of links and of bodies") 
   const auto model_at = [](double metres) {
     const double end = metres + 1;
     Model model;
+    add_joint(model, kNoJoint, {}, JointType::revolute, -1, 1);
     add_link(model, kNoJoint, box({metres, metres, metres}, {end, end, end}));
     return model;
   };

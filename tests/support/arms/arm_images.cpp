@@ -17,9 +17,10 @@ std::vector<NamedImage> made_images() {
       {"every_joint",
        image_of(every_joint_arm(), {tool::UnguardedPair{0, 1, WhyUnguarded::zone, 0, 0.05},
                                     tool::UnguardedPair{2, 3, WhyUnguarded::believed}})}};
-  Model fixed;
-  add_link(fixed, tool::kNoJoint, pyramid(0.1));
-  images.push_back({"one_link", image_of(FixedArm(fixed, 1e-3))});
+  Model one;
+  add_joint(one, tool::kNoJoint, {}, JointType::revolute, -1, 1);
+  add_link(one, tool::kNoJoint, pyramid(0.1));
+  images.push_back({"one_link", image_of(FixedArm(one, 1e-3))});
   Model two;
   add_joint(two, tool::kNoJoint, shifted({0, 0, 0.01}), JointType::revolute, -3, 3);
   add_joint(two, 0, shifted({0, 0.02, 0.1}), JointType::prismatic, 0, 0.4);

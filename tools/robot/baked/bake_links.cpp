@@ -104,6 +104,10 @@ void check_counts(const Model& model, const std::string& path) {
     throw UserError(path, "has ", model.links.size(), " links with a <collision>, firmware holds ",
                     kMaxLinks, "; put those that are fixed to each other into one link");
   }
+  if (model.joints.empty()) {
+    throw UserError(path, "has no joint that moves, so there is nothing to guard; give it one, or "
+                          "bake its links' meshes by `flashbvh bake`");
+  }
 }
 
 double robot_cell(const Model& model, const std::optional<double>& wanted,

@@ -179,7 +179,7 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
   robot_.slack = slack(model);
   check_slack(model);
   std::memcpy(&robot_.cell_bits, &cell_, sizeof cell_);
-  robot_.hash = meshes_.empty() ? 0 : robot_hash(robot_);
+  robot_.hash = meshes_.empty() ? 1 : robot_hash(robot_);
 }
 
 void FixedRobot::set_distance_tables(std::vector<std::uint8_t> distance_tables) {

@@ -39,11 +39,11 @@ class FixedRobot {
  public:
   /// `wholes`: the links' meshes on which pairs are decided; `meshes`: firmware's meshes of them.
   /// Both have one for each link, baked with `cell`, in metres; a link's sphere holds both.
-  /// `meshes` outlive the robot; if empty, the robot has no meshes, no hash and no distance tables.
-  /// `reaches`: of the first links; further ones are computed. `deviations`: of the meshes from the
-  /// URDF, in metres; if empty, those of the wholes. UserError if the robot has more joints or
-  /// links than firmware takes, is too large, or moves a pair too far; names a cell that would do.
-  /// Also if its links deviate by more than firmware's slack holds.
+  /// `meshes` outlive the robot; if empty, the robot has no meshes, a hash of 1 and no distance
+  /// tables. `reaches`: of the first links; further ones are computed. `deviations`: of the meshes
+  /// from the URDF, in metres; if empty, those of the wholes. UserError if the robot has more
+  /// joints or links than firmware takes, is too large, or moves a pair too far; names a cell that
+  /// would do. Also if its links deviate by more than firmware's slack holds.
   FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
              const std::vector<Mesh>& meshes, double cell, const std::vector<GuardedPair>& pairs,
              const Reaches& reaches = {}, const std::vector<double>& deviations = {});

@@ -258,9 +258,6 @@ void note_times(const std::string& path, const RowReader& reader, const Trajecto
 }  // namespace
 
 Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings) {
-  if (model.variables.empty()) {
-    throw UserError(path, "the robot has no joint that moves, so it has no trajectory");
-  }
   const std::string text = read_file(path);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   const bool is_marked = text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0;

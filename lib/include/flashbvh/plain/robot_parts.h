@@ -150,7 +150,7 @@ typedef struct flashbvh_robot {
    * covers both links' deviations, the rounding of placed vertices and fixed-point kinematics. */
   uint32_t slack;
   uint32_t distance_table_bytes; /**< bytes; 0: guards work without tables */
-  uint32_t hash;                 /**< of all data: distinguishes robots */
+  uint32_t hash;                 /**< of all data, never 0: distinguishes robots */
   uint64_t cell_bits;            /**< the cell in metres, as the bits of an IEEE binary64 */
 } flashbvh_robot;
 

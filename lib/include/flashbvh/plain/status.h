@@ -72,7 +72,11 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_MOTION_OUT_OF_RANGE = 48,
 
   /** A known answer differs, or memory that must not change has changed. */
-  FLASHBVH_STATUS_SELF_TEST_FAILED = 49
+  FLASHBVH_STATUS_SELF_TEST_FAILED = 49,
+
+  /** A mesh or a robot that nobody opened, or whose opening failed: it has no cell, a robot no
+   * joints or hash. Or an object that was not made of one. */
+  FLASHBVH_STATUS_NOT_OPEN = 50
 } flashbvh_status;
 
 #ifdef __cplusplus

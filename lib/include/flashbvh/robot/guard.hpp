@@ -135,8 +135,9 @@ class Guard {
         certified_(state.certified),
         shares_(state.shares),
         walked_shares_(state.walked_shares) {
-    fits_ = joint_count >= robot.joint_count && pair_count >= robot.pair_count &&
-            pair_joint_count >= joints_between();
+    fit_ =
+        detail::fit_of(robot, joint_count >= robot.joint_count && pair_count >= robot.pair_count &&
+                                  pair_joint_count >= joints_between());
     forget();
   }
 
@@ -155,18 +156,23 @@ class Guard {
         walked_shares_(shares_ + joints_between()) {
     const auto begin = reinterpret_cast<uintptr_t>(memory);
     const auto end = reinterpret_cast<uintptr_t>(walked_shares_ + robot.joint_count);
-    fits_ = begin % alignof(GuardCore) == 0 && (end - begin + 3) / 4 * 4 <= size;
+    fit_ =
+        detail::fit_of(robot, begin % alignof(GuardCore) == 0 && (end - begin + 3) / 4 * 4 <= size);
     forget();
   }
 
-  /// True if the memory is large enough for the robot.
-  bool fits() const { return fits_ != 0; }
+  /// True if the robot is open and the memory is large enough for it.
+  bool fits() const { return fit_ == detail::Fit::fits; }
+  /// Returns `done`; `not_open`: the robot is not, and each period is refused; or
+  /// `guard_state_invalid`: the memory is too small.
+  Status status() const { return detail::status_of(fit_, robot_); }
 
   /// Discards all certificates and the last values.
   void forget();
 
   /// Resumes with a stored state that was copied back into its place. `guard_state_invalid`, and
-  /// the guard forgets all, if it is not one of this robot's. Certificates with obstacles are
+  /// the guard forgets all, if it is not one of this robot's, or has no values yet: its period
+  /// would cover no motion. `not_open`, as from all functions. Certificates with obstacles are
   /// discarded, since their workcell may be a new one: place obstacles before. The next period
   /// begins with obstacles where they stand now, and covers no earlier motion of them.
   Status resume();
@@ -176,11 +182,12 @@ class Guard {
   /// mesh's changes.
   void seal();
 
-  /// `done`: nothing changed since seal(). `guard_state_invalid`: memory is damaged, or was not
-  /// sealed; do not use guard or robot. Detects every change within one aligned 32-bit word, and
-  /// others except with probability 2^-32. Follows no pointer before its checksum holds. The
-  /// state's checksum has no addresses: if a stored, sealed state is copied into the place of a
-  /// sealed guard's state, verify() checks that copy.
+  /// `done`: nothing changed since seal(). `not_open`: the robot was not, so nothing was sealed.
+  /// `guard_state_invalid`: memory is damaged, or was not sealed; do not use guard or robot.
+  /// Detects every change within one aligned 32-bit word, and others except with probability 2^-32.
+  /// Follows no pointer before its checksum holds. The state's checksum has no addresses: if a
+  /// stored, sealed state is copied into the place of a sealed guard's state, verify() checks that
+  /// copy.
   ///
   /// Does not read the views' arrays: RegionTest (self_test.hpp) checks images in flash and a
   /// workcell's memory. On a Cortex-M4F at -O2 both take about 4 instructions a word, 1,500 for a
@@ -215,6 +222,8 @@ class Guard {
 
   uint32_t joints_between() const;
   bool is_possible() const;
+  bool has_values() const;
+  Status refusal() const;
   bool is_obstacle(uint8_t link) const;
   void forget_obstacles();
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
@@ -266,7 +275,7 @@ class Guard {
   JointCoordinate* certified_;
   uint8_t* shares_;
   uint8_t* walked_shares_;
-  uint32_t fits_;  ///< 0 or not; a word, since checksums read words without padding
+  detail::Fit fit_;
   uint32_t robot_seal_ = 0;
   uint32_t meshes_seal_ = 0;
   uint32_t seal_ = 0;  ///< checksum of all words before it

@@ -62,8 +62,9 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 
 /// Opens an image in place. `bytes` must start at a multiple of 4. `bytes` and `meshes` must
 /// outlive `robot`. `meshes` takes views of the image's meshes: link_count views, 64 bytes each on
-/// a 32-bit core. It may be written for every status, `robot` only on `done`. Then no guard or
-/// motion query of the robot reads outside the image, overflows or fails to end.
+/// a 32-bit core. On `done` no guard or motion query of the robot reads outside the image,
+/// overflows or fails to end. After an error neither the robot nor any of the `mesh_capacity`
+/// meshes is open: guards, motions and queries on them return `not_open`.
 ///
 /// Checked: the joints' tree, types, limits, mimics and frames. Each link's reaches are in place,
 /// its sphere contains its mesh, and the slack covers its deviation. No part gets farther from the
@@ -89,7 +90,9 @@ Status open_robot(const void* bytes, size_t size, Mesh* meshes, uint32_t mesh_ca
 
 /// Returns the robot of an image that the firmware's own build has baked (`flashbvh robot` writes
 /// C). A view without any check, in time linear in its links. open_robot() is for other images and
-/// has the preconditions. `meshes` has link_count entries.
+/// has the preconditions; a null pointer is not detected. `meshes` has link_count entries. At
+/// namespace scope such a line needs a start-up file that runs constructors; without, guards refuse
+/// (lib/docs/guide.md, "Start-up").
 Robot view_robot_unchecked(const void* image, Mesh* meshes);
 
 /// Returns the robot's name, for people, from an image that was opened or baked; ends with a zero.
@@ -114,7 +117,8 @@ uint32_t unguarded_count(const void* image);
 const RobotUnguarded* unguarded_pairs(const void* image);
 
 /// Returns Robot::hash: FNV-1a of the joints, links, pairs, reaches, distance tables, slack and
-/// cell, and of each mesh's nodes, triangles, vertices and origin. For programs that write robots.
+/// cell, and of each mesh's nodes, triangles, vertices and origin; never 0. For programs that write
+/// robots.
 uint32_t robot_hash(const Robot& robot);
 
 }  // namespace flashbvh

@@ -11,7 +11,7 @@
 namespace flashbvh {
 
 /// Computes all joints' coordinates from the caller's values. `done`; `not_a_coordinate` for
-/// kNoCoordinate; `joint_out_of_limits`. Continuous joints take any other value.
+/// kNoCoordinate; `joint_out_of_limits`; `not_open`. Continuous joints take any other value.
 [[nodiscard]] Status set_coordinates(const Robot& robot, const JointCoordinate* values,
                                      JointCoordinate* coordinates) noexcept;
 

@@ -68,7 +68,8 @@ class MotionQuery {
         values_(state.values),
         coordinates_(state.coordinates),
         frames_(state.frames),
-        fits_(variable_count >= robot.variable_count && joint_count >= robot.joint_count) {}
+        fit_(detail::fit_of(
+            robot, variable_count >= robot.variable_count && joint_count >= robot.joint_count)) {}
 
   /// Takes `size` bytes instead, with the layout of a MotionStateOf of the robot's own counts.
   MotionQuery(const Robot& robot, void* memory, size_t size)
@@ -81,17 +82,21 @@ class MotionQuery {
         frames_(reinterpret_cast<Frame*>(coordinates_ + robot.joint_count)) {
     const auto begin = reinterpret_cast<uintptr_t>(memory);
     const auto end = reinterpret_cast<uintptr_t>(frames_ + robot.joint_count);
-    fits_ = begin % alignof(MotionCore) == 0 && end - begin <= size;
+    fit_ = detail::fit_of(robot, begin % alignof(MotionCore) == 0 && end - begin <= size);
   }
 
-  /// True if the memory is large enough for the robot.
-  bool fits() const { return fits_; }
+  /// True if the robot is open and the memory is large enough for it.
+  bool fits() const { return fit_ == detail::Fit::fits; }
+  /// Returns `done`; `not_open`: the robot is not; `guard_state_invalid`: the memory is too small.
+  Status status() const { return detail::status_of(fit_, robot_); }
 
   /// Starts a motion between two arrays of variable_count values. A joint without limits moves as
-  /// far as the numbers differ. Both ends must be within the limits: statuses of set_coordinates().
+  /// far as the numbers differ. Both ends must be within the limits: statuses of set_coordinates(),
+  /// and of status().
   Status start(const JointCoordinate* from, const JointCoordinate* to);
 
-  /// Does at most `work` (query.hpp), overdrawn by one step; UINT32_MAX: no limit.
+  /// Does at most `work` (query.hpp), overdrawn by one step; UINT32_MAX: no limit. A motion that
+  /// was not started, or of another robot, is `guard_state_invalid`.
   MotionAnswer run(uint32_t work);
 
   /// Writes the values at numerator / 2^level of the motion, rounded to the nearest; level to 30.
@@ -116,7 +121,7 @@ class MotionQuery {
   JointCoordinate* values_;
   JointCoordinate* coordinates_;
   Frame* frames_;
-  bool fits_;
+  detail::Fit fit_;
 };
 
 }  // namespace flashbvh

@@ -57,6 +57,29 @@ constexpr uint32_t kMaxLinks = 64;
 /// The largest distance at which two links are kept apart, in 1/256 cell: 32,767 cells.
 constexpr uint32_t kMaxGuardDistance = 32'767 * 256;
 
+namespace detail {
+
+/// True if guards, motions and workcells may use the robot. A robot of zeros has none of these.
+inline bool is_open(const Robot& robot) {
+  return robot.joint_count != 0 && robot.hash != 0 && is_usable(robot);
+}
+
+/// Whether an object has a robot and enough memory for it. A word: guards' checksums read words.
+/// An object of zeros, which no constructor made, is not open.
+enum class Fit : uint32_t { not_open, fits, too_small };
+
+inline Fit fit_of(const Robot& robot, bool is_large_enough) {
+  return !is_open(robot) ? Fit::not_open : is_large_enough ? Fit::fits : Fit::too_small;
+}
+
+/// `done`; `not_open`, also if the robot is open no longer; or `guard_state_invalid`.
+inline Status status_of(Fit fit, const Robot* robot) {
+  return fit == Fit::too_small                 ? Status::guard_state_invalid
+         : fit == Fit::fits && is_open(*robot) ? Status::done
+                                               : Status::not_open;
+}
+
+}  // namespace detail
 }  // namespace flashbvh
 
 #endif

@@ -66,6 +66,9 @@ inline JointCoordinate exact_slide_coordinate(float length, const CellsPerUnit& 
 }
 
 inline Status set_translation(const Robot& robot, const float (&metres)[3], Frame& frame) {
+  if (!is_usable(robot)) {
+    return Status::not_open;
+  }
   const CellsPerUnit cells = exact_cells_per_unit(robot.cell_bits);
   bool fits = true;
   for (int axis = 0; axis < 3; ++axis) {
@@ -77,8 +80,8 @@ inline Status set_translation(const Robot& robot, const float (&metres)[3], Fram
 
 }  // namespace detail
 
-/// Makes a frame from a matrix, row by row, and metres. `translation_out_of_range`. Functions that
-/// use the frame test if the matrix is a rotation.
+/// Makes a frame from a matrix, row by row, and metres. `translation_out_of_range`; `not_open`.
+/// Functions that use the frame test if the matrix is a rotation.
 inline Status set_frame(const Robot& robot, const float (&rotation)[3][3], const float (&metres)[3],
                         Frame& frame) {
   for (int i = 0; i < 3; ++i) {

@@ -75,24 +75,30 @@ class Workcell {
   Workcell(const Workcell&) = delete;
   Workcell& operator=(const Workcell&) = delete;
 
-  /// True if the memory is large enough for the robot.
+  /// True if the robot is open and the memory is large enough for it.
   bool fits() const { return room_.links != 0; }
+  /// Returns `done`; `not_open`: the robot is not; `workcell_full`: the memory is too small for it.
+  Status status() const {
+    return !detail::is_open(robot_) ? Status::not_open
+           : fits()                 ? Status::done
+                                    : Status::workcell_full;
+  }
 
   /// Returns the robot with all added bodies; make guards of it after adding.
   const Robot& robot() const { return robot_; }
 
   /// Adds a tool on a joint, or an obstacle in the base's frame (kBase); `link` gets its number.
   /// Its mesh is in the mount's frame. `workcell_full`: the memory has no capacity left, or not
-  /// even for the robot; `cell_mismatch`: the mesh's cell differs from the links'; `link_invalid`:
-  /// there is no such joint; `not_a_rotation`; `translation_out_of_range`: it may come 2^19 cells
-  /// or more from a joint of its branch. Time is linear in all vertices and triangles, for the
-  /// sphere and the hash.
+  /// even for the robot; `not_open`: the mesh or the robot; `cell_mismatch`: the mesh's cell
+  /// differs from the links'; `link_invalid`: there is no such joint; `not_a_rotation`;
+  /// `translation_out_of_range`: it may come 2^19 cells or more from a joint of its branch. Time is
+  /// linear in all vertices and triangles, for the sphere and the hash.
   Status add(const Mesh& mesh, const Mount& mount, uint8_t& link);
 
   /// Makes guards keep two links apart. `stop`, `warn`: distances in 1/256 cell, `warn` at least
-  /// `stop`. `workcell_full`; `link_invalid`: there are no two such links, or no joint between
-  /// them; `distance_out_of_range`: `warn` is beyond kMaxGuardDistance or below `stop`, or the
-  /// joints move the two too far for a guard's sums.
+  /// `stop`. `workcell_full`; `not_open`; `link_invalid`: there are no two such links, or no joint
+  /// between them; `distance_out_of_range`: `warn` is beyond kMaxGuardDistance or below `stop`, or
+  /// the joints move the two too far for a guard's sums.
   Status keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn);
 
   /// Moves an obstacle to a frame, from the next period on, which begins with Guard::update().
@@ -100,9 +106,9 @@ class Workcell {
   /// counts in the next one. A guard rejects periods, `joint_jumped`, once an obstacle has moved by
   /// 2^31 since the last accepted one: prime it. It may do so once all obstacles together have
   /// moved by 2^30. Their count wraps at 2^48. Do not call it between update() and go_on(), nor
-  /// while a MotionQuery runs: their results assume that obstacles stand still. `link_invalid`: it
-  /// is no added obstacle; `distance_out_of_range`: `moved` is 2^28 or more; `not_a_rotation` and
-  /// `translation_out_of_range` as in add(). It then stays where it was.
+  /// while a MotionQuery runs: their results assume that obstacles stand still. `not_open`;
+  /// `link_invalid`: it is no added obstacle; `distance_out_of_range`: `moved` is 2^28 or more;
+  /// `not_a_rotation` and `translation_out_of_range` as in add(). It then stays where it was.
   Status move(uint8_t link, const Frame& frame, uint32_t moved);
 
  private:

@@ -38,6 +38,8 @@ class QueryRun : protected Predicate {
            : state_ == State::done ? Status::done
                                    : Status::suspended;
   }
+  /// False for an object of zeros, which no constructor made.
+  [[nodiscard]] bool is_made() const { return b_ != nullptr; }
   /// For derived queries: A.
   [[nodiscard]] const Mesh& mesh_a() const { return *a_; }
   /// For derived queries: B.
@@ -70,6 +72,9 @@ class QueryRun : protected Predicate {
         stats_.visits = 1;
         state_ = State::done;
         return Status::done;
+      }
+      if (!is_made()) {
+        return Status::not_open;
       }
       transform_.prepare(*b_);
     }
@@ -179,7 +184,7 @@ class QueryRun : protected Predicate {
 
   static Status error_of(const Mesh& a, const Mesh& b, const Pose& pose, const Cursor& start) {
     if (!have_one_cell(a, b)) {
-      return Status::cell_mismatch;
+      return cell_error(a, b);
     }
     if (pose.status() != Status::done) {
       return pose.status();
