@@ -118,7 +118,7 @@ Costs run_queries(const Mesh& mesh, Cloth& cloth, FrameAnswers& frame) {
       return true;
     });
   });
-  WithinQuery near_link(link, mesh, kInPlace, {}, within(kNearLink));
+  WithinQuery near_link(link, mesh, kInPlace, {}, within({kNearLink}));
   (void)near_link.run(UINT32_MAX, [&](const WithinQuery::Pair& pair) {
     frame.add(frame.near_link, pair);
     const auto positions = near_link.last_slots();
@@ -126,7 +126,7 @@ Costs run_queries(const Mesh& mesh, Cloth& cloth, FrameAnswers& frame) {
     return true;
   });
   costs.band = port::instructions_of([&] {
-    SelfWithinQuery query(mesh, within(kNear));
+    SelfWithinQuery query(mesh, within({kNear}));
     (void)query.run(UINT32_MAX, [&](const SelfWithinQuery::Pair& pair) {
       frame.add(frame.near_itself, pair);
       const auto positions = query.last_slots();

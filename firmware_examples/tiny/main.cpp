@@ -27,8 +27,8 @@ constexpr uint32_t kMostRam = 1024;
 constexpr Pose kHere = Pose::translated(0, 0, 0);
 
 /// Converts a radius in cells to a distance in 1/256 cell. The ball includes its surface.
-constexpr uint32_t radius(uint32_t cells) {
-  return cells * 256;
+constexpr FineLength radius(uint32_t cells) {
+  return {cells * 256};
 }
 
 bool ball_touches(const Point& middle) {

@@ -17,7 +17,7 @@ inline bool are_refused(const Mesh& a, const Mesh& b) {
   };
   Triangle of[2];
   return PairQuery(a, b, still).status() == Status::cell_mismatch &&
-         is_refused(intersects(a, b, still)) && is_refused(closer_than(a, b, still, 0)) &&
+         is_refused(intersects(a, b, still)) && is_refused(closer_than(a, b, still, {0})) &&
          distance(a, b, still).status == Status::cell_mismatch &&
          is_refused(solids_intersect(a, b, still)) && is_refused(one_is_inside(a, b, still)) &&
          FirstContact(a, b, rest).run(UINT32_MAX).status == Status::cell_mismatch &&

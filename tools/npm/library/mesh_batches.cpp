@@ -78,7 +78,7 @@ EXPORT uint32_t closer_than(const flashbvh_mesh* a, const flashbvh_mesh* b,
                             const flashbvh_pose* poses, uint32_t count, uint32_t distance,
                             bool* yes) {
   return for_each(
-      count, [&](uint32_t i) { return flashbvh_closer_than(a, b, poses + i, distance, yes + i); });
+      count, [&](uint32_t i) { return flashbvh_closer_than(a, b, poses + i, {distance}, yes + i); });
 }
 
 EXPORT uint32_t first_pairs(const flashbvh_mesh* a, const flashbvh_mesh* b,
