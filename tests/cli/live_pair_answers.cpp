@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kQueries = 10000;
 constexpr std::int32_t kSpan = 1 << 14;  // cells, either way
-constexpr float kLimit = 4096;  // cells
+constexpr double kLimit = 4096;  // cells
 /// Every 16th pose, the motion from the previous pose is queried, too.
 constexpr int kWays = 16;
 constexpr std::uint32_t kMostWayWork = 1000000;
