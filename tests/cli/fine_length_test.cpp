@@ -16,15 +16,15 @@ TEST_CASE("a length is the least number of steps that is not below it") {
     const bool is_whole = random.below(2) == 0;
     const int shift = random.between(0, is_whole ? 0 : 20);
     const std::uint64_t length = is_whole ? cell * random.below(9) / 8 : digits(random);
-    const std::uint64_t steps =
-        tool::fine_length_rounded_up(std::ldexp(static_cast<double>(length), shift - 8),
-                                     static_cast<double>(cell))
-            .count;
+    const double given = std::ldexp(static_cast<double>(length), shift - 8);
+    const auto in_doubles = static_cast<double>(cell);
+    const std::uint64_t steps = tool::fine_length_rounded_up(given, in_doubles).count;
     const Wide exact = Wide{length} << shift;
     if (steps == UINT32_MAX) {
       REQUIRE(exact > Wide{UINT32_MAX - 2} * cell);
     } else {
-      REQUIRE(Wide{steps} * cell >= exact);
+      REQUIRE(static_cast<double>(steps) * in_doubles / 256 >= given);
+      REQUIRE(Wide{steps} * cell >= exact - (exact >> 53));
       REQUIRE((steps == 0 || Wide{steps - 1} * cell < exact));
     }
   });
@@ -35,6 +35,11 @@ TEST_CASE("a length below 0, without end or no number is none") {
     CHECK(tool::fine_length_rounded_up(length, 1).count == UINT32_MAX);
   }
   CHECK(tool::fine_length_rounded_up(1e308, 1e308).count == 256);
-  CHECK(tool::fine_length_rounded_up(0.3, 0.1).count == 768);
+  for (const double cells : {3.0, 50.0, 7.0}) {  // in decimals
+    for (const double cell : {0.1, 0.01, 0.001, 0.3, 0.0002}) {
+      const double length = std::stod(std::to_string(cells * cell));
+      CHECK(tool::fine_length_rounded_up(length, cell).count == 256 * cells);
+    }
+  }
   CHECK(tool::fine_length_rounded_up(1e-300, 1).count == 1);
 }
