@@ -26,13 +26,13 @@ const Mesh gripper = view_unchecked<Mesh>(gripper_image);
 enum class Verdict : uint8_t { free, slow, warn, stop };
 constexpr const char* kNames[] = {"free", "slow", "warn", "stop"};
 
-/// Converts millimetres, the unit of both meshes, to a distance in 1/256 cell.
-constexpr uint32_t within_mm(double length) {
-  return static_cast<uint32_t>(length / bar_CELL * 256);
+/// Converts millimetres, the unit of both meshes, to 1/256 cell.
+uint32_t within_mm(float length) {
+  return fine_length_rounded_up(length, bar_CELLS_PER_UNIT).count;
 }
-constexpr uint32_t kSlow = within_mm(20);
-constexpr uint32_t kWarn = within_mm(5);
-constexpr uint32_t kStop = within_mm(0.5);
+const uint32_t kSlow = within_mm(20);
+const uint32_t kWarn = within_mm(5);
+const uint32_t kStop = within_mm(0.5f);
 
 /// The work of a slice, in units of query.hpp.
 constexpr uint32_t kWork = 100;

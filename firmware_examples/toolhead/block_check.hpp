@@ -90,7 +90,8 @@ class BlockCheck {
     return flashbvh::BodyMotion::between(pose(block_.from), pose(block_.to));
   }
   flashbvh::FirstContact query() const {
-    return {obstacle().mesh, body().mesh, motion_, cells(kMargin) * 256};
+    constexpr flashbvh::FineLength margin = {(kMargin * 256 + kCell - 1) / kCell};
+    return {obstacle().mesh, body().mesh, motion_, margin};
   }
 
   Block block_;

@@ -94,7 +94,7 @@ W pair_of(uint16_t i) {
 }
 [[gnu::noinline]] inline void make_within(Arguments& in) {
   make_in<WithinQuery>(
-      in.query, [&] { return WithinQuery(*in.a, *in.b, *in.pose, {}, within(in.distance)); });
+      in.query, [&] { return WithinQuery(*in.a, *in.b, *in.pose, {}, within({in.distance})); });
 }
 [[gnu::noinline]] inline void start_clearance(Arguments& in, const flashbvh_witness* seed) {
   const flashbvh_clearance_options options = {seed, 0};
@@ -103,7 +103,7 @@ W pair_of(uint16_t i) {
 }
 [[gnu::noinline]] inline void start_within(Arguments& in) {
   in.ends(flashbvh_within_start(&as<flashbvh_within_query>(in.query), in.c_a, in.c_b, in.c_pose,
-                                in.distance));
+                                {in.distance}));
 }
 
 /// Queries a deformable mesh against itself.
@@ -129,8 +129,8 @@ template <class QueryType, class... Predicate>
   uint8_t obstacle = 0;
   in.ends(cell.add(*in.a, {0, kIdentityFrame}, tool));
   in.ends(cell.add(*in.a, {kBase, kIdentityFrame}, obstacle));
-  in.ends(cell.keep_apart(tool, obstacle, 0, 0));
-  in.ends(cell.move(obstacle, kIdentityFrame, 1));
+  in.ends(cell.keep_apart(tool, obstacle, {0}, {0}));
+  in.ends(cell.move(obstacle, kIdentityFrame, {1}));
 }
 
 constexpr int32_t kPoints = 162;

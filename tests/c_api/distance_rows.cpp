@@ -13,10 +13,10 @@ struct WithinFunctions {
   using Struct = flashbvh_within_query;
   static constexpr bool kVisits = true;
   static WithinQuery query(Scene& s) {
-    return WithinQuery(s.a.mesh, s.b.mesh, s.pose, {}, within(s.distance));
+    return WithinQuery(s.a.mesh, s.b.mesh, s.pose, {}, within({s.distance}));
   }
   static flashbvh_status start(Struct* c, Scene& s) {
-    return flashbvh_within_start(c, &s.a.c, &s.b.c, &s.c_pose, s.distance);
+    return flashbvh_within_start(c, &s.a.c, &s.b.c, &s.c_pose, {s.distance});
   }
   static const QueryStats& counts_of(const WithinQuery& query) { return query.stats(); }
   static constexpr auto status = flashbvh_within_status;
@@ -72,18 +72,18 @@ bool clearance_agrees(Scene& s) {
 
 bool closer_agrees(Scene& s) {
   bool yes = false;
-  const Answer answer = closer_than(s.a.mesh, s.b.mesh, s.pose, s.distance);
-  return same(flashbvh_closer_than(&s.a.c, &s.b.c, &s.c_pose, s.distance, &yes), answer.status) &&
+  const Answer answer = closer_than(s.a.mesh, s.b.mesh, s.pose, {s.distance});
+  return same(flashbvh_closer_than(&s.a.c, &s.b.c, &s.c_pose, {s.distance}, &yes), answer.status) &&
          yes == answer.yes;
 }
 
 bool nearest_agrees(Scene& s) {
-  WithinQuery query(s.a.mesh, s.b.mesh, s.pose, {}, within(s.distance));
+  WithinQuery query(s.a.mesh, s.b.mesh, s.pose, {}, within({s.distance}));
   flashbvh_within_query c;
   flashbvh_pair pair[1];
   std::uint32_t wanted = 0;
   Kept visited = {9, 0, {}};
-  (void)flashbvh_within_start(&c, &s.a.c, &s.b.c, &s.c_pose, s.distance);
+  (void)flashbvh_within_start(&c, &s.a.c, &s.b.c, &s.c_pose, {s.distance});
   bool agree = true;
   Status status = Status::full;
   while (agree && wanted < visited.most &&
@@ -100,7 +100,7 @@ bool nearest_agrees(Scene& s) {
     agree = agree && same(last, nearest_points_of(a, b)) && same(again, last);
   }
   return agree &&
-         same(flashbvh_for_each_within(&s.a.c, &s.b.c, &s.c_pose, s.distance, keep, &visited),
+         same(flashbvh_for_each_within(&s.a.c, &s.b.c, &s.c_pose, {s.distance}, keep, &visited),
               status) &&
          visited.count == wanted;
 }

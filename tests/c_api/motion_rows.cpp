@@ -78,11 +78,11 @@ struct Contacts {
   Scene& scene;
   const Motions& motions;
   std::uint32_t within;
-  FirstContact query{scene.a.mesh, scene.b.mesh, motions.motion, within};
+  FirstContact query{scene.a.mesh, scene.b.mesh, motions.motion, {within}};
   flashbvh_first_contact_query c{};
 
   bool start() {
-    return same(flashbvh_first_contact_start(&c, &scene.a.c, &scene.b.c, &motions.c, within),
+    return same(flashbvh_first_contact_start(&c, &scene.a.c, &scene.b.c, &motions.c, {within}),
                 query.status());
   }
 
@@ -94,7 +94,7 @@ struct Contacts {
     flashbvh_contact_cursor c_wrong = c_at;
     wrong.time ^= scene.random.below(2);
     std::memcpy(&c_wrong, &wrong, sizeof wrong);
-    query = FirstContact(scene.a.mesh, scene.b.mesh, motions.motion, within);
+    query = FirstContact(scene.a.mesh, scene.b.mesh, motions.motion, {within});
     wipe(c);
     return start() && same(flashbvh_first_contact_resume(&c, &c_wrong), query.resume(wrong)) &&
            same(flashbvh_first_contact_resume(&c, &c_at), query.resume(at));

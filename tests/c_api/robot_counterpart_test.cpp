@@ -295,12 +295,12 @@ TEST_CASE("a workcell in C is that of C++, and so is its guard") {
       for (uint8_t other = 0; other < 7; ++other) {
         const uint32_t warn = random.below(9) == 0 ? kMaxGuardDistance + 1 : random.below(200000);
         const uint32_t stop = random.below(200000);
-        REQUIRE(same(flashbvh_workcell_keep_apart(&c, other, number, stop, warn),
-                     cell.keep_apart(other, number, stop, warn)));
+        REQUIRE(same(flashbvh_workcell_keep_apart(&c, other, number, {stop}, {warn}),
+                     cell.keep_apart(other, number, {stop}, {warn})));
       }
       const uint32_t moved = random.below(9) == 0 ? UINT32_MAX : random.below(9999);
-      REQUIRE(same(flashbvh_workcell_move(&c, number, &mount.frame, moved),
-                   cell.move(number, mount.frame, moved)));
+      REQUIRE(same(flashbvh_workcell_move(&c, number, &mount.frame, {moved}),
+                   cell.move(number, mount.frame, {moved})));
     }
     REQUIRE(same_view(*flashbvh_workcell_robot(&c), cell.robot()));
     flashbvh_guard c_guard;

@@ -112,10 +112,10 @@ struct SelfFunctions {
 struct BandFunctions : SelfFunctions {
   using Struct = flashbvh_self_within_query;
   static DeformableQuery<SelfWithinQuery> query(Scene& s) {
-    return DeformableQuery<SelfWithinQuery>(bent->mesh, within(s.distance));
+    return DeformableQuery<SelfWithinQuery>(bent->mesh, within({s.distance}));
   }
   static flashbvh_status start(Struct* c, Scene& s) {
-    return flashbvh_self_within_start(c, &bent->c, s.distance);
+    return flashbvh_self_within_start(c, &bent->c, {s.distance});
   }
   static constexpr auto run = flashbvh_self_within_run;
   static constexpr auto counts = flashbvh_self_within_stats;

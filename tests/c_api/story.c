@@ -39,6 +39,11 @@ static void check(bool holds, const char* what, long line) {
   }
 }
 
+static flashbvh_fine_length fine(uint32_t count) {
+  const flashbvh_fine_length length = {count};
+  return length;
+}
+
 static bool near(float length, float wanted) {
   return length - wanted <= 0.1f / 256 && wanted - length <= 0.1f / 256;
 }
@@ -139,16 +144,16 @@ static void distances(const flashbvh_pose* pose) {
   CHECK(near(flashbvh_length_in_unit(found.lower, &block), 2.5f));
   CHECK(found.point_a.z == 10100 * 256 && found.point_b.z == 10125 * 256);
   CHECK(found.direction.x == 0 && found.direction.z == FLASHBVH_UNIT_ONE);
-  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, flashbvh_fine_distance(2.5f, scale), &yes),
+  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, flashbvh_fine_length_rounded_up(2.5f, scale), &yes),
             true);
-  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, 25 * 256 - 1, &yes), false);
-  CHECK(flashbvh_for_each_within(&block, &blade, pose, 25 * 256, count_pair, &pairs) ==
+  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, fine(25 * 256 - 1), &yes), false);
+  CHECK(flashbvh_for_each_within(&block, &blade, pose, fine(25 * 256), count_pair, &pairs) ==
         FLASHBVH_STATUS_DONE);
   CHECK(pairs >= 1 && pairs <= 2);
   (void)flashbvh_pose_translated(60100, 0, 0, &far);
   CHECK(flashbvh_distance(&block, &block, &far, &found.witness, &found) == FLASHBVH_STATUS_DONE);
   CHECK(found.in_range && found.lower == 60000 * 256 && found.upper == 60000 * 256);
-  CHECK_YES(flashbvh_closer_than(&block, &block, &far, 60000 * 256, &yes), true);
+  CHECK_YES(flashbvh_closer_than(&block, &block, &far, fine(60000 * 256), &yes), true);
   (void)flashbvh_pose_translated(2000100, 0, 0, &far);
   CHECK(flashbvh_distance(&block, &block, &far, NULL, &found) == FLASHBVH_STATUS_DONE);
   CHECK(!found.in_range && found.lower <= 2000000u * 256 && found.upper >= 2000000u * 256);
@@ -169,17 +174,17 @@ static void motions(const flashbvh_pose* from, const flashbvh_pose* to) {
         FLASHBVH_STATUS_DONE);
   flashbvh_pose_values(&at_third, NULL, cells, NULL);
   CHECK(cells[0] == 20000 && cells[1] == 20000 && cells[2] == 20050);
-  CHECK(flashbvh_first_contact_start(&query, &block, &blade, &down, 0) ==
+  CHECK(flashbvh_first_contact_start(&query, &block, &blade, &down, fine(0)) ==
         FLASHBVH_STATUS_SUSPENDED);
   found = flashbvh_first_contact_run(&query, UINT32_MAX);
   CHECK(found.status == FLASHBVH_STATUS_DONE && found.outcome == FLASHBVH_OUTCOME_CONTACT);
   CHECK(found.from <= FLASHBVH_MOTION_END / 3 && found.to >= FLASHBVH_MOTION_END / 3);
   CHECK(found.to - found.from <= cell && found.triangles.b == 0);
-  (void)flashbvh_first_contact_start(&query, &block, &blade, &down, 10 * 256);
+  (void)flashbvh_first_contact_start(&query, &block, &blade, &down, fine(10 * 256));
   found = flashbvh_first_contact_run(&query, UINT32_MAX);
   CHECK(found.outcome == FLASHBVH_OUTCOME_CONTACT && found.to - FLASHBVH_MOTION_END / 5 <= cell);
   CHECK(flashbvh_body_motion_of_moves(from, &rise, 1, &up) == FLASHBVH_STATUS_DONE);
-  (void)flashbvh_first_contact_start(&query, &block, &blade, &up, 24 * 256);
+  (void)flashbvh_first_contact_start(&query, &block, &blade, &up, fine(24 * 256));
   found = flashbvh_first_contact_run(&query, UINT32_MAX);
   CHECK(found.status == FLASHBVH_STATUS_DONE && found.outcome == FLASHBVH_OUTCOME_FREE);
 }
@@ -229,10 +234,10 @@ static void solids_and_shapes(void) {
   CHECK(flashbvh_segment_shape_make(&capsule, &block, &across.corner[0], &across.corner[1]) ==
         FLASHBVH_STATUS_DONE);
   CHECK(flashbvh_triangle_shape_make(&plate, &block, &across) == FLASHBVH_STATUS_DONE);
-  CHECK_YES(flashbvh_closer_than(&block, &sphere.mesh, &pose, 30 * 256, &yes), true);
-  CHECK_YES(flashbvh_closer_than(&block, &sphere.mesh, &pose, 30 * 256 - 1, &yes), false);
-  CHECK_YES(flashbvh_closer_than(&block, &capsule.mesh, &pose, 50 * 256, &yes), true);
-  CHECK_YES(flashbvh_closer_than(&block, &plate.mesh, &pose, 50 * 256 - 1, &yes), false);
+  CHECK_YES(flashbvh_closer_than(&block, &sphere.mesh, &pose, fine(30 * 256), &yes), true);
+  CHECK_YES(flashbvh_closer_than(&block, &sphere.mesh, &pose, fine(30 * 256 - 1), &yes), false);
+  CHECK_YES(flashbvh_closer_than(&block, &capsule.mesh, &pose, fine(50 * 256), &yes), true);
+  CHECK_YES(flashbvh_closer_than(&block, &plate.mesh, &pose, fine(50 * 256 - 1), &yes), false);
 }
 
 /** A corner of the block moves through its opposite side. */

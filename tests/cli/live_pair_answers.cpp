@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <iomanip>
 #include <iostream>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
 #include "image/image_file.hpp"
@@ -22,7 +24,7 @@ namespace {
 
 constexpr int kQueries = 10000;
 constexpr std::int32_t kSpan = 1 << 14;  // cells, either way
-constexpr std::uint32_t kLimit = 1 << 20;
+constexpr double kLimit = 4096;  // cells
 /// Every 16th pose, the motion from the previous pose is queried, too.
 constexpr int kWays = 16;
 constexpr std::uint32_t kMostWayWork = 1000000;
@@ -72,7 +74,9 @@ int main(int argc, char** argv) {
   Witness<std::uint16_t> hint;
   std::set<std::pair<int, bool>> kinds;
   Pose before = Pose::translated(0, 0, 0);
-  std::cout << "const LIMIT = " << kLimit << ";\nconst KNOWN = [\n";
+  const auto length = static_cast<float>(kLimit * images[0].cell());
+  const FineLength limit = fine_length_rounded_up(length, cells_per_unit(a.cell_bits));
+  std::cout << std::setprecision(9) << "const LIMIT = Math.fround(" << length << ");\nconst KNOWN = [\n";
   for (int i = 0; i < kQueries; ++i) {
     std::cout << "[[";
     const Pose pose = drawn_pose(random, a, b);
@@ -82,7 +86,7 @@ int main(int argc, char** argv) {
     const bool inside = pairs == 0 && one_is_inside(a, b, pose).yes;
     const auto found = distance(a, b, pose, hint);
     hint = found.witness;
-    const bool closer = closer_than(a, b, pose, kLimit).yes;
+    const bool closer = closer_than(a, b, pose, limit).yes;
     std::cout << "],[";
     print(std::array<std::int64_t, 10>{pairs, inside, closer, hit.yes, found.lower,
                                        found.triangles.a, found.triangles.b, found.point_a.x,

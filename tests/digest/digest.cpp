@@ -122,7 +122,7 @@ template <class Traversal, bool with_contacts = false>
     upper = found.upper;
   }
   WithinQuery query(a, b, pose, {},
-                    within(upper < kMaxDistance - 500 ? upper + 500 : kMaxDistance));
+                    within({upper < kMaxDistance - 500 ? upper + 500 : kMaxDistance}));
   while (query
              .run(slice,
                   [&](const TrianglePair<uint16_t>& pair) {

@@ -1,8 +1,4 @@
 /* The guide's robot examples in C, with the arm of firmware_examples/robot_guard. */
-#include <flashbvh/robot.h>
-
-#include "c_arm.robot.h"
-
 #include "guide_10.c"
 
 /** The elbow folds until the gripper would hit the arm. */

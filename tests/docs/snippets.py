@@ -1,5 +1,5 @@
-"""snippets.py FOLDER: writes the C++ and C that README.md and the guide show into FOLDER, a file for each section of a
-page, which the programs guide.cpp, guide.c and guide_robot.c include: guide_05.cpp, readme.cpp. Fails if none does."""
+"""snippets.py FOLDER: writes the C++ and C that README.md and lib/docs show into FOLDER, a file for each section of a
+page, which the programs of this folder include: guide_05.cpp, readme.cpp. Fails if none does."""
 import re
 import sys
 from pathlib import Path
@@ -25,8 +25,8 @@ def snippets(page):
 
 
 def main(folder):
-    programs = "".join((HERE / program).read_text() for program in ("guide.cpp", "guide.c", "guide_robot.c"))
-    for page in ROOT / "README.md", ROOT / "lib/docs/guide.md":
+    programs = "".join(path.read_text() for path in HERE.glob("*.c*"))
+    for page in ROOT / "README.md", *sorted(ROOT.glob("lib/docs/*.md")):
         for name, text in snippets(page).items():
             if f'#include "{name}"' not in programs:
                 sys.exit(f"{page.relative_to(ROOT)}: no program of tests/docs includes {name}")

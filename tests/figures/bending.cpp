@@ -44,7 +44,7 @@ bool measure_all(DeformableMesh& bent, const char* how) {
   Status status{};
   measure({{"bending", "refit", how}}, [&] { status = bent.refit().status; });
   const bool itself = measure_query("itself", how, SelfQuery(bent.mesh()));
-  return measure_query("band", how, SelfWithinQuery(bent.mesh(), within(20 * 256))) && itself &&
+  return measure_query("band", how, SelfWithinQuery(bent.mesh(), within({20 * 256}))) && itself &&
          status == Status::done;
 }
 

@@ -42,7 +42,7 @@ void add_tests(const MeshPair& pair, const Pose& pose, const Clearance<uint16_t>
                const char* motion) {
   const Name of_within = part("within", motion);
   Timed<Within> within;
-  static_cast<Within&>(within) = flashbvh::within(known.lower);
+  static_cast<Within&>(within) = flashbvh::within({known.lower});
   within.name = &of_within;
   run_all(pair, pose, within);
 
@@ -81,7 +81,7 @@ Walked walk_within(const MeshPair& pair, const Transform& transform, const Withi
 void add_walks(const MeshPair& pair, const Pose& pose, uint32_t distance, const char* motion) {
   Transform transform(pose, *pair.a, *pair.b, /*may_stop=*/false);
   transform.prepare(*pair.b);
-  const Within question = within(distance);
+  const Within question = within({distance});
   const Walked all = walk_within<ProximityPlanes<Mesh>>(pair, transform, question);
   const Walked inner = walk_within<NothingBelow>(pair, transform, question);
   add_quotient(part("visit", motion), inner.instructions, inner.visits);

@@ -113,7 +113,60 @@ TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
     REQUIRE(Wide{2 * tens + 1} * digits >= inverse);
   });
 }
+
+TEST_CASE("lengths: rounded up to 1/256 cell, never below and hardly above the exact length") {
+  __extension__ using Wide = unsigned __int128;
+  constexpr std::uint64_t kTwo52 = std::uint64_t{1} << 52;
+  for_rounds(100000, [&](Random& random, int) {
+    // Cells whose inverse is near a power of two, or any.
+    const std::uint64_t beside = random.below(1u << random.below(31));
+    const std::uint64_t any = std::uint64_t{random.below(1u << 20)} << 32 | random.below(UINT32_MAX);
+    const std::uint32_t kind = random.below(3);
+    const std::uint64_t cell_digits =
+        kind == 0 ? kTwo52 + beside : kind == 1 ? 2 * kTwo52 - 1 - beside : kTwo52 | any;
+    const int power = random.between(-20, 20);
+    const std::uint64_t length_digits = random.below(1 << 24);
+    const int shift = random.between(0, 60);
+    const double cell = std::ldexp(static_cast<double>(cell_digits), power - 52);
+    const float length = std::ldexp(static_cast<float>(length_digits), power - 60 + shift);
+    const float per_unit = cells_per_unit(bits_of(cell));
+    const std::uint64_t steps = fine_length_rounded_up(length, per_unit).count;
+    const Wide exact = Wide{length_digits} << shift;  // both sides in 2^(power - 52) / 256
+    if (steps == UINT32_MAX) {
+      REQUIRE(exact + (exact >> 22) > Wide{steps - 1} * cell_digits);
+    } else {
+      REQUIRE(Wide{steps} * cell_digits >= exact);
+      REQUIRE((steps == 0 || Wide{steps - 1} * cell_digits <= exact + (exact >> 22)));
+    }
+  });
+}
 #endif
+
+TEST_CASE("lengths: whole steps of a cell of a power of two stay, and errors are no length") {
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  const auto steps = [](float length, float per_unit) {
+    return fine_length_rounded_up(length, per_unit).count;
+  };
+  CHECK(steps(3, 1) == 768);
+  CHECK(steps(3, 8) == 8 * 768);
+  CHECK(steps(0x1.000002p1f, 1) == 513);
+  CHECK(steps(0, 50) == 0);
+  CHECK(steps(-0.0f, 50) == 0);
+  CHECK(steps(std::numeric_limits<float>::denorm_min(), 0x1p-126f) == 1);
+  CHECK(steps(16777215, 1) == 16777215u * 256);
+  for (const float length : {-1e-9f, infinite, -infinite, std::nanf(""), 16777216.0f}) {
+    CHECK(steps(length, 1) == UINT32_MAX);
+    CHECK(fine_length_rounded_up(length, 1, {999}).count == UINT32_MAX);
+  }
+  for (const float per_unit : {0.0f, -1.0f, infinite, std::nanf("")}) {
+    CHECK(steps(1, per_unit) == UINT32_MAX);
+  }
+  CHECK(fine_length_rounded_up(1, 1, {5}).count == 261);
+  // 1 / cell is 1 within half of a float's last digit, and not 1.
+  CHECK(cells_per_unit(bits_of(1 + 0x1p-30)) > 1);
+  CHECK(cells_per_unit(bits_of(1 - 0x1p-30)) > 1);
+  CHECK(cells_per_unit(bits_of(0.25)) == 4);
+}
 
 TEST_CASE("lengths: a contact a metre off both frames' origins, in millimetres") {
   // Rings of 1,000 cells, one through the other; each drawn a metre from its frame's origin.

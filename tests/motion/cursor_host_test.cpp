@@ -45,7 +45,7 @@ void for_queries(int count, Test test) {
     const BodyMotion motion = any.motion();
     const Mesh a = scene.a.baked.view();
     const Mesh b = scene.b.baked.view();
-    const FirstContact fresh(a, b, motion, random.below(2) * 1000);
+    const FirstContact fresh(a, b, motion, {random.below(2) * 1000});
     if (fresh.status() != Status::motion_out_of_range) {
       test(random, fresh);
     }

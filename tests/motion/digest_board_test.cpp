@@ -94,7 +94,7 @@ TEST_CASE("small trees: first contacts of motions are every core's") {
                                   ? BodyMotion::between(from, digest::any_pose(random, scale))
                                   : BodyMotion(from, moves, count);
     add_pose(motion.pose_at(random.below(kMotionEnd)), hash);
-    FirstContact query(a, b, motion, random.below(2) * 1000);
+    FirstContact query(a, b, motion, {random.below(2) * 1000});
     add_contacts(query, 1 + random.below(1000), hash, outcomes);
   }
   CHECK(outcomes[0] > 10);

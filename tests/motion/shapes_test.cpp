@@ -23,7 +23,7 @@ const Mesh& wall() {  // at x >= 0
 /// `speed`: at contact, in cells per motion; `radius` in cells.
 void check_meets(const Mesh& a, const Mesh& b, const BodyMotion& motion, std::uint32_t radius,
                  double time, double speed) {
-  FirstContact query(a, b, motion, radius * 256);
+  FirstContact query(a, b, motion, {radius * 256});
   const FirstContactAnswer answer = query.run(UINT32_MAX);
   const double from = answer.from / double{kMotionEnd};
   const double to = answer.to / double{kMotionEnd};
@@ -36,7 +36,7 @@ void check_meets(const Mesh& a, const Mesh& b, const BodyMotion& motion, std::ui
 }
 
 void check_passes(const Mesh& a, const Mesh& b, const BodyMotion& motion, std::uint32_t radius) {
-  FirstContact query(a, b, motion, radius * 256);
+  FirstContact query(a, b, motion, {radius * 256});
   const FirstContactAnswer answer = query.run(UINT32_MAX);
   REQUIRE(answer.status == Status::done);
   CHECK(answer.outcome == ContactOutcome::free);
@@ -150,7 +150,7 @@ TEST_CASE("a motion that ends next to its way is tested where it ends") {
 TEST_CASE("motions that a first contact refuses") {
   const PointShape point(some_mesh(), {0, 0, 0});
   const auto status = [&](const BodyMotion& motion, std::uint32_t within = 0) {
-    return FirstContact(wall(), point.mesh(), motion, within).run(1).status;
+    return FirstContact(wall(), point.mesh(), motion, {within}).run(1).status;
   };
   const BodyMotion still = straight({0, 0, 0}, {0, 0, 0});
   CHECK(status(still, kMaxMotionDistance + 1) == Status::distance_out_of_range);

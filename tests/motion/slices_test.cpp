@@ -18,7 +18,7 @@ struct Pair {
   const BodyMotion& motion;
   std::uint32_t within;
 
-  FirstContact query() const { return {a, b, motion, within}; }
+  FirstContact query() const { return {a, b, motion, {within}}; }
 };
 
 /// All outcomes, passing each `close`; work 0: random slices. `anew`: in a new object for each run.
@@ -102,8 +102,8 @@ TEST_CASE("first contacts: the same of meshes with 32-bit indices") {
     const Mesh b = scene.b.baked.view();
     const Mesh32 a32 = wide_a.view();
     const Mesh32 b32 = wide_b.view();
-    const FirstContactAnswer answer = FirstContact(a, b, motion, 50).run(UINT32_MAX);
-    REQUIRE(are_same(answer, FirstContact32(a32, b32, motion, 50).run(UINT32_MAX)));
+    const FirstContactAnswer answer = FirstContact(a, b, motion, {50}).run(UINT32_MAX);
+    REQUIRE(are_same(answer, FirstContact32(a32, b32, motion, {50}).run(UINT32_MAX)));
   });
 }
 

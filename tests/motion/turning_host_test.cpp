@@ -27,7 +27,7 @@ class Checked {
   }
 
   ContactOutcome check() {
-    FirstContact query(a_, b_, motion_, within_);
+    FirstContact query(a_, b_, motion_, {within_});
     const FirstContactAnswer answer = query.run(UINT32_MAX);
     CAPTURE(answer.from, answer.to, within_, static_cast<int>(answer.outcome));
     REQUIRE(answer.status == Status::done);
@@ -82,7 +82,7 @@ class Checked {
 
   bool touch_at(std::uint32_t time) const {
     const Pose pose = motion_.pose_at(time);
-    return within_ == 0 ? intersects(a_, b_, pose).yes : closer_than(a_, b_, pose, within_).yes;
+    return within_ == 0 ? intersects(a_, b_, pose).yes : closer_than(a_, b_, pose, {within_}).yes;
   }
 
   double least_distance(std::uint32_t from, std::uint32_t to) const {

@@ -90,7 +90,7 @@ TEST_CASE("small trees: within a distance are the pairs that brute force finds")
     const uint32_t lower = lower_of(least_distance(scene));
     for (const uint32_t more : {uint32_t{0}, uint32_t{1}, random.below(1 << 16)}) {
       const uint32_t reach = lower + more < kMaxDistance ? lower + more : kMaxDistance;
-      WithinQuery query(scene.a.view(), scene.b.view(), scene.pose, {}, within(reach));
+      WithinQuery query(scene.a.view(), scene.b.view(), scene.pose, {}, within({reach}));
       const bool exact =
           all_pairs(query, 1 + random.below(100)) == brute_force_within(scene, reach);
       REQUIRE(exact);

@@ -157,17 +157,17 @@ TEST_CASE("distances beyond the range are reported as such") {
       // B's vertices are within 28,378 cells of its origin, A's within 16,384 of its own.
       CHECK(found.lower / 256.0 <= std::abs(std::sqrt(3.0) * x) + 80000.0);
       CHECK(found.lower > 0);
-      CHECK(closer_than(a, b, pose, 256 * 3000).status == Status::done);
-      CHECK_FALSE(closer_than(a, b, pose, 256 * 3000).yes);
-      const Answer wide = closer_than(a, b, pose, kMaxDistance);
+      CHECK(closer_than(a, b, pose, {256 * 3000}).status == Status::done);
+      CHECK_FALSE(closer_than(a, b, pose, {256 * 3000}).yes);
+      const Answer wide = closer_than(a, b, pose, {kMaxDistance});
       CHECK((wide.status == Status::distance_out_of_range
                  ? wide.yes
                  : wide.status == Status::done && !wide.yes));
     }
   }
-  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), kMaxDistance + 1).status ==
+  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), {kMaxDistance + 1}).status ==
         Status::distance_out_of_range);
-  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), kMaxDistance).yes);
+  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), {kMaxDistance}).yes);
 }
 
 TEST_CASE("seeds and positions that are none are refused") {

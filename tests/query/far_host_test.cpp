@@ -193,7 +193,7 @@ TEST_CASE("far apart what is within a distance is what exact rationals say") {
         check_band(random, all, a, b, pose, reach);
       }
     }
-    REQUIRE(closer_than(a, b, pose, kMaxDistance + 1).status == Status::distance_out_of_range);
+    REQUIRE(closer_than(a, b, pose, {kMaxDistance + 1}).status == Status::distance_out_of_range);
   });
 }
 
@@ -215,9 +215,9 @@ TEST_CASE("far apart meshes with 32-bit indices give the same, and a pose that t
     REQUIRE((wide.lower == found.lower && wide.upper == found.upper && wide.in_range));
     REQUIRE((wide.triangles.a == found.triangles.a && wide.triangles.b == found.triangles.b));
     if (0 < found.lower && found.upper <= kMaxDistance) {
-      REQUIRE(closer_than(a32, b32, pose, found.upper).status == Status::done);
-      REQUIRE(closer_than(a32, b32, pose, found.upper).yes);
-      REQUIRE_FALSE(closer_than(a32, b32, pose, found.lower - 1).yes);
+      REQUIRE(closer_than(a32, b32, pose, {found.upper}).status == Status::done);
+      REQUIRE(closer_than(a32, b32, pose, {found.upper}).yes);
+      REQUIRE_FALSE(closer_than(a32, b32, pose, {found.lower - 1}).yes);
     }
     // A pose without rotation ignores fractions of a cell, near or far.
     const std::int32_t one = kRotationOne;
@@ -246,7 +246,7 @@ TEST_CASE("where the range ends: in range to the last offset, bounds from there 
       const Clearance<std::uint16_t> found = distance(mesh, mesh, pose);
       bool exact = false;
       const std::uint32_t lower = fine_root(least_of(all), exact);
-      const Answer wide = closer_than(mesh, mesh, pose, kMaxDistance);
+      const Answer wide = closer_than(mesh, mesh, pose, {kMaxDistance});
       CHECK(found.in_range == (x < kFar));
       if (found.in_range) {
         check_distance(all, found);
@@ -256,7 +256,7 @@ TEST_CASE("where the range ends: in range to the last offset, bounds from there 
         CHECK(found.upper >= lower + (exact ? 0 : 1));
         CHECK(found.upper - found.lower <= 256 * 8);
         CHECK((wide.status == Status::distance_out_of_range && wide.yes));
-        const Answer near = closer_than(mesh, mesh, pose, 256u * (kFar - 10000));
+        const Answer near = closer_than(mesh, mesh, pose, {256u * (kFar - 10000)});
         CHECK((near.status == Status::done && !near.yes));
       }
     }

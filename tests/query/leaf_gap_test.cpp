@@ -238,12 +238,12 @@ TEST_CASE("along a direction the same pairs are found as without, however the qu
     const Mesh& b = scene.b;
     const std::vector<Pairwise> all = all_distances(a, b, scene.pose);
     const std::uint32_t distance = lower_of(random.one_of(all).squared) + 1;
-    WithinQuery reference(a, b, scene.pose, {}, within(distance));
+    WithinQuery reference(a, b, scene.pose, {}, within({distance}));
     const Pairs expected = run_to_end(reference);
     constexpr std::uint32_t budgets[] = {1, 7, 100, UINT32_MAX};
     for (const std::uint32_t work : budgets) {
       CAPTURE(distance, work);
-      Query<Ranked<Mesh>, WithinAlong> query(a, b, scene.pose, {}, WithinAlong(within(distance)));
+      Query<Ranked<Mesh>, WithinAlong> query(a, b, scene.pose, {}, WithinAlong(within({distance})));
       REQUIRE(run_to_end(query, work) == expected);
     }
   });

@@ -106,7 +106,7 @@ void check_frames(Random& random, int rounds, int frames, std::uint32_t& answers
         const std::uint32_t d = random.below(6 * 256);
         using Near = BasicSelfQuery<Mesh, Within>;
         check<Near>(
-            random, [&] { return Near(mesh, within(d)); }, near_pairs(now, d));
+            random, [&] { return Near(mesh, within({d})); }, near_pairs(now, d));
       }
     }
   }
@@ -196,7 +196,7 @@ TEST_CASE("a bending tube's digest is the same on every core") {
     };
     SelfQuery self(bent.mesh.mesh());
     add(self);
-    SelfWithinQuery band(bent.mesh.mesh(), within(700));
+    SelfWithinQuery band(bent.mesh.mesh(), within({700}));
     add(band);
     const Pose pose = Pose::translated(40, 7, -11);
     PairQuery pair(bent.mesh.mesh(), bent.mesh.mesh(), pose);

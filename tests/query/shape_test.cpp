@@ -1,6 +1,7 @@
 // Shapes made at run time, queried like meshes: against equal baked meshes, and formulas.
 #include "flashbvh/shape.hpp"
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
@@ -33,11 +34,27 @@ void compare(const Mesh& mesh, const Mesh& shape, const Pose& pose) {
   CHECK(found.status == Status::done);
   CHECK(found.lower == distance(mesh, same, pose).lower);
   CHECK(distance(shape, mesh, pose).lower == distance(same, mesh, pose).lower);
-  CHECK(closer_than(mesh, shape, pose, found.upper).yes);
-  CHECK((found.lower == 0 || !closer_than(mesh, shape, pose, found.lower - 1).yes));
+  CHECK(closer_than(mesh, shape, pose, {found.upper}).yes);
+  CHECK((found.lower == 0 || !closer_than(mesh, shape, pose, {found.lower - 1}).yes));
 }
 
 }  // namespace
+
+TEST_CASE("corners sqrt(2) cells apart are within each longer length in the mesh's unit") {
+  Random random = test_random();
+  const AnyMesh like = any_mesh(random, 30, 200, 60);
+  const TriangleShape a(like, {{{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}}});
+  const TriangleShape b(like, {{{-1, -1, 0}, {-1001, -1, 0}, {-1, -1001, 0}}});
+  const auto within = [&](float length) {
+    return closer_than(a.mesh(), b.mesh(), Pose::translated(0, 0, 0),
+                       fine_length_rounded_up(length, 1))
+        .yes;
+  };
+  for (const float length : {1.4143f, 1.4155f, 1.4179f, 1.418f}) {
+    CHECK(within(length));
+  }
+  CHECK_FALSE(within(1.414f));
+}
 
 TEST_CASE("shapes are queried like the same triangles, baked") {
   for_rounds(60, [&](Random& random, int) {

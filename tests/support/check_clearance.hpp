@@ -45,10 +45,10 @@ void check_pairs_within(const std::vector<KnownPair>& all, const IsWithin& is_wi
   }
   truth = sorted(truth);
   for (const std::uint32_t work : works) {
-    WithinQuery query(a, b, pose, {}, within(reach));
+    WithinQuery query(a, b, pose, {}, within({reach}));
     REQUIRE(sorted(run_to_end(query, work, 5)) == truth);
   }
-  const Answer answer = closer_than(a, b, pose, reach);
+  const Answer answer = closer_than(a, b, pose, {reach});
   REQUIRE(answer.status == Status::done);
   REQUIRE(answer.yes == !truth.empty());
 }

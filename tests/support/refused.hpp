@@ -29,7 +29,7 @@ bool are_refused(const BasicMesh<Index, Layout::post_indexed>& a,
   Triangle of[2];
   DefaultQuery<Index> query(a, b, still);
   BasicClearanceQuery<Mesh> clearance(a, b, still, hint);
-  Query<Ranked<Mesh>, Within> near(a, b, still, {}, within(0));
+  Query<Ranked<Mesh>, Within> near(a, b, still, {}, within({0}));
   BasicFirstContact<Mesh> contact(a, b, rest);
   return query.status() == status && query.run(UINT32_MAX, found).status == status &&
          query.resume(query.cursor()) == status && near.status() == status &&
@@ -38,7 +38,7 @@ bool are_refused(const BasicMesh<Index, Layout::post_indexed>& a,
          is_refused(first_pair(a, b, still, found[0])) &&
          count_pairs(a, b, still).status == status &&
          find_pairs(a, b, still, found, 1).status == status &&
-         for_each_pair(a, b, still, go_on) == status && is_refused(closer_than(a, b, still, 0)) &&
+         for_each_pair(a, b, still, go_on) == status && is_refused(closer_than(a, b, still, {0})) &&
          distance(a, b, still).status == status && distance(a, b, still, hint).status == status &&
          clearance.run(UINT32_MAX).status == status && clearance.result().lower == 0 &&
          clearance.resume(clearance.cursor()) == status &&
@@ -65,7 +65,7 @@ bool is_refused(const BasicMesh<Index, Layout::post_indexed>& mesh, Status statu
   const auto go_on = [](const RayHit<Index>&) { return true; };
   TrianglePair<Index> found[1];
   BasicSelfQuery<Mesh, detail::Intersection> query(mesh);
-  BasicSelfQuery<Mesh, Within> near(mesh, within(0));
+  BasicSelfQuery<Mesh, Within> near(mesh, within({0}));
   const auto hinted = nearest_hit(mesh, ray, Index{0});
   const auto nearest = nearest_hit(mesh, ray);
   const auto any = any_hit(mesh, ray);

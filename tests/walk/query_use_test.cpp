@@ -5,6 +5,7 @@
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/first_contact.hpp"
+#include "flashbvh/robot/workcell.hpp"
 #include "flashbvh/self.hpp"
 #include "support/any_mesh.hpp"
 #include "support/test.hpp"
@@ -33,7 +34,27 @@ static_assert(refuses_temporaries<WithinQuery, Mesh, Mesh, Pose, WithinQuery::Cu
 static_assert(refuses_temporaries<ClearanceQuery, Mesh, Mesh, Pose>());
 static_assert(refuses_temporaries<ClearanceQuery, Mesh, Mesh, Pose, ClearanceQuery::Hint>());
 static_assert(refuses_temporaries<ClearanceQuery, Mesh, Mesh, Pose, ClearanceQuery::Options>());
-static_assert(refuses_temporaries<FirstContact, Mesh, Mesh, BodyMotion, std::uint32_t>());
+static_assert(refuses_temporaries<FirstContact, Mesh, Mesh, BodyMotion, FineLength>());
+
+/// A length is no number: not of cells, nor of the mesh's unit.
+template <class Number>
+constexpr bool refuses_numbers() {
+  constexpr auto ask = [](auto length) -> decltype(closer_than(
+                           std::declval<const Mesh&>(), std::declval<const Mesh&>(),
+                           std::declval<const Pose&>(), length)) { return {}; };
+  static_assert(std::is_invocable<decltype(ask), FineLength>::value);
+  static_assert(!std::is_invocable<decltype(ask), Number>::value);
+  static_assert(!std::is_invocable<decltype(within), Number>::value);
+  static_assert(!std::is_constructible<Within, Number>::value);
+  static_assert(!kTakes<FirstContact, Mesh&, Mesh&, BodyMotion&, Number>);
+  static_assert(!std::is_invocable<decltype(&Workcell::keep_apart), Workcell&, std::uint8_t,
+                                   std::uint8_t, Number, Number>::value);
+  static_assert(!std::is_invocable<decltype(&Workcell::move), Workcell&, std::uint8_t, const Frame&,
+                                   Number>::value);
+  return true;
+}
+static_assert(refuses_numbers<int>() && refuses_numbers<std::uint32_t>());
+static_assert(refuses_numbers<float>() && refuses_numbers<double>());
 
 template <class A, class B>
 constexpr bool deformable_queries_refuse_temporaries() {

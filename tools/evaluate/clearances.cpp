@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "flashbvh/triangle.hpp"
+#include "image/fine_length.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -64,7 +65,7 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
 }
 
 template <class Mesh>
-ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t distance,
+ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, FineLength distance,
                           bool all) {
   ClearanceAnswer answer;
   Query<Ranked<Mesh>, CountingWithin> query(a, b, pose, {},
@@ -95,18 +96,14 @@ void check_has_clearance(const ImageFile& image) {
   }
 }
 
-std::uint32_t fine_length(double length, double cell, std::uint32_t most, Rounding rounding,
-                          const std::string& what) {
-  constexpr double kDoubles = 0x1p-50;
-  const double steps = length / cell * kFineOne;
-  const double whole = rounding == Rounding::upwards ? std::ceil(steps * (1 - kDoubles))
-                                                     : std::floor(steps * (1 + kDoubles));
-  if (!(length >= 0 && whole <= most)) {
+FineLength fine_length(double length, double cell, std::uint32_t most, const std::string& what) {
+  const FineLength fine = fine_length_rounded_up(length, cell);
+  if (fine.count > most) {
     throw UserError(what + " " + shortest(length), "is out of range: 0 to ",
                     significant(most * cell / kFineOne, 6), ", ", most / kFineOne,
                     " cells; bake with a larger --cell to reach further");
   }
-  return static_cast<std::uint32_t>(whole);
+  return fine;
 }
 
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
@@ -118,7 +115,7 @@ ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
 }
 
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
-                                std::uint32_t distance, bool all) {
+                                FineLength distance, bool all) {
   const auto query = [&](const auto& mesh_a, const auto& mesh_b) {
     return within_of(mesh_a, mesh_b, pose, distance, all);
   };

@@ -58,7 +58,7 @@ UnitMove parse_move(std::string_view line, const std::string& place) {
 
 template <class Mesh>
 std::vector<FoundContact> contacts_of(const Mesh& a, const Mesh& b, const BodyMotion& motion,
-                                      std::uint32_t within, bool all) {
+                                      FineLength within, bool all) {
   std::vector<FoundContact> found;
   BasicFirstContact<Mesh> query(a, b, motion, within);
   do {
@@ -125,7 +125,7 @@ std::vector<Move> read_moves(const std::string& path, double cell) {
 }
 
 std::vector<FoundContact> first_contacts(const ImageFile& a, const ImageFile& b,
-                                         const BodyMotion& motion, std::uint32_t within, bool all,
+                                         const BodyMotion& motion, FineLength within, bool all,
                                          const std::string& place) {
   auto found = query_post<std::vector<FoundContact>>(
       [&](const auto& mesh_a, const auto& mesh_b) {

@@ -36,10 +36,10 @@ struct FoundContact : FirstContactAnswerOf<std::uint32_t> {
 };
 
 /// The outcomes of a motion. `free` or `contact` ends the list; so does the first `close`, unless
-/// `all` is true. `within`: in 1/256 cell. Both images are post-indexed partners. UserError, naming
-/// `place`, if the library refuses the motion.
+/// `all` is true. Both images are post-indexed partners. UserError, naming `place`, if the
+/// library refuses the motion.
 std::vector<FoundContact> first_contacts(const ImageFile& a, const ImageFile& b,
-                                         const BodyMotion& motion, std::uint32_t within, bool all,
+                                         const BodyMotion& motion, FineLength within, bool all,
                                          const std::string& place);
 
 /// "free", "contact" or "close".

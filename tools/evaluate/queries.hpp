@@ -87,21 +87,18 @@ struct ClearanceAnswer {
 /// UserError with a remedy if `image` is pre-indexed: distance queries walk post-indexed trees.
 void check_has_clearance(const ImageFile& image);
 
-enum class Rounding : std::uint8_t { downwards, upwards };
-
-/// Converts a length to 1/256 cell. A double's rounding error never changes a whole number.
-/// UserError, naming `what`, if it is not a number from 0 to `most`.
-std::uint32_t fine_length(double length, double cell, std::uint32_t most, Rounding rounding,
-                          const std::string& what = "--within");
+/// As fine_length_rounded_up(). UserError, naming `what`, if it is not a number from 0 to `most`.
+FineLength fine_length(double length, double cell, std::uint32_t most,
+                       const std::string& what = "--within");
 
 /// The distance at a pose. The last pose's nearest pair is the hint, and `hint` is updated. Both
 /// trees are of one kind, post-indexed.
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                           Witness<std::uint32_t>& hint);
 
-/// Pairs within a distance, in 1/256 cell; only the first if not `all`.
+/// Pairs within a distance; only the first if not `all`.
 ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
-                                std::uint32_t distance, bool all);
+                                FineLength distance, bool all);
 
 /// Runs flashbvh::one_is_inside() for two meshes without intersecting triangles; nothing if one
 /// mesh is not closed, or pre-indexed.

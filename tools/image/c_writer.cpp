@@ -1,11 +1,11 @@
 #include "image/c_writer.hpp"
 
-#include <cmath>
 #include <cstring>
 
 #include "flashbvh/float.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/version.hpp"
+#include "image/fine_length.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -54,7 +54,7 @@ std::string deviation_macros(const std::string& word, double deviation, double c
                              const std::string& unit) {
   return concat("#define ", word, "_DEVIATION ", floating_literal(deviation), " /* in ",
                 unit.empty() ? "the mesh's unit" : unit, ": from the file's mesh */\n#define ",
-                word, "_DEVIATION_FINE ", fixed(std::ceil(deviation / cell * kFineOne), 0),
+                word, "_DEVIATION_FINE ", fine_length_rounded_up(deviation, cell).count,
                 " /* the same in 1/256 cell */\n");
 }
 

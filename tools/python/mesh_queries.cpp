@@ -7,6 +7,7 @@
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/solid.hpp"
+#include "image/fine_length.hpp"
 #include "python/bindings.hpp"
 #include "python/images.hpp"
 #include "python/poses.hpp"
@@ -77,9 +78,8 @@ py::array closer_than_all(const Baked& a, const Baked& b, const py::object& pose
   if (!(length >= 0)) {
     throw py::value_error("length: is no length; give a number from 0");
   }
+  const FineLength fine = tool::fine_length_rounded_up(length, a.cell());
   return answers(a, b, poses, [&](const auto& mesh_a, const auto& mesh_b, const Pose& pose) {
-    const std::uint32_t fine =
-        fine_distance(static_cast<float>(length), cells_per_unit(mesh_a.cell_bits));
     return flashbvh::closer_than(mesh_a, mesh_b, pose, fine);
   });
 }

@@ -50,8 +50,7 @@ py::array first_contact_all(const tool::ImageFile& a, const tool::ImageFile& b,
   tool::check_partners(a, b);
   const double cell = a.cell();
   const float cells = tool::cells_in_unit(cell);
-  const std::uint32_t distance =
-      tool::fine_length(within, cell, kMaxMotionDistance, tool::Rounding::upwards, "within");
+  const FineLength distance = tool::fine_length(within, cell, kMaxMotionDistance, "within");
   const bool is_between = moves.is_none();
   const Poses starts(from, "start");
   const Poses ends(is_between ? to : from, is_between ? "end" : "start");

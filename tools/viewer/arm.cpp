@@ -158,8 +158,8 @@ EXPORT double warn_of(uint32_t pair) {
 /// always near each other; they keep their distances unless the new ones are shorter.
 EXPORT void set_distances(double stop, double warn) {
   const auto fine = [](double metres) {
-    const double steps = metres / cell() * kFineCells + 1;
-    return steps < kMostFine ? static_cast<uint32_t>(steps) : kMostFine;
+    const uint32_t steps = live::fine_length_rounded_up(metres).count;
+    return steps < kMostFine ? steps : kMostFine;
   };
   const auto longest = [](uint32_t RobotPair::*distance) {
     uint32_t most = 0;

@@ -1,5 +1,7 @@
 #include "meshes.hpp"
 
+#include "flashbvh/float.hpp"
+
 extern "C" unsigned char __heap_base;  // of wasm-ld
 
 namespace live {
@@ -24,6 +26,16 @@ void* take(size_t bytes) {
 
 double cell(uint32_t mesh) {
   return wasm::length_of(meshes[mesh].cell_bits);
+}
+
+FineLength fine_length_rounded_up(double length, uint32_t mesh) {
+  auto above = static_cast<float>(length);
+  if (above < length) {
+    uint32_t bits = 0;
+    __builtin_memcpy(&bits, &above, sizeof bits);
+    above = detail::float_of(bits + 1);
+  }
+  return flashbvh::fine_length_rounded_up(above, cells_per_unit(meshes[mesh].cell_bits));
 }
 
 /// Allocates memory for an image.

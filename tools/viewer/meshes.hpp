@@ -25,4 +25,7 @@ Type* take(size_t count) {
 /// A mesh's cell in its unit.
 double cell(uint32_t mesh = 0);
 
+/// fine_length_rounded_up() of the float that is not below `length`, in the mesh's unit.
+flashbvh::FineLength fine_length_rounded_up(double length, uint32_t mesh = 0);
+
 }  // namespace live

@@ -152,9 +152,9 @@ EXPORT const void* measure(uint32_t a, uint32_t b) {
   }
   return &measured;
 }
-/// `limit`: in 1/256 cell.
-EXPORT bool is_closer(uint32_t a, uint32_t b, uint32_t limit) {
-  return closer_than(meshes[a], meshes[b], pose, limit).yes;
+/// `length`: in the meshes' unit. True also if it is too long.
+EXPORT bool is_closer(uint32_t a, uint32_t b, double length) {
+  return closer_than(meshes[a], meshes[b], pose, live::fine_length_rounded_up(length, a)).yes;
 }
 
 /// Certifies the motion between the last two poses.

@@ -62,7 +62,7 @@ class Meshes {
       lit, corners, ids: this.#words(this.library.ids_of_lit(), 2 * lit) };
   }
   is_closer(a, b, length) {
-    return this.library.is_closer(a, b, Math.min(Math.floor(length / this.all[a].cell * FINE_ONE), 2 ** 28)) !== 0;
+    return this.library.is_closer(a, b, length) !== 0;
   }
 
   // B's straight motion from one pose to another. `outcome`: 0 free, 1 touches, 2 comes close; `share`: the

@@ -1,8 +1,8 @@
 /* flashbvh for C: the distance of two meshes, and their pairs of triangles within a distance.
  * clearance.hpp defines the distance: between surfaces, not solids.
  *
- * Distances are in 1/256 cell; flashbvh_fine_distance() and flashbvh_length_in_unit() convert
- * lengths.
+ * Distances are in 1/256 cell; flashbvh_fine_length_rounded_up() and
+ * flashbvh_length_in_unit() convert lengths.
  *
  * Stack on Cortex-M3 to M55 at -O2, in bytes (proofs/stack proves it): a run 880, a result 1,040,
  * nearest points 928, a query in one call 1,216. */
@@ -78,7 +78,7 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_distance(const flashbvh_mesh* a, con
 FLASHBVH_NODISCARD flashbvh_status flashbvh_closer_than(const flashbvh_mesh* a,
                                                         const flashbvh_mesh* b,
                                                         const flashbvh_pose* pose,
-                                                        uint32_t distance, bool* yes);
+                                                        flashbvh_fine_length distance, bool* yes);
 
 /** WithinQuery, with all its memory. 136 bytes on a 32-bit core, 160 on a 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_within_query, 6, 112, uint32_t);
@@ -87,7 +87,7 @@ FLASHBVH_OPAQUE(flashbvh_within_query, 6, 112, uint32_t);
  * flashbvh_query_start(). */
 flashbvh_status flashbvh_within_start(flashbvh_within_query* query, const flashbvh_mesh* a,
                                       const flashbvh_mesh* b, const flashbvh_pose* pose,
-                                      uint32_t distance);
+                                      flashbvh_fine_length distance);
 
 /** As flashbvh_query_status(). */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_within_status(const flashbvh_within_query* query);
@@ -128,12 +128,12 @@ void flashbvh_nearest_points_of(const flashbvh_triangle* a, const flashbvh_trian
 FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_within(const flashbvh_mesh* a,
                                                             const flashbvh_mesh* b,
                                                             const flashbvh_pose* pose,
-                                                            uint32_t distance,
+                                                            flashbvh_fine_length distance,
                                                             flashbvh_visitor* visit, void* context);
 
-/** fine_distance(): in 1/256 cell; UINT32_MAX, which every query rejects, if the length is
- * negative, not a number or too large. */
-uint32_t flashbvh_fine_distance(float length, float cells_per_unit);
+/** fine_length_rounded_up(): UINT32_MAX, which every query rejects, if the length is negative, not a
+ * number or too large. */
+flashbvh_fine_length flashbvh_fine_length_rounded_up(float length, float cells_per_unit);
 
 /** length_in_unit(): a length in the mesh's unit, to the nearest float. `fine`: in 1/256 cell,
  * within +-2^39. */

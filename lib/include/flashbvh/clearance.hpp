@@ -11,7 +11,8 @@
 // closer_than() 880 (proofs/stack). Work budgets cut these queries like any other. But the time of
 // a unit of work is proven only for PairQuery (time_bound.hpp): two triangles take more here.
 //
-// Distances are in cells and 1/256 cell; float.hpp and units.hpp convert them to lengths.
+// Distances are in cells and 1/256 cell; float.hpp and units.hpp convert them to lengths, and
+// lengths to a FineLength.
 #ifndef FLASHBVH_CLEARANCE_HPP
 #define FLASHBVH_CLEARANCE_HPP
 
@@ -34,19 +35,19 @@ using Within = detail::Within;
 using WithinQuery = Query<Ranked<Mesh>, Within>;
 using WithinQuery32 = Query<Ranked<Mesh32>, Within>;
 
-/// Returns the predicate of a WithinQuery. `distance`: in 1/256 cell, at most kMaxDistance; a query
-/// beyond it ends with `distance_out_of_range`.
-inline Within within(uint32_t distance) {
+/// Returns the predicate of a WithinQuery. `distance`: at most kMaxDistance; a query beyond it ends
+/// with `distance_out_of_range`.
+inline Within within(FineLength distance) {
   return Within(distance);
 }
 
-/// True if any points of the two meshes are at most `distance` apart, in 1/256 cell; ends at the
-/// first such pair of triangles. `distance_out_of_range`, and `yes`: the distance is more than
-/// kMaxDistance, or undecidable because B's lattice is 2^20 cells or more along an axis from A's.
+/// True if any points of the two meshes are at most `distance` apart; ends at the first such pair
+/// of triangles. `distance_out_of_range`, and `yes`: the distance is more than kMaxDistance, or
+/// undecidable because B's lattice is 2^20 cells or more along an axis from A's.
 template <class Index>
 Answer closer_than(const BasicMesh<Index, Layout::post_indexed>& a,
                    const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
-                   uint32_t distance) {
+                   FineLength distance) {
   Query<Ranked<BasicMesh<Index, Layout::post_indexed>>, Within> query(a, b, pose, {},
                                                                       within(distance));
   TrianglePair<Index> found;

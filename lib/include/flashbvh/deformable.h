@@ -88,11 +88,10 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_self_query_resume(flashbvh_self_quer
  * 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_self_within_query, 9, 112, uint32_t);
 
-/** Starts a query; `distance` in 1/256 cell. DISTANCE_OUT_OF_RANGE; else as
- * flashbvh_self_query_start(). */
+/** Starts a query. DISTANCE_OUT_OF_RANGE; else as flashbvh_self_query_start(). */
 flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
                                            const flashbvh_deformable* deformable,
-                                           uint32_t distance);
+                                           flashbvh_fine_length distance);
 
 /** As the functions of a self query. */
 FLASHBVH_NODISCARD flashbvh_run_result flashbvh_self_within_run(flashbvh_self_within_query* query,

@@ -164,12 +164,13 @@ class BasicFirstContact {
   using Answer = FirstContactAnswerOf<Index>;
   using Cursor = FirstContactCursor<Index>;
 
-  /// Meshes and motion must outlive the query. `within`, in 1/256 cell: bodies this near are in
-  /// contact; 0: only bodies that intersect. status() and every run return errors: those of a
-  /// Query; `motion_out_of_range`, also for more than kMostMoves, if a point of B may get farther
-  /// than 2^19 cells or by a path of 2^25, or if a coordinate of a mesh's origin is 2^18 cells or
-  /// more; `distance_out_of_range`: `within` is beyond kMaxMotionDistance.
-  BasicFirstContact(const Mesh& a, const Mesh& b, const BodyMotion& motion, uint32_t within = 0);
+  /// Meshes and motion must outlive the query. `within`: bodies this near are in contact; 0: only
+  /// bodies that intersect. status() and every run return errors: those of a Query;
+  /// `motion_out_of_range`, also for more than kMostMoves, if a point of B may get farther than
+  /// 2^19 cells or by a path of 2^25, or if a coordinate of a mesh's origin is 2^18 cells or more;
+  /// `distance_out_of_range`: `within` is beyond kMaxMotionDistance.
+  BasicFirstContact(const Mesh& a, const Mesh& b, const BodyMotion& motion,
+                    FineLength within = {0});
   template <class... With>
   BasicFirstContact(const Mesh&&, const Mesh&, const BodyMotion&, const With&...) = delete;
   template <class... With>

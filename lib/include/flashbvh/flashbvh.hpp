@@ -7,6 +7,7 @@
 #include "flashbvh/contact.hpp"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/first_contact.hpp"
+#include "flashbvh/float.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/mesh.hpp"

@@ -1,7 +1,7 @@
 // Floats from kinematics and sensors: poses from a matrix or a unit quaternion, rays from an
 // origin, a direction and a reach; lengths, points and contacts in the mesh's unit.
 //
-// Optional: firmware that does not include this header links no float code. The header itself uses
+// Firmware that calls nothing of this header links no float code. The header itself uses
 // no float arithmetic: it splits a float into its bits and calculates in integers. So no conversion
 // is out of range, and NaN and infinity are detected by their bits (despite -ffast-math). Results
 // are equal on every core: without an FPU, with fused multiplication, with subnormals flushed to
@@ -56,19 +56,23 @@ inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3
   return detail::make_pose(entries, translation, cells_per_unit);
 }
 
-/// Returns NAME_CELLS_PER_UNIT of a mesh without its header, such as an image. `cell_bits`:
-/// Mesh::cell_bits.
+/// Returns NAME_CELLS_PER_UNIT of a mesh without its header, such as an image: the nearest float,
+/// but a power of two only if it is exact. `cell_bits`: Mesh::cell_bits.
 inline float cells_per_unit(uint64_t cell_bits) {
   return detail::float_of(detail::cells_per_unit_bits(cell_bits));
 }
 
-/// Converts a length in the mesh's unit to a distance in 1/256 cell (clearance.hpp). The product is
-/// rounded to 1/65,536 cell, then down. Returns UINT32_MAX, which every query rejects, if the
-/// length is negative, not a number or too large.
-inline uint32_t fine_distance(float length, float cells_per_unit) {
-  const int64_t fine = detail::cell_fractions(length, cells_per_unit) >> 8;
-  return detail::is_below_zero(length) || fine >= UINT32_MAX ? UINT32_MAX
-                                                             : static_cast<uint32_t>(fine);
+/// Converts a length in the mesh's unit, and adds `margin`. The result is never below the exact
+/// length in the mesh's cells, and exceeds it by less than 2^-22 of it and 1/256 cell; it is exact
+/// if cells per unit are a power of two and the length is a multiple of 1/256 cell. UINT32_MAX,
+/// which every query rejects: the length is negative, not a number or too large.
+///
+/// Rounding up is safe for each parameter of the library: more pairs are near, guards stop earlier,
+/// and an obstacle has moved further.
+inline FineLength fine_length_rounded_up(float length, float cells_per_unit,
+                                         FineLength margin = {0}) {
+  const uint64_t fine = uint64_t{detail::fine_steps_above(length, cells_per_unit)} + margin.count;
+  return {fine < UINT32_MAX ? static_cast<uint32_t>(fine) : UINT32_MAX};
 }
 
 /// Returns a length in the mesh's unit, to the nearest float. `fine`: in 1/256 cell, within +-2^39,

@@ -24,6 +24,8 @@ using Point = flashbvh_point;
 /// Inside the library, coordinates are relative to A's origin.
 using Triangle = flashbvh_triangle;
 
+/// fine_length_rounded_up() (float.hpp) converts a length in the mesh's unit to it.
+using FineLength = flashbvh_fine_length;
 /// float.hpp converts it to the mesh's unit.
 using FinePoint = flashbvh_fine_point;
 /// Units of a FinePoint in a cell.

@@ -219,18 +219,19 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_add(flashbvh_workcell* work
                                                          const flashbvh_mount* mount,
                                                          uint8_t* link);
 
-/** Workcell::keep_apart(): distances in 1/256 cell. WORKCELL_FULL; LINK_INVALID;
+/** Workcell::keep_apart(). WORKCELL_FULL; LINK_INVALID;
  * DISTANCE_OUT_OF_RANGE. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_keep_apart(flashbvh_workcell* workcell,
-                                                                uint8_t a, uint8_t b, uint32_t stop,
-                                                                uint32_t warn);
+                                                                uint8_t a, uint8_t b,
+                                                                flashbvh_fine_length stop,
+                                                                flashbvh_fine_length warn);
 
-/** Workcell::move(): `moved` in 1/256 cell. A guard rejects periods, JOINT_JUMPED, once an obstacle
+/** Workcell::move(). A guard rejects periods, JOINT_JUMPED, once an obstacle
  * has moved by 2^31 since the last accepted one. LINK_INVALID; DISTANCE_OUT_OF_RANGE;
  * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE: the obstacle then stays where it was. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_move(flashbvh_workcell* workcell, uint8_t link,
                                                           const flashbvh_frame* frame,
-                                                          uint32_t moved);
+                                                          flashbvh_fine_length moved);
 
 #ifdef __cplusplus
 }

@@ -18,7 +18,8 @@ namespace detail {
 /// Returns the bits of the binary32 nearest to the length in the unit. Arguments as above.
 uint32_t length_bits(int64_t fine, uint64_t cell_bits);
 
-/// Returns the bits of the binary32 nearest to the number of cells in a unit.
+/// Returns the bits of the binary32 nearest to the number of cells in a unit. If this is a power of
+/// two and not exact, returns the next one above.
 uint32_t cells_per_unit_bits(uint64_t cell_bits);
 
 /// digits * 2^exponent.

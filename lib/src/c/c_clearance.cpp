@@ -77,13 +77,14 @@ flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b
 }
 
 flashbvh_status flashbvh_closer_than(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                     const flashbvh_pose* pose, uint32_t distance, bool* yes) {
+                                     const flashbvh_pose* pose, flashbvh_fine_length distance,
+                                     bool* yes) {
   return put_answer(closer_than(object_in(a), object_in(b), object_in(pose), distance), yes);
 }
 
 flashbvh_status flashbvh_within_start(flashbvh_within_query* query, const flashbvh_mesh* a,
                                       const flashbvh_mesh* b, const flashbvh_pose* pose,
-                                      uint32_t distance) {
+                                      flashbvh_fine_length distance) {
   return c_status(make(query, object_in(a), object_in(b), object_in(pose), WithinQuery::Cursor(),
                        within(distance))
                       .status());
@@ -136,7 +137,7 @@ void flashbvh_nearest_points_of(const flashbvh_triangle* a, const flashbvh_trian
 }
 
 flashbvh_status flashbvh_for_each_within(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                         const flashbvh_pose* pose, uint32_t distance,
+                                         const flashbvh_pose* pose, flashbvh_fine_length distance,
                                          flashbvh_visitor* visit, void* context) {
   WithinQuery query(object_in(a), object_in(b), object_in(pose), {}, within(distance));
   const RunResult step = query.run(

@@ -82,7 +82,7 @@ flashbvh_status flashbvh_self_query_resume(flashbvh_self_query* query,
 
 flashbvh_status flashbvh_self_within_start(flashbvh_self_within_query* query,
                                            const flashbvh_deformable* deformable,
-                                           uint32_t distance) {
+                                           flashbvh_fine_length distance) {
   return c_status(make(query, object_in(deformable), within(distance)).status());
 }
 

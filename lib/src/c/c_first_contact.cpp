@@ -28,7 +28,8 @@ flashbvh_status flashbvh_body_motion_pose(const flashbvh_body_motion* motion, ui
 
 flashbvh_status flashbvh_first_contact_start(flashbvh_first_contact_query* query,
                                              const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                             const flashbvh_body_motion* motion, uint32_t within) {
+                                             const flashbvh_body_motion* motion,
+                                             flashbvh_fine_length within) {
   return c_status(make(query, object_in(a), object_in(b), object_in(motion), within).status());
 }
 

@@ -6,8 +6,8 @@
 
 using namespace flashbvh;
 
-uint32_t flashbvh_fine_distance(float length, float cells_per_unit) {
-  return fine_distance(length, cells_per_unit);
+flashbvh_fine_length flashbvh_fine_length_rounded_up(float length, float cells_per_unit) {
+  return fine_length_rounded_up(length, cells_per_unit);
 }
 
 float flashbvh_length_in_unit(int64_t fine, const flashbvh_mesh* mesh) {

@@ -29,11 +29,11 @@ flashbvh_status flashbvh_workcell_add(flashbvh_workcell* workcell, const flashbv
 }
 
 flashbvh_status flashbvh_workcell_keep_apart(flashbvh_workcell* workcell, uint8_t a, uint8_t b,
-                                             uint32_t stop, uint32_t warn) {
+                                             flashbvh_fine_length stop, flashbvh_fine_length warn) {
   return c_status(object_in(workcell).keep_apart(a, b, stop, warn));
 }
 
 flashbvh_status flashbvh_workcell_move(flashbvh_workcell* workcell, uint8_t link,
-                                       const flashbvh_frame* frame, uint32_t moved) {
+                                       const flashbvh_frame* frame, flashbvh_fine_length moved) {
   return c_status(object_in(workcell).move(link, *frame, moved));
 }

@@ -18,6 +18,7 @@ struct Cell {
 };
 
 constexpr unsigned kFineBits = 8;
+constexpr uint32_t kInfinity = 0x7F800000u;
 
 Cell cell_of(uint64_t bits) {
   constexpr uint64_t one = uint64_t{1} << 52;
@@ -82,8 +83,7 @@ uint32_t float_bits(const Wide& wide) {
   const uint64_t digits = down >= 0 ? shifted_down(wide, down) : wide.low << -down;
   // A carry out of the digits raises the exponent.
   const int64_t bits = static_cast<int64_t>(digits) + ((int64_t{least} + 149) << 23);
-  constexpr uint32_t infinity = 0x7F800000u;
-  return bits < infinity ? static_cast<uint32_t>(bits) : infinity;
+  return bits < kInfinity ? static_cast<uint32_t>(bits) : kInfinity;
 }
 
 struct Quotient {
@@ -133,7 +133,9 @@ uint32_t cells_per_unit_bits(uint64_t cell_bits) {
   const Quotient found = inverse(cell.digits, kQuotientBits);
   const Wide wide = {0, found.digits << 1 | (found.is_exact ? 0u : 1u),
                      -52 - kQuotientBits - 1 - cell.exponent};
-  return float_bits(wide);
+  const uint32_t bits = float_bits(wide);
+  const bool is_power = bits - 1 < kInfinity - 1 && (bits & 0x7FFFFF) == 0;
+  return bits + (is_power && cell.digits != uint64_t{1} << 52 ? 1 : 0);
 }
 
 CellsPerUnit exact_cells_per_unit(uint64_t cell_bits) {

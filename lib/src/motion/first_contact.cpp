@@ -33,8 +33,8 @@ constexpr uint32_t halved(uint32_t step) {
 
 template <class MeshType>
 BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
-                                               const BodyMotion& motion, uint32_t within)
-    : a_(&a), b_(&b), motion_(&motion), within_(within), at_() {
+                                               const BodyMotion& motion, FineLength within)
+    : a_(&a), b_(&b), motion_(&motion), within_(within.count), at_() {
   at_.near = Cursor::kNever;
   at_.step = kMotionEnd;
   at_.status = prepare();
@@ -237,7 +237,7 @@ void BasicFirstContact<MeshType>::walk_at_time(uint32_t& work) {
   const Status status =
       within_ == 0
           ? walk(Query<Ranked<Mesh>>(*a_, *b_, pose), work, any)
-          : walk(Query<Ranked<Mesh>, Within>(*a_, *b_, pose, {}, flashbvh::within(within_)), work,
+          : walk(Query<Ranked<Mesh>, Within>(*a_, *b_, pose, {}, flashbvh::within({within_})), work,
                  any);
   if (status == Status::full) {
     end(ContactOutcome::contact);

@@ -224,7 +224,7 @@ Status Guard::walk(uint32_t& work) {
   }
   Query<Ranked<Mesh>, detail::WithinAlong> query(robot_->meshes[pair.a], robot_->meshes[pair.b],
                                                  core_->pose, {},
-                                                 detail::WithinAlong(within(core_->asked)));
+                                                 detail::WithinAlong(within({core_->asked})));
   Status status = query.resume(core_->cursor);
   if (status == Status::suspended) {
     const uint32_t granted = work;

@@ -153,7 +153,7 @@ Status MotionQuery::run_phase(uint32_t& work) {
   const Mesh& a = robot_->meshes[pair.a];
   const Mesh& b = robot_->meshes[pair.b];
   return core_->phase == kWithin
-             ? run_query(WithinQuery(a, b, core_->pose, {}, within(core_->within)), work)
+             ? run_query(WithinQuery(a, b, core_->pose, {}, within({core_->within})), work)
              : run_query(PairQuery(a, b, core_->pose), work);
 }
 

@@ -260,7 +260,7 @@ uint8_t Workcell::joints_beside(const RobotLink& link, uint64_t other, uint64_t&
   return count;
 }
 
-Status Workcell::keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn) {
+Status Workcell::keep_apart(uint8_t a, uint8_t b, FineLength stop, FineLength warn) {
   if (!is_open(robot_)) {
     return Status::not_open;
   }
@@ -274,8 +274,8 @@ Status Workcell::keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn) 
   const RobotLink& link_b = robot_.links[b];
   uint64_t reach = 0;
   RobotPair pair{};
-  pair.stop = stop;
-  pair.warn = warn;
+  pair.stop = stop.count;
+  pair.warn = warn.count;
   pair.a = a;
   pair.b = b;
   pair.joints_a = joints_beside(link_a, branch_of(link_b), reach);
@@ -284,7 +284,7 @@ Status Workcell::keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn) 
   if (pair.joints_a + pair.joints_b == 0) {
     return Status::link_invalid;
   }
-  if (stop > warn || warn > kMaxGuardDistance || reach > UINT32_MAX) {
+  if (pair.stop > pair.warn || pair.warn > kMaxGuardDistance || reach > UINT32_MAX) {
     return Status::distance_out_of_range;
   }
   pairs_[robot_.pair_count++] = pair;
@@ -292,7 +292,7 @@ Status Workcell::keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn) 
   return Status::done;
 }
 
-Status Workcell::move(uint8_t link, const Frame& frame, uint32_t moved) {
+Status Workcell::move(uint8_t link, const Frame& frame, FineLength moved) {
   if (!is_open(robot_)) {
     return Status::not_open;
   }
@@ -300,7 +300,7 @@ Status Workcell::move(uint8_t link, const Frame& frame, uint32_t moved) {
   if (number == kBase || number < own_joints_ || robot_.joints[number].parent != kBase) {
     return Status::link_invalid;
   }
-  if (moved >= kMostMoved) {
+  if (moved.count >= kMostMoved) {
     return Status::distance_out_of_range;
   }
   if (!is_rotation(frame)) {
@@ -315,7 +315,7 @@ Status Workcell::move(uint8_t link, const Frame& frame, uint32_t moved) {
     return Status::translation_out_of_range;
   }
   carrier = there;
-  detail::add_path(carrier, moved);
+  detail::add_path(carrier, moved.count);
   return Status::done;
 }
 

@@ -19,8 +19,8 @@ uint32_t known_distances_digest() {
     digest.add(static_cast<uint32_t>(known.point_a.x));
     digest.add(static_cast<uint32_t>(known.point_b.y));
     digest.add(static_cast<uint32_t>(known.direction.z));
-    const bool is_within = closer_than(mesh, mesh, pose, known.upper).yes;
-    const bool is_nearer = known.lower != 0 && closer_than(mesh, mesh, pose, known.lower - 1).yes;
+    const bool is_within = closer_than(mesh, mesh, pose, {known.upper}).yes;
+    const bool is_nearer = known.lower != 0 && closer_than(mesh, mesh, pose, {known.lower - 1}).yes;
     digest.add(is_within ? 1 : 0, is_nearer ? 1 : 0);
   });
   return digest.value();

@@ -98,7 +98,7 @@ TEST_CASE("a cart that comes nearer is warned of where it is near, not where its
     at.translation[0] = static_cast<std::int32_t>(0.4 / kCell * kFrameCell);
     std::uint8_t link = 0;
     REQUIRE(workcell.add(cart.meshes()[0], {kBase, at}, link) == Status::done);
-    REQUIRE(workcell.keep_apart(1, link, fine(0.001), fine(0.01)) == Status::done);
+    REQUIRE(workcell.keep_apart(1, link, {fine(0.001)}, {fine(0.01)}) == Status::done);
     GuardStateOf<3, 2, 4> state;
     Guard guard(workcell.robot(), state);
     const JointCoordinate value = 0;
@@ -110,7 +110,7 @@ TEST_CASE("a cart that comes nearer is warned of where it is near, not where its
     while (apart > 0.002) {
       at.translation[0] -= way;
       apart = at.translation[0] * kCell / kFrameCell - 0.06;
-      REQUIRE(workcell.move(link, at, moved) == Status::done);
+      REQUIRE(workcell.move(link, at, {moved}) == Status::done);
       const GuardAnswer answer = guard.update(&value, 300);
       CAPTURE(apart, answer.distance * kCell / 256);
       REQUIRE(answer.verdict <= Verdict::stop);

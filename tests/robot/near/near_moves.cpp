@@ -57,14 +57,14 @@ void NearScene::add_obstacle() {
   const std::uint8_t own_links = link_;
   for (std::uint8_t link = 0; link < own_links; ++link) {
     if (robot().links[link].joint != kBase) {
-      (void)workcell_.keep_apart(link, link_, fine(kObstacleStop, cell), fine(kObstacleWarn, cell));
+      (void)workcell_.keep_apart(link, link_, {fine(kObstacleStop, cell)}, {fine(kObstacleWarn, cell)});
     }
   }
 }
 
 void NearScene::move(const Frame& frame, std::uint32_t moved) {
   if (has_obstacle()) {
-    (void)workcell_.move(link_, frame, moved);
+    (void)workcell_.move(link_, frame, {moved});
   }
 }
 

@@ -30,12 +30,12 @@ struct ObstacleScene {
     for (std::uint8_t& link : links) {
       REQUIRE(workcell->add(body.mesh(), {kBase, at(100)}, link) == Status::done);
       const bool is_first = &link == links;
-      REQUIRE(workcell->keep_apart(is_first ? 0 : link, is_first ? link : 0, 256, 2560) ==
+      REQUIRE(workcell->keep_apart(is_first ? 0 : link, is_first ? link : 0, {256}, {2560}) ==
               Status::done);
     }
   }
   void move(double to, std::uint32_t moved, int obstacle = 0) {
-    REQUIRE(workcell->move(links[obstacle], at(to), moved) == Status::done);
+    REQUIRE(workcell->move(links[obstacle], at(to), {moved}) == Status::done);
   }
   /// Moves an obstacle in place by 2^27, so many times.
   void circle(int times, int obstacle = 0) {

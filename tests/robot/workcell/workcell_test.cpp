@@ -198,25 +198,25 @@ TEST_CASE("what a workcell refuses changes nothing") {
   CHECK(cell->workcell.add(other, {kBase, frame}, link) == Status::cell_mismatch);
   frame.translation[1] = kMaxFrameTranslation;
   CHECK(cell->workcell.add(mesh, {kBase, frame}, link) == Status::translation_out_of_range);
-  CHECK(cell->workcell.move(cell->links[2], frame, 0) == Status::translation_out_of_range);
+  CHECK(cell->workcell.move(cell->links[2], frame, {0}) == Status::translation_out_of_range);
   frame = kIdentityFrame;
   frame.rotation[2][2] = -kRotationOne;
   CHECK(cell->workcell.add(mesh, {kBase, frame}, link) == Status::not_a_rotation);
-  CHECK(cell->workcell.move(cell->links[2], frame, 0) == Status::not_a_rotation);
+  CHECK(cell->workcell.move(cell->links[2], frame, {0}) == Status::not_a_rotation);
   other = mesh;
   other.origin[0] = INT32_MAX;
   other.cell_bits = mesh.cell_bits;
   CHECK(cell->workcell.add(other, {kBase, kIdentityFrame}, link) ==
         Status::translation_out_of_range);
-  CHECK(cell->workcell.move(cell->links[2], kIdentityFrame, 1u << 28) ==
+  CHECK(cell->workcell.move(cell->links[2], kIdentityFrame, {1u << 28}) ==
         Status::distance_out_of_range);
-  CHECK(cell->workcell.move(cell->links[0], kIdentityFrame, 0) == Status::link_invalid);
-  CHECK(cell->workcell.move(0, kIdentityFrame, 0) == Status::link_invalid);
-  CHECK(cell->workcell.move(robot.link_count, kIdentityFrame, 0) == Status::link_invalid);
-  CHECK(cell->workcell.keep_apart(0, robot.link_count, 0, 0) == Status::link_invalid);
-  CHECK(cell->workcell.keep_apart(1, 1, 0, 0) == Status::link_invalid);
-  CHECK(cell->workcell.keep_apart(0, cell->links[0], 9, 8) == Status::distance_out_of_range);
-  CHECK(cell->workcell.keep_apart(0, cell->links[0], 0, kMaxGuardDistance + 1) ==
+  CHECK(cell->workcell.move(cell->links[0], kIdentityFrame, {0}) == Status::link_invalid);
+  CHECK(cell->workcell.move(0, kIdentityFrame, {0}) == Status::link_invalid);
+  CHECK(cell->workcell.move(robot.link_count, kIdentityFrame, {0}) == Status::link_invalid);
+  CHECK(cell->workcell.keep_apart(0, robot.link_count, {0}, {0}) == Status::link_invalid);
+  CHECK(cell->workcell.keep_apart(1, 1, {0}, {0}) == Status::link_invalid);
+  CHECK(cell->workcell.keep_apart(0, cell->links[0], {9}, {8}) == Status::distance_out_of_range);
+  CHECK(cell->workcell.keep_apart(0, cell->links[0], {0}, {kMaxGuardDistance + 1}) ==
         Status::distance_out_of_range);
   CHECK(std::memcmp(&before, &robot, sizeof before) == 0);
   CHECK(link == 77);
@@ -242,7 +242,7 @@ TEST_CASE("an obstacle that comes nearer is as near as it says, whatever is look
     Workcell workcell(arm.robot(), memory);
     std::uint8_t link = 0;
     REQUIRE(workcell.add(body.mesh(), {kBase, kIdentityFrame}, link) == Status::done);
-    REQUIRE(workcell.keep_apart(0, link, 500, 2000) == Status::done);
+    REQUIRE(workcell.keep_apart(0, link, {500}, {2000}) == Status::done);
     // A unit of the joint's coordinate is 1/256 cell and moves the obstacle by 1/256 cell.
     REQUIRE(memory.reaches[memory.links[link].first_reach] == 1u << kReachBits);
     WorkcellState state;
@@ -254,7 +254,7 @@ TEST_CASE("an obstacle that comes nearer is as near as it says, whatever is look
     for (int i = 0; left > 0 && answer.verdict != Verdict::stop; ++i) {
       const std::uint32_t moved = random.below(2000);
       frame.translation[0] += static_cast<std::int32_t>(moved) * 8;
-      REQUIRE(workcell.move(link, frame, moved) == Status::done);
+      REQUIRE(workcell.move(link, frame, {moved}) == Status::done);
       answer = guard.update(&value, work);
       const double at = (body.low[0] + body.size[0]) / kWorkcellCell + 0.5;
       left = (1 / kWorkcellCell - at) * 256 - frame.translation[0] / 8.0;
@@ -276,7 +276,7 @@ TEST_CASE("a floating obstacle is known again however far it went") {
   const Frame frame = fixed_frame(cell->way.at(1));
   for (int i = 0; i < 33; ++i) {
     const std::uint32_t moved = i < 32 ? (1u << 27) : 1;
-    REQUIRE(cell->workcell.move(cell->links[2], frame, moved) == Status::done);
+    REQUIRE(cell->workcell.move(cell->links[2], frame, {moved}) == Status::done);
     const GuardAnswer answer = guard.update(values.data(), 0);
     REQUIRE(answer.verdict >= Verdict::not_yet_known);
   }

@@ -98,7 +98,7 @@ struct CrowdedCell {
         if (a < b && robot().links[a].joint != tool_joint &&
             !(robot().links[a].joint == kBase && b != links[0]) &&
             !(a == links[1] && b == links[2])) {
-          REQUIRE(workcell.keep_apart(a, b, stop, stop + random.below(4000)) == Status::done);
+          REQUIRE(workcell.keep_apart(a, b, {stop}, {stop + random.below(4000)}) == Status::done);
         }
       }
     }
@@ -113,7 +113,7 @@ struct CrowdedCell {
     for (double& t : way.along) {
       t = random.below(4) == 0 ? 0 : real_between(random, -speed, speed) * 0.3;
     }
-    return workcell.move(links[2], fixed_frame(way.at(1)), way.length(moving.radius()));
+    return workcell.move(links[2], fixed_frame(way.at(1)), {way.length(moving.radius())});
   }
 
   Transform frame_of(std::uint8_t link, const Values& values, double part) const {
@@ -132,7 +132,7 @@ struct CrowdedCell {
         composed(inverse(frame_of(pair.a, values, part)), frame_of(pair.b, values, part));
     return closer_than(robot().meshes[pair.a], robot().meshes[pair.b],
                        tool::pose_of(between, kWorkcellCell),
-                       distance < kMaxGuardDistance ? distance : kMaxGuardDistance)
+                       {distance < kMaxGuardDistance ? distance : kMaxGuardDistance})
         .yes;
   }
 

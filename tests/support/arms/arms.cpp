@@ -211,7 +211,7 @@ bool BakedArm::are_within(std::size_t a, std::size_t b, const std::vector<double
                           double distance) const {
   const Transform frame = frame_between(model_, joints_between(model_, a, b), variables);
   return closer_than(meshes_[a], meshes_[b], pose_of(frame, cell_),
-                     static_cast<std::uint32_t>(distance * kFineOne))
+                     {static_cast<std::uint32_t>(distance * kFineOne)})
       .yes;
 }
 

@@ -58,7 +58,7 @@ struct FixedArm {
   /// In 1/256 cell. False: the distance is at least `distance` less the error of placing.
   bool is_closer(const RobotPair& pair, const Values& values, std::uint32_t distance) const {
     return closer_than(robot().meshes[pair.a], robot().meshes[pair.b], exact_pose(pair, values),
-                       distance < kMaxGuardDistance ? distance : kMaxGuardDistance)
+                       {distance < kMaxGuardDistance ? distance : kMaxGuardDistance})
         .yes;
   }
   /// Random values within the limits, sometimes at them.

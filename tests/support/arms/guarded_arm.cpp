@@ -116,7 +116,7 @@ bool DrawnArm::is_closer(const RobotPair& pair, const Values& values,
   const Transform frame = frame_between(arm_.model, between, arm_.variables(values));
   const Answer answer =
       closer_than(drawn_.meshes()[pair.a], drawn_.meshes()[pair.b],
-                  tool::pose_of(frame, drawn_.cell()), fine > rounded ? fine - rounded : 0);
+                  tool::pose_of(frame, drawn_.cell()), {fine > rounded ? fine - rounded : 0});
   return fine > rounded && answer.status == Status::done && answer.yes;
 }
 

@@ -80,9 +80,8 @@ std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const 
                                      const ImageFile& b) {
   std::vector<ClearanceAnswer> found;
   Witness<std::uint32_t> hint;
-  const std::uint32_t reach =
-      arguments.within ? fine_length(*arguments.within, a.cell(), kMaxDistance, Rounding::downwards)
-                       : 0;
+  const FineLength reach =
+      arguments.within ? fine_length(*arguments.within, a.cell(), kMaxDistance) : FineLength{0};
   for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
     if (arguments.cold) {
       hint = {};

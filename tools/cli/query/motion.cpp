@@ -110,8 +110,7 @@ ExitCode certify_motion(const MotionArguments& arguments) {
   check_has_clearance(a);
   check_partners(a, b);
   const double cell = a.cell();
-  const std::uint32_t within =
-      fine_length(arguments.within, cell, kMaxMotionDistance, Rounding::upwards);
+  const FineLength within = fine_length(arguments.within, cell, kMaxMotionDistance);
   const Pose from = read_pose_argument(arguments.from, cell, "--from");
   std::vector<Move> moves;
   if (!arguments.moves.empty()) {

@@ -10,6 +10,7 @@
 #include "cli/robot/robot_warnings.hpp"
 #include "cli/robot/simplified_links.hpp"
 #include "flashbvh/clearance.hpp"
+#include "image/fine_length.hpp"
 #include "robot/baked/robot_image.hpp"
 #include "robot/read/urdf.hpp"
 #include "text/parallel.hpp"
@@ -114,7 +115,7 @@ MatrixOptions matrix_options(const Model& model, const std::vector<WholeMesh>& m
 /// UserError, at the option that gives it, if a distance is too large for firmware.
 void check_range(double distance, const std::string& place, double cell) {
   const double most = kMaxGuardDistance * cell / kFineOne;
-  if (distance > most) {
+  if (fine_length_rounded_up(distance, cell).count > kMaxGuardDistance) {
     throw UserError(place, "is out of range: 0 to ", significant(most, 6),
                     " m, 32,767 cells; use a larger --cell to look further");
   }

@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
+#include "image/fine_length.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -63,7 +64,7 @@ GuardedPair own_distances(const Model& model, const std::string& given) {
 double zone_radius(const std::string& place, const std::string& text, double cell) {
   constexpr std::uint32_t kMostCells = UINT32_MAX / kFineOne;
   const double radius = metres_in(place, text);
-  if (radius > kMostCells * cell) {
+  if (fine_length_rounded_up(radius, cell).count == UINT32_MAX) {
     throw UserError(place, "is out of range: 0 to ", significant(kMostCells * cell, 6), " m, ",
                     kMostCells, " cells; give less, or a larger --cell");
   }

@@ -7,6 +7,7 @@
 #include "bake/length.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/image.hpp"
+#include "image/fine_length.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/matrix/matrix_options.hpp"
@@ -227,7 +228,7 @@ void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMes
   fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
   fixed.joint = number_of(link.joint);
   deviations_.push_back(deviation / cell_);
-  fixed.deviation = static_cast<std::uint32_t>(std::ceil(deviations_.back() * kFineOne));
+  fixed.deviation = fine_length_rounded_up(deviation, cell_).count;
   for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
     const double unit = unit_of(model.joints[j], cell_);
     const double fine = reaches[j] * unit / cell_ * 256;
@@ -240,16 +241,13 @@ void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMes
 
 void FixedRobot::add_pair(const Model& model, const GuardedPair& pair) {
   const JointsBetween between = joints_between(model, pair.a, pair.b);
-  const auto fine = [&](double length) {
-    return static_cast<std::uint32_t>(std::ceil(length / cell_ * 256));
-  };
   RobotPair fixed{};
   fixed.a = static_cast<std::uint8_t>(pair.a);
   fixed.b = static_cast<std::uint8_t>(pair.b);
   fixed.joints_a = static_cast<std::uint8_t>(between.of_a.size());
   fixed.joints_b = static_cast<std::uint8_t>(between.of_b.size());
-  fixed.stop = fine(pair.stop);
-  fixed.warn = fine(pair.warn);
+  fixed.stop = fine_length_rounded_up(pair.stop, cell_).count;
+  fixed.warn = fine_length_rounded_up(pair.warn, cell_).count;
   const double reach = reach_of(fixed);
   most_reach_ = std::max(most_reach_, reach);
   fixed.reach = static_cast<std::uint32_t>(std::min(reach, double{UINT32_MAX}));

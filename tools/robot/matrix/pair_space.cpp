@@ -199,7 +199,7 @@ bool BasicPairSpace<MeshType>::are_apart(const std::vector<double>& point, doubl
   if (steps > kMaxGuardDistance) {
     return false;
   }
-  return !closer_than(a_, b_, pose_of(frame, cell_), static_cast<std::uint32_t>(steps)).yes;
+  return !closer_than(a_, b_, pose_of(frame, cell_), {static_cast<std::uint32_t>(steps)}).yes;
 }
 
 template <class MeshType>
@@ -215,7 +215,7 @@ void BasicPairSpace<MeshType>::find_near(
   const Pose pose = pose_of(frame_at(point), cell_);
   const double steps = std::min(std::ceil(distance * 256), 1.0 * kMaxGuardDistance);
   Query<Ranked<MeshType>, Within> query(a_, b_, pose, {},
-                                        within(static_cast<std::uint32_t>(steps)));
+                                        within({static_cast<std::uint32_t>(steps)}));
   (void)query.run(UINT32_MAX, [&](const TrianglePair<typename MeshType::Index>& pair) {
     visit(pair.a, pair.b);
     return true;

@@ -1,10 +1,10 @@
 #include "robot/matrix/unguarded.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "flashbvh/clearance.hpp"
+#include "image/fine_length.hpp"
 #include "robot/kinematics.hpp"
 #include "text/numbers.hpp"
 
@@ -130,7 +130,7 @@ std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs
 RobotUnguarded fixed_unguarded(const UnguardedPair& pair, double cell) {
   return {static_cast<std::uint8_t>(pair.a), static_cast<std::uint8_t>(pair.b), pair.why,
           pair.joint == kNoJoint ? kBase : static_cast<std::uint8_t>(pair.joint),
-          static_cast<std::uint32_t>(std::ceil(pair.radius / cell * kFineOne))};
+          fine_length_rounded_up(pair.radius, cell).count};
 }
 
 UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell, bool is_never_outside) {

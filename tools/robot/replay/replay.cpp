@@ -62,7 +62,7 @@ void take_nearer(const Robot& robot, std::size_t period, std::uint16_t number, c
   const Mesh& b = robot.meshes[robot.pairs[number].b];
   if (closest) {
     const std::uint32_t least = closest->clearance.lower;
-    if (least == 0 || !closer_than(a, b, pose, least - 1).yes) {
+    if (least == 0 || !closer_than(a, b, pose, {least - 1}).yes) {
       return;
     }
   }
@@ -199,7 +199,7 @@ std::optional<std::uint32_t> PosedPairs::distance_of(std::uint16_t pair) {
 
 bool PosedPairs::is_within(std::uint16_t pair, std::uint32_t distance) const {
   const RobotPair& links = robot_.pairs[pair];
-  return closer_than(robot_.meshes[links.a], robot_.meshes[links.b], pose(links), distance).yes;
+  return closer_than(robot_.meshes[links.a], robot_.meshes[links.b], pose(links), {distance}).yes;
 }
 
 }  // namespace flashbvh::tool

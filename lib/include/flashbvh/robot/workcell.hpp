@@ -95,21 +95,21 @@ class Workcell {
   /// linear in all vertices and triangles, for the sphere and the hash.
   Status add(const Mesh& mesh, const Mount& mount, uint8_t& link);
 
-  /// Makes guards keep two links apart. `stop`, `warn`: distances in 1/256 cell, `warn` at least
-  /// `stop`. `workcell_full`; `not_open`; `link_invalid`: there are no two such links, or no joint
-  /// between them; `distance_out_of_range`: `warn` is beyond kMaxGuardDistance or below `stop`, or
-  /// the joints move the two too far for a guard's sums.
-  Status keep_apart(uint8_t a, uint8_t b, uint32_t stop, uint32_t warn);
+  /// Makes guards keep two links apart. `warn`: at least `stop`. `workcell_full`; `not_open`;
+  /// `link_invalid`: there are no two such links, or no joint between them;
+  /// `distance_out_of_range`: `warn` is beyond kMaxGuardDistance or below `stop`, or the joints
+  /// move the two too far for a guard's sums.
+  Status keep_apart(uint8_t a, uint8_t b, FineLength stop, FineLength warn);
 
   /// Moves an obstacle to a frame, from the next period on, which begins with Guard::update().
-  /// `moved`: upper bound of each point's path length, in 1/256 cell; a rejected period's motion
+  /// `moved`: upper bound of each point's path length; a rejected period's motion
   /// counts in the next one. A guard rejects periods, `joint_jumped`, once an obstacle has moved by
   /// 2^31 since the last accepted one: prime it. It may do so once all obstacles together have
   /// moved by 2^30. Their count wraps at 2^48. Do not call it between update() and go_on(), nor
   /// while a MotionQuery runs: their results assume that obstacles stand still. `not_open`;
   /// `link_invalid`: it is no added obstacle; `distance_out_of_range`: `moved` is 2^28 or more;
   /// `not_a_rotation` and `translation_out_of_range` as in add(). It then stays where it was.
-  Status move(uint8_t link, const Frame& frame, uint32_t moved);
+  Status move(uint8_t link, const Frame& frame, FineLength moved);
 
  private:
   void copy();

@@ -95,6 +95,30 @@ inline bool is_below_zero(float value) {
   return bits > 0x80000000u;
 }
 
+/// The least number of 1/256 cell that is at least `length`; UINT32_MAX if out of range. 1 / cell is
+/// at most half a digit above `cells_per_unit`, or equal to it if this is a power of two
+/// (cells_per_unit_bits()).
+inline uint32_t fine_steps_above(float length, float cells_per_unit) {
+  const FloatParts t = parts_of(length);
+  const FloatParts scale = parts_of(cells_per_unit);
+  if (!t.is_finite || is_below_zero(length) || !scale.is_finite || scale.is_negative ||
+      scale.digits == 0) {
+    return UINT32_MAX;
+  }
+  const uint64_t most = uint64_t{2} * scale.digits + (scale.digits == 0x800000 ? 0 : 1);
+  const uint64_t digits = t.digits * most;  // below 2^49
+  const int32_t exponent = t.exponent + scale.exponent + 7;
+  if (exponent < -48 || digits == 0) {
+    return digits == 0 ? 0 : 1;
+  }
+  if (exponent < 0) {
+    const uint64_t steps = (digits + (uint64_t{1} << -exponent) - 1) >> -exponent;
+    return steps < UINT32_MAX ? static_cast<uint32_t>(steps) : UINT32_MAX;
+  }
+  return exponent < 32 && digits < UINT32_MAX >> exponent ? static_cast<uint32_t>(digits << exponent)
+                                                          : UINT32_MAX;
+}
+
 /// pose_of() by integers alone, from a rotation in fixed point or in floats.
 inline Pose pose_of_parts(const int32_t (&rotation)[3][3], const float (&translation)[3],
                           float cells_per_unit) {

@@ -42,11 +42,11 @@ struct Within : ProximityPredicate {
   uint32_t expensive_tests : 8;  ///< tests that only the exact distance decided; 255 for more
   Direction direction;           ///< of the last separation; for a long distance, the distance
 
-  explicit Within(uint32_t distance = 0)
-      : short_distance((distance <= kMostShort ? distance : kMostShort + 1) & 0xFFFFFF),
+  explicit Within(FineLength distance = {0})
+      : short_distance((distance.count <= kMostShort ? distance.count : kMostShort + 1) & 0xFFFFFF),
         expensive_tests(0) {
     if (!is_short()) {
-      direction.packed = distance;
+      direction.packed = distance.count;
     }
   }
   bool is_short() const { return (short_distance & (kMostShort + 1)) == 0; }
