@@ -65,8 +65,8 @@ std::string key_figures(const Subject& subject) {
       fact("size along x, y and z", size_of(subject),
            measure.suffix.empty() ? "in the mesh&#39;s unit, as all lengths" : "") +
       fact("largest deviation", length_of(measure, image.deviation()),
-           "how far rounding moved a vertex: " + fixed(image.deviation() / image.cell(), 2) +
-               " cells"));
+           "of the image and the file from each other: " +
+               fixed(image.deviation() / image.cell(), 2) + " cells"));
 }
 
 std::string warning_list(const Subject& subject) {
