@@ -28,11 +28,11 @@ class Reader {
   std::uint16_t u16() { return read<std::uint16_t>(); }
   std::uint32_t u32() { return read<std::uint32_t>(); }
   std::int32_t i32() { return read<std::int32_t>(); }
-  double f64() {
-    const auto bits = read<std::uint64_t>();
-    double value;
+  double f32() {
+    const auto bits = read<std::uint32_t>();
+    float value;
     std::memcpy(&value, &bits, sizeof value);
-    return value;
+    return static_cast<double>(value);
   }
   template <std::size_t N>
   void i32s(std::int32_t (&values)[N]) {
@@ -187,8 +187,8 @@ MeshCounts read_mesh_header(const std::string& bytes, Reader& in, Mesh& mesh) {
   const std::uint32_t version = in.u16();
   const std::uint32_t layout = in.u8();
   const std::uint32_t index_bits = in.u8();
-  if (version != 2 || layout != 1 || index_bits != 16) {
-    refuse(begin, "a mesh of another version, layout or index width than 2, post-indexed, 16 bits");
+  if (version != 3 || layout != 1 || index_bits != 16) {
+    refuse(begin, "a mesh of another version, layout or index width than 3, post-indexed, 16 bits");
   }
   MeshCounts counts{};
   counts.end = begin + in.u32();
@@ -207,7 +207,8 @@ MeshCounts read_mesh_header(const std::string& bytes, Reader& in, Mesh& mesh) {
   in.u16();
   in.i32s(mesh.origin);
   mesh.cell_bits = in.read<std::uint64_t>();
-  mesh.deviation = in.f64();
+  mesh.deviation = in.f32();
+  in.u32();  // the deviation in cells
   counts.shells = in.u32();
   in.u16();
   mesh.unit = in.u8();
@@ -280,8 +281,8 @@ Counts read_header(const std::string& bytes, Reader& in, Robot& robot) {
     refuse(0, "no robot: its magic is not FBVR; give the .robot file that flashbvh robot writes");
   }
   const std::uint32_t version = in.u16();
-  if (version != 4) {
-    refuse(4, "a robot of version " + std::to_string(version) + ", not 4: bake it again");
+  if (version != 5) {
+    refuse(4, "a robot of version " + std::to_string(version) + ", not 5: bake it again");
   }
   Counts counts{};
   counts.joints = in.u8();
