@@ -127,11 +127,15 @@ double deviation(const SourceMesh& mesh, double cell) {
   double most = 0;
   for (const auto& vertex : mesh.vertices) {
     double squared = 0;
+    double sum = 0;
+    double longest = 0;
     for (const double coordinate : vertex) {
-      const double off = std::fma(-nearest(coordinate, cell), cell, coordinate);
+      const double off = std::fabs(std::fma(-nearest(coordinate, cell), cell, coordinate));
       squared += off * off;
+      sum += off;
+      longest = std::max(longest, off);
     }
-    most = std::max(most, std::sqrt(squared) * rounding);
+    most = std::max(most, sum == longest ? longest : std::sqrt(squared) * rounding);
   }
   return most;
 }

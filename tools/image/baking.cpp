@@ -16,9 +16,10 @@
 namespace flashbvh::tool {
 namespace {
 
-/// The largest cell that moves no vertex further than `deviation`: half the diagonal of a cell.
+/// The largest cell that moves no vertex further than `deviation`, half the diagonal of a cell, but
+/// for the rounding of doubles.
 double sure_cell(double deviation) {
-  return deviation * 2 / std::sqrt(3.0);
+  return deviation * 2 / std::sqrt(3.0) * (1 - 0x1p-48);
 }
 
 /// A length for messages.
