@@ -159,6 +159,7 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   view_.longest_edge = longest_edge(mesh);
   view_.unit = Unit::none;
   view_.is_closed = false;
+  view_.deviation_sixteenths = 0;
   view_.cell_bits = 0x3FF0000000000000u;
   view_.levels = levels_;
   if constexpr (kPost) {

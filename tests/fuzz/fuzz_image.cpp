@@ -22,6 +22,7 @@ std::vector<std::uint8_t> repaired(const std::uint8_t* bytes, std::size_t size) 
   std::memcpy(&header, bytes, sizeof header);
   header.magic = kImageMagic;
   header.version = kImageVersion;
+  header.padding = 0;
   header.layout &= 1;
   header.index_bits = header.index_bits == 32 ? 32 : 16;
   const std::uint64_t end = image_offsets(header).end;

@@ -29,6 +29,7 @@ std::size_t repair_mesh(Bytes& bytes, std::size_t at, const RobotImageHeader& ro
   std::memcpy(&header, &bytes[at], sizeof header);
   header.magic = kImageMagic;
   header.version = kImageVersion;
+  header.padding = 0;
   header.layout = static_cast<std::uint8_t>(Layout::post_indexed);
   header.index_bits = 16;
   header.unit = static_cast<std::uint8_t>(Unit::m);

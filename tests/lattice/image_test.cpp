@@ -1,4 +1,5 @@
 // Images: written images open; an image that breaks a rule of the format is refused.
+#include <cfloat>
 #include <functional>
 
 #include "bake/image_bytes.hpp"
@@ -126,9 +127,40 @@ TEST_CASE("an image opens in place as the tree that was baked") {
         std::equal(baked.shell_vertices.begin(), baked.shell_vertices.end(), tree.shell_vertices));
     REQUIRE(tree.longest_edge == baked.longest_edge);
     REQUIRE(tree.is_closed == baked.is_closed);
+    REQUIRE(tree.deviation_sixteenths == baked.view().deviation_sixteenths);
     REQUIRE(Image{image_of(baked_shape<kPre>(random, 5))}.open<PreMeshWithLevels>() ==
             Status::done);
   });
+}
+
+TEST_CASE("a deviation is rounded up, in the unit and in cells") {
+  struct Told {
+    double deviation;
+    double cell;
+    std::uint16_t sixteenths;
+  };
+  constexpr double tenth = 0.1;  // as a float more than 0.1
+  constexpr Told kTold[] = {
+      {0, 1, 0},        {1e-300, 1, 1},     {0.5, 1, 8},          {0x1p-5, 0.5, 1},
+      {0.500001, 1, 9}, {tenth, tenth, 17}, {4095.875, 1, 65534}, {4095.9, 1, 65535},
+      {1e300, 1, 65535}};
+  for (const Told& told : kTold) {
+    CAPTURE(told.deviation, told.cell);
+    auto baked = small_tree<kPost>();
+    baked.deviation = told.deviation;
+    baked.cell = told.cell;
+    Image image{image_of(baked)};
+    Mesh mesh;
+    REQUIRE(open_image(image.bytes(), image.size(), mesh) == Status::done);
+    CHECK(mesh.deviation_sixteenths == told.sixteenths);
+    CHECK(view_unchecked<Mesh>(image.bytes()).deviation_sixteenths == told.sixteenths);
+    ImageHeader header;
+    std::memcpy(&header, image.bytes(), sizeof header);
+    float deviation = 0;
+    std::memcpy(&deviation, &header.deviation, sizeof deviation);
+    CHECK(static_cast<double>(deviation) >= std::min(told.deviation, static_cast<double>(FLT_MAX)));
+    CHECK(static_cast<double>(std::nextafter(deviation, 0.0F)) <= told.deviation);
+  }
 }
 
 TEST_CASE("wide images open as wide trees") {
@@ -286,6 +318,13 @@ TEST_CASE("a layout or an index width that is none is refused as such") {
     }
     image.bytes()[offset] = right;
   }
+}
+
+TEST_CASE("a byte other than zero in the header's padding is refused") {
+  Image image{image_of(small_tree<kPost>())};
+  image.bytes()[offsetof(ImageHeader, padding) + 1] = 1;
+  image.repair_crc();
+  CHECK(image.open<Mesh>() == Status::image_invalid);
 }
 
 TEST_CASE("a flag that is none is refused, and a pre-indexed image without levels") {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "bake/leaf_order.hpp"
+#include "bake/quantise.hpp"
 #include "bake/rank.hpp"
 #include "flashbvh/mesh.hpp"
 
@@ -221,6 +222,7 @@ BasicMeshWithLevels<Index, layout> BakedTree<Index, layout>::view() const {
   tree.longest_edge = longest_edge;
   tree.is_closed = is_closed;
   tree.unit = unit;
+  tree.deviation_sixteenths = sixteenths_above(deviation, cell);
   std::copy(origin.begin(), origin.end(), tree.origin);
   static_assert(sizeof tree.cell_bits == sizeof cell);
   std::memcpy(&tree.cell_bits, &cell, sizeof cell);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "bake/quantise.hpp"
 #include "flashbvh/image.hpp"
 
 namespace flashbvh::bake {
@@ -29,7 +30,9 @@ ImageHeader header_of(const BakedTree<Index, layout>& baked, bool levels) {
   header.arity = static_cast<std::uint16_t>(std::min(baked.arity, std::uint32_t{0xFFFF}));
   std::copy(baked.origin.begin(), baked.origin.end(), header.origin);
   std::memcpy(header.cell, &baked.cell, sizeof header.cell);
-  std::memcpy(header.deviation, &baked.deviation, sizeof header.deviation);
+  const float deviation = float_above(baked.deviation);
+  std::memcpy(&header.deviation, &deviation, sizeof header.deviation);
+  header.deviation_sixteenths = sixteenths_above(baked.deviation, baked.cell);
   header.shell_count = static_cast<std::uint32_t>(baked.shell_vertices.size());
   header.longest_edge = baked.longest_edge;
   header.unit = static_cast<std::uint8_t>(baked.unit);

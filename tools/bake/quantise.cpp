@@ -101,15 +101,41 @@ std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell) {
   return found;
 }
 
+float float_above(double length) {
+  constexpr float most = std::numeric_limits<float>::max();
+  if (length > static_cast<double>(most) && std::isfinite(length)) {
+    return most;
+  }
+  const auto near = static_cast<float>(length);
+  return static_cast<double>(near) < length
+             ? std::nextafter(near, std::numeric_limits<float>::infinity())
+             : near;
+}
+
+double parts_above(double length, double cell, double parts) {
+  const double count = std::ceil(length / cell * parts);
+  return std::fma(count, cell, -parts * length) < 0 ? count + 1 : count;
+}
+
+std::uint16_t sixteenths_above(double deviation, double cell) {
+  const double count = parts_above(static_cast<double>(float_above(deviation)), cell, 16);
+  return count < kDeviationUnknown ? static_cast<std::uint16_t>(count) : kDeviationUnknown;
+}
+
 double deviation(const SourceMesh& mesh, double cell) {
+  constexpr double rounding = 1 + 0x1p-50;  // of a sum of squares and its root
   double most = 0;
   for (const auto& vertex : mesh.vertices) {
     double squared = 0;
+    double sum = 0;
+    double longest = 0;
     for (const double coordinate : vertex) {
-      const double off = coordinate - nearest(coordinate, cell) * cell;
+      const double off = std::fabs(std::fma(-nearest(coordinate, cell), cell, coordinate));
       squared += off * off;
+      sum += off;
+      longest = std::max(longest, off);
     }
-    most = std::max(most, std::sqrt(squared));
+    most = std::max(most, sum == longest ? longest : std::sqrt(squared) * rounding);
   }
   return most;
 }

@@ -18,7 +18,15 @@ bool fits(const SourceMesh& mesh, double cell);
 /// cell, ascending; none if the mesh fits.
 std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell);
 
-/// The largest motion of a vertex by rounding to the lattice, in the mesh's unit.
+/// The least float that is not below the length; FLT_MAX for a longer one.
+float float_above(double length);
+/// The length in 1/parts of the cell, rounded up.
+double parts_above(double length, double cell, double parts);
+/// Mesh::deviation_sixteenths of a deviation.
+std::uint16_t sixteenths_above(double deviation, double cell);
+
+/// A tight upper bound of the motion of a vertex by rounding to the lattice, in the mesh's unit. 0
+/// if no vertex moves.
 double deviation(const SourceMesh& mesh, double cell);
 
 /// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero (also halves

@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "bake/build_tree.hpp"
 #include "bake/image_bytes.hpp"
 #include "bake/quantise.hpp"
+#include "simplify/deviation.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-/// The largest cell that moves no vertex further than `deviation`: half the diagonal of a cell.
+/// The largest cell that moves no vertex further than `deviation`, half the diagonal of a cell, but
+/// for the rounding of doubles.
 double sure_cell(double deviation) {
-  return deviation * 2 / std::sqrt(3.0);
+  return deviation * 2 / std::sqrt(3.0) * (1 - 0x1p-48);
 }
 
 /// A length for messages.
@@ -34,10 +37,15 @@ void check_range(const InputMesh& input, double cell, const BakeOptions& options
 }
 
 void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
-                     const BakeOptions& options) {
+                     const BakeOptions& options, double dropped) {
   const std::optional<double>& most = options.max_deviation;
   if (!most || rounded.deviation <= *most) {
     return;
+  }
+  if (dropped > 0) {
+    throw UserError(input.path, "triangles to drop lie up to ", text_of(dropped, options),
+                    " from all others, --max-deviation allows ", text_of(*most, options),
+                    "; leave --drop out, or repair the mesh");
   }
   const double cell = sure_cell(*most - input.reading_error());
   throw UserError(input.path, "rounding moves a vertex by ", text_of(rounded.deviation, options),
@@ -47,9 +55,75 @@ void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
                       : "; the mesh is too large for so fine a cell: cut it in parts");
 }
 
-/// Removes triangles as the options say, and unused vertices. Returns the source's numbers of the
-/// triangles that stay.
-TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const BakeOptions& options) {
+/// Triangles by their vertices, and their edges and corners, as edges without length.
+class Covered {
+ public:
+  void add(const bake::TriangleCorners& corners) {
+    triangles_.insert(sorted(corners));
+    for (const std::uint32_t from : corners) {
+      for (const std::uint32_t to : corners) {
+        edges_.insert({from, to});
+      }
+    }
+  }
+
+  bool has(const bake::TriangleCorners& corners) const {
+    return triangles_.count(sorted(corners)) != 0;
+  }
+  /// True for a triangle without area if two of its edges are there: they contain the third.
+  bool has_line(const bake::TriangleCorners& corners) const {
+    const auto& [p, q, r] = corners;
+    return edges_.count({p, q}) + edges_.count({q, r}) + edges_.count({r, p}) >= 2;
+  }
+
+ private:
+  static bake::TriangleCorners sorted(bake::TriangleCorners corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+  std::set<bake::TriangleCorners> triangles_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
+};
+
+/// These triangles, in cells.
+bake::SourceMesh in_cells(const bake::LatticeMesh& mesh, const TriangleIds& numbers) {
+  const bake::LatticeMesh part = part_of(mesh, numbers);
+  bake::SourceMesh made;
+  for (const Vertex& v : part.vertices) {
+    made.vertices.push_back({1.0 * v.x, 1.0 * v.y, 1.0 * v.z});
+  }
+  made.triangles = part.triangles;
+  return made;
+}
+
+/// RoundedMesh::dropped. A triangle without area in the file is a line there, once rounded too.
+double dropped_distance(const bake::LatticeMesh& mesh, const MeshDefects& defects,
+                        const TriangleIds& kept, const TriangleIds& dropped) {
+  Covered covered;
+  for (const std::uint32_t triangle : kept) {
+    covered.add(mesh.triangles[triangle]);
+  }
+  TriangleIds apart;
+  for (const std::uint32_t triangle : dropped) {
+    const bake::TriangleCorners& corners = mesh.triangles[triangle];
+    const auto is_in = [&](const TriangleIds& ids) {
+      return std::binary_search(ids.begin(), ids.end(), triangle);
+    };
+    const bool is_line = is_in(defects.degenerate) || is_in(defects.collapsed);
+    if (!covered.has(corners) && !(is_line && covered.has_line(corners))) {
+      apart.push_back(triangle);
+    }
+  }
+  return apart.empty()
+             ? 0
+             : simplify::farthest_from(in_cells(mesh, kept), in_cells(mesh, apart)) * mesh.cell;
+}
+
+/// Removes triangles as the options say, and unused vertices.
+void drop(RoundedMesh& rounded, const InputMesh& input, const BakeOptions& options) {
+  bake::LatticeMesh& mesh = rounded.lattice;
+  const MeshDefects& defects = rounded.defects;
   std::vector<bool> dropped(mesh.triangles.size(), false);
   const auto mark = [&](const TriangleIds& triangles, bool wanted) {
     for (const std::uint32_t triangle : triangles) {
@@ -59,14 +133,15 @@ TriangleIds drop(bake::LatticeMesh& mesh, const MeshDefects& defects, const Bake
   mark(defects.degenerate, options.drop_degenerate);
   mark(defects.collapsed, options.drop_degenerate);
   mark(defects.duplicates, options.drop_duplicate);
-  TriangleIds kept;
+  TriangleIds left_out;
   for (std::size_t i = 0; i < dropped.size(); ++i) {
-    if (!dropped[i]) {
-      kept.push_back(static_cast<std::uint32_t>(i));
-    }
+    (dropped[i] ? left_out : rounded.kept).push_back(static_cast<std::uint32_t>(i));
   }
-  mesh = part_of(mesh, kept);
-  return kept;
+  if (rounded.kept.empty()) {
+    throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
+  }
+  rounded.dropped = dropped_distance(mesh, defects, rounded.kept, left_out);
+  mesh = part_of(mesh, rounded.kept);
 }
 
 constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
@@ -144,12 +219,11 @@ RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options) {
   RoundedMesh rounded;
   rounded.lattice = bake::round_to_lattice(input.mesh, cell);
   rounded.lattice.deviation += input.reading_error();
-  check_deviation(input, rounded.lattice, options);
+  check_deviation(input, rounded.lattice, options, 0);
   rounded.defects = defects_of(input.mesh, rounded.lattice, input.degenerate);
-  rounded.kept = drop(rounded.lattice, rounded.defects, options);
-  if (rounded.kept.empty()) {
-    throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
-  }
+  drop(rounded, input, options);
+  rounded.lattice.deviation += rounded.dropped;
+  check_deviation(input, rounded.lattice, options, rounded.dropped);
   return rounded;
 }
 
@@ -192,7 +266,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
                     offer_of(input, options, offered_length(input.mesh)),
                     options.offers_wide_indices ? "; or use --index-bits 32" : "");
   }
-  return {build_tree(input, rounded, options), std::move(rounded.defects)};
+  return {build_tree(input, rounded, options), std::move(rounded.defects), rounded.dropped};
 }
 
 double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,
@@ -217,7 +291,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options,
   MeshDefects defects = round_mesh(input, options).defects;
   const InputMesh made = in_place_of(input, coarse);
   RoundedMesh rounded = round_mesh(made, without_limit(options));
-  rounded.lattice.deviation = coarse.deviation().most + input.reading_error();
+  rounded.lattice.deviation = coarse.deviation().most + input.reading_error() + rounded.dropped;
   if (!std::isfinite(rounded.lattice.deviation)) {
     throw UserError(input.path,
                     "the simplified mesh's deviation can't be certified; simplify to "
@@ -228,7 +302,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options,
                     text_of(rounded.lattice.deviation, options), ", --max-deviation allows ",
                     text_of(*options.max_deviation, options));
   }
-  return {build_tree(made, rounded, options), std::move(defects)};
+  return {build_tree(made, rounded, options), std::move(defects), rounded.dropped};
 }
 
 }  // namespace flashbvh::tool

@@ -48,6 +48,7 @@ using AnyBakedTree = std::variant<bake::BakedTree<std::uint16_t, Layout::pre_ind
 struct BakedMesh {
   AnyBakedTree tree;
   MeshDefects defects;  ///< before any triangle was dropped
+  double dropped = 0;   ///< RoundedMesh::dropped
 };
 
 /// The finest cell with which the mesh fits the lattice and that firmware can hold in a float.
@@ -58,11 +59,14 @@ struct RoundedMesh {
   bake::LatticeMesh lattice;  ///< without dropped triangles
   TriangleIds kept;           ///< the file's numbers of its triangles
   MeshDefects defects;        ///< before any triangle was dropped
+  /// How far points of dropped triangles may be from the others, once rounded; the deviation
+  /// includes it. 0 if they lie on others.
+  double dropped = 0;
 };
 
-/// Rounds a mesh. The deviation includes the reader's rounding. UserError, naming the mesh's file,
-/// if the mesh is too large for the cell, if rounding moves a vertex too far, or if no triangle is
-/// left.
+/// Rounds a mesh. The deviation includes the reader's rounding and dropped triangles. UserError,
+/// naming the mesh's file, if the mesh is too large for the cell, if rounding moves a vertex too
+/// far, or if no triangle is left.
 RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options);
 /// Builds a tree. UserError if the mesh or its tree is too large for the indices.
 AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,

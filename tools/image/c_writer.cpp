@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "bake/quantise.hpp"
 #include "flashbvh/float.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/version.hpp"
@@ -54,7 +55,7 @@ std::string deviation_macros(const std::string& word, double deviation, double c
                              const std::string& unit) {
   return concat("#define ", word, "_DEVIATION ", floating_literal(deviation), " /* in ",
                 unit.empty() ? "the mesh's unit" : unit, ": from the file's mesh */\n#define ",
-                word, "_DEVIATION_FINE ", fine_length_rounded_up(deviation, cell).count,
+                word, "_DEVIATION_FINE ", fixed(bake::parts_above(deviation, cell, kFineOne), 0),
                 " /* the same in 1/256 cell */\n");
 }
 
@@ -114,8 +115,8 @@ SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName&
   std::memcpy(&header, image.data(), sizeof header);
   double cell = 0;
   std::memcpy(&cell, header.cell, sizeof cell);
-  double deviation = 0;
-  std::memcpy(&deviation, header.deviation, sizeof deviation);
+  float deviation = 0;
+  std::memcpy(&deviation, &header.deviation, sizeof deviation);
   const std::string& word = name.word;
   const std::string about =
       count_macros(word,
@@ -129,7 +130,7 @@ SourceFiles mesh_in_c(const std::vector<std::uint32_t>& image, const OutputName&
                     {"VERTEX_COUNT", header.vertex_count, "on the lattice, joined"},
                     {"IMAGE_BYTES", header.byte_count, "of the array"}}) +
       tree_size(word) + cell_macros(word, cell, unit) +
-      deviation_macros(word, deviation, cell, unit);
+      deviation_macros(word, static_cast<double>(deviation), cell, unit);
   return image_in_c(image, name, {"bake", ".fbvh", word + "_image", view_of(header)}, about);
 }
 

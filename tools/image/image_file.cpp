@@ -98,7 +98,9 @@ double ImageFile::cell() const {
   return double_of(header_.cell);
 }
 double ImageFile::deviation() const {
-  return double_of(header_.deviation);
+  float deviation = 0;
+  std::memcpy(&deviation, &header_.deviation, sizeof deviation);
+  return static_cast<double>(deviation);
 }
 
 std::vector<SourceTriangle> source_triangles(const ImageFile& image) {

@@ -109,6 +109,18 @@ class Certificate {
   Deviation found_;
 };
 
+/// Certifies again far below the limit, where the bound is not tight.
+template <class Within>
+Deviation tightened(const Within& within, double limit) {
+  Deviation found = within(limit);
+  while (found.most < kFine * limit) {
+    limit = found.most;
+    const Deviation finer = within(limit);
+    found = finer.most <= found.most ? finer : found;
+  }
+  return found;
+}
+
 }  // namespace
 
 double arithmetic_error(const bake::SourceMesh& mesh) {
@@ -135,13 +147,20 @@ Deviation deviation_between(const bake::SourceMesh& mesh, const bake::SourceMesh
     const Deviation of_coarse = deviation_from(to_mesh, coarse, most);
     return of_coarse.most > of_mesh.most ? of_coarse : of_mesh;
   };
-  Deviation found = within(limit);
-  while (found.most <= kFine * limit) {  // far below the limit: tightens the bound
-    limit = found.most;
-    const Deviation finer = within(limit);
-    found = finer.most <= found.most ? finer : found;
+  return tightened(within, limit);
+}
+
+double farthest_from(const bake::SourceMesh& kept, const bake::SourceMesh& mesh) {
+  const NearestTriangle to_kept(kept);
+  const Point centre = kept.vertices[kept.triangles[0][0]];
+  double farthest = 0;
+  for (const Point& vertex : mesh.vertices) {
+    const Point off = minus(vertex, centre);
+    farthest = std::max(farthest, std::sqrt(dot(off, off)));
   }
-  return found;
+  const double error = arithmetic_error(kept) + arithmetic_error(mesh);
+  const auto within = [&](double limit) { return deviation_from(to_kept, mesh, limit); };
+  return tightened(within, 2 * farthest + kErrors * error).most + error;
 }
 
 }  // namespace flashbvh::simplify

@@ -41,6 +41,10 @@ constexpr double kErrors = 3;
 Deviation deviation_from(const NearestTriangle& coarse, const bake::SourceMesh& mesh, double limit,
                          std::vector<CoveredPart>* parts = nullptr);
 
+/// A certificate's bound on how far points of `mesh` are from `kept`, which is in the same frame
+/// and unit and has a triangle; tight, and never infinite.
+double farthest_from(const bake::SourceMesh& kept, const bake::SourceMesh& mesh);
+
 /// The deviation of both meshes from each other, equally tight if far below the limit.
 Deviation deviation_between(const bake::SourceMesh& mesh, const bake::SourceMesh& coarse,
                             double limit);

@@ -27,7 +27,7 @@
 namespace flashbvh {
 
 constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
-constexpr uint16_t kImageVersion = 2;
+constexpr uint16_t kImageVersion = 3;
 
 /// Largest magnitude of an origin, in cells. Rotations rotate origins too
 /// (detail/bounds/rotated_transform.hpp).
@@ -52,14 +52,18 @@ struct ImageHeader {
   uint32_t leaf_count;
   uint32_t triangle_count;
   uint32_t vertex_count;
-  uint32_t depth;         ///< of the deepest leaf; the root has depth 0
-  uint32_t stack_need;    ///< Tree::stack_need
-  uint8_t leaf_size;      ///< most triangles in a leaf
-  uint8_t name_size;      ///< bytes of the source's name
-  uint16_t arity;         ///< most children of a node; 65,535 means this many or more
-  int32_t origin[3];      ///< in cells, within +-kMaxOrigin
-  uint32_t cell[2];       ///< the cell in the unit: IEEE binary64, low word first
-  uint32_t deviation[2];  ///< largest distance between mesh and source, as `cell`
+  uint32_t depth;       ///< of the deepest leaf; the root has depth 0
+  uint32_t stack_need;  ///< Tree::stack_need
+  uint8_t leaf_size;    ///< most triangles in a leaf
+  uint8_t name_size;    ///< bytes of the source's name
+  uint16_t arity;       ///< most children of a node; 65,535 means this many or more
+  int32_t origin[3];    ///< in cells, within +-kMaxOrigin
+  uint32_t cell[2];     ///< the cell in the unit: IEEE binary64, low word first
+  /// Largest distance of a point of mesh or source from the other one, in the unit: IEEE binary32,
+  /// rounded up. FLT_MAX also stands for more.
+  uint32_t deviation;
+  uint16_t deviation_sixteenths;  ///< Mesh::deviation_sixteenths, of `deviation`
+  uint16_t padding;               ///< 0
   uint32_t shell_count;
   uint16_t longest_edge;  ///< Mesh::longest_edge
   uint8_t unit;           ///< a value of enum Unit

@@ -108,6 +108,11 @@ struct Tree {
 /// Baked as NAME_TREE_SIZE, for time_bound.hpp.
 using TreeSize = flashbvh_tree_size;
 
+/// A deviation of more than 65,534/16 cells, or an unknown one.
+constexpr uint16_t kDeviationUnknown = 65'535;
+/// Half the diagonal of a cell in 1/16 cell, rounded up: the deviation of rounding alone.
+constexpr uint16_t kRoundingDeviation = 14;
+
 /// The unit of the lengths in a mesh's file. Images hold these values.
 enum class Unit : uint8_t { none = 0, nm, um, mm, cm, m, mil, inch, foot };
 constexpr uint8_t kUnitCount = 9;
@@ -130,6 +135,9 @@ struct BasicMesh : Tree<IndexType, layout> {
   int32_t origin[3];      ///< the vertices' origin: a lattice point, in cells
   Unit unit;
   bool is_closed;  ///< true if each edge is used as often in one direction as in the other
+  /// Largest distance of a point of mesh or source from the other one: in 1/16 cell, rounded up.
+  /// Rounding, simplifying and dropped triangles count. kDeviationUnknown: more, or unknown.
+  uint16_t deviation_sixteenths;
   /// The cell's length in the unit, as the bits of an IEEE binary64. 0: the mesh is not open.
   uint64_t cell_bits;
 

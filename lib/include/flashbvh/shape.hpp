@@ -7,7 +7,8 @@
 //     a box        intersects(mesh, BoxShape, pose)
 // distance() measures to a point, segment or triangle: subtract the radius from it.
 //
-// Coordinates are in cells of the shape's frame. Its cell is the tested mesh's.
+// Coordinates are in cells of the shape's frame, rounded to the nearest: a workcell counts half a
+// cell's diagonal for it. The shape's cell is the tested mesh's.
 #ifndef FLASHBVH_SHAPE_HPP
 #define FLASHBVH_SHAPE_HPP
 
@@ -58,6 +59,7 @@ class Shape {
     mesh_.vertex_count = vertices;
     mesh_.shell_count = 1;
     mesh_.unit = like.unit;
+    mesh_.deviation_sixteenths = kRoundingDeviation;
     mesh_.cell_bits = like.cell_bits | detail::kUnusableCell;
   }
 

@@ -18,24 +18,20 @@ constexpr uint64_t aligned(uint64_t offset) {
   return (offset + 3) & ~uint64_t{3};
 }
 
-/// Tests the high word of a binary64: finite and without a sign. -0 is refused, so that equal
-/// lengths have equal bits.
-bool is_finite_unsigned(uint32_t high_word) {
-  return high_word < 0x7FF00000u;
-}
-
 /// Tests for a positive, finite, normal binary64.
 bool is_length(const uint32_t (&bits)[2]) {
-  return is_finite_unsigned(bits[1]) && bits[1] >= 0x00100000u;
+  return bits[1] < 0x7FF00000u && bits[1] >= 0x00100000u;
 }
 
+/// -0 is no deviation, so that equal lengths have equal bits.
 bool measures_fit(const ImageHeader& header) {
   for (const int32_t origin : header.origin) {
     if (origin < -kMaxOrigin || origin > kMaxOrigin) {
       return false;
     }
   }
-  return is_length(header.cell) && is_finite_unsigned(header.deviation[1]) &&
+  constexpr uint32_t infinity = 0x7F800000u;
+  return is_length(header.cell) && header.deviation < infinity && header.padding == 0 &&
          header.unit < kUnitCount;
 }
 
@@ -135,6 +131,7 @@ template <class Index, Layout layout>
   memcpy(mesh.origin, header.origin, sizeof mesh.origin);
   mesh.unit = static_cast<Unit>(header.unit);
   mesh.is_closed = (header.flags & kImageIsClosed) != 0;
+  mesh.deviation_sixteenths = header.deviation_sixteenths;
   mesh.cell_bits = (uint64_t{header.cell[1]} << 32) | header.cell[0];
 }
 

@@ -20,9 +20,6 @@ namespace {
 constexpr uint32_t kOneForOne = 1u << kReachBits;
 constexpr uint32_t kMostMoved = 1u << 28;
 
-/// Largest motion of a vertex by baking, half a cell's diagonal, in 1/65,536 cell.
-constexpr uint32_t kBaking = 56756;
-
 /// Limit of distances from the base and from each joint, in 1/2,048 cell, as for baked links.
 constexpr uint64_t kFarthestFrame = kMaxFrameTranslation - (1 << 16);
 
@@ -151,7 +148,7 @@ bool Workcell::sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) 
   RobotLink link = body;
   constexpr uint32_t rounding = 58;  // of a translation, twice, by half of 1/2,048 along each axis
   constexpr uint32_t turned = kFarthestFrame >> 22;  // by 2^-27 at the largest distance
-  error = kBaking + 34;                              // 34: error of the relative pose
+  error = (body.deviation << 8) + 34;                // 34: error of the relative pose
   for (uint8_t j = link.joint; j != kBase; j = joints_[j].parent) {
     const RobotJoint& joint = joints_[j];
     const uint32_t reach = reach_of(joint, link);
@@ -174,8 +171,8 @@ uint32_t Workcell::joints_on_branch(uint8_t joint) const {
   return count;
 }
 
-/// The largest sum of the coordinates of an origin, in cells, of this mesh and all others.
-uint64_t Workcell::farthest_origin(const Mesh& mesh) const {
+/// The rounding of placed vertices, of this mesh and all others, in 1/65,536 cell.
+uint32_t Workcell::rounding_with(const Mesh& mesh) const {
   uint64_t most = 0;
   const Mesh* of = &mesh;
   for (uint32_t i = 0; of != nullptr; ++i) {
@@ -184,7 +181,7 @@ uint64_t Workcell::farthest_origin(const Mesh& mesh) const {
     most = sum > most ? sum : most;
     of = i < robot_.link_count ? &robot_.meshes[i] : nullptr;
   }
-  return most;
+  return detail::vertex_rounding(most);
 }
 
 Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
@@ -203,13 +200,16 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
   if (mesh.cell_bits != robot_.meshes[0].cell_bits) {
     return Status::cell_mismatch;
   }
+  if (mesh.deviation_sixteenths == kDeviationUnknown) {
+    return Status::distance_out_of_range;
+  }
   if (!is_rotation(mount.frame)) {
     return Status::not_a_rotation;
   }
   RobotLink body{};
   body.joint = static_cast<uint8_t>(joint);
   body.first_reach = robot_.reach_count;
-  body.deviation = (kBaking + 0xFF) >> 8;
+  body.deviation = mesh.deviation_sixteenths * 16u;
   RobotJoint& carrier = joints_[joint];
   carrier = {};
   carrier.fixed = mount.frame;
@@ -224,8 +224,15 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
       !sweep(body, reaches_ + robot_.reach_count, error)) {
     return Status::translation_out_of_range;
   }
-  const uint32_t slack = (detail::vertex_rounding(farthest_origin(mesh)) + 2 * error + 0xFF) >> 8;
-  robot_.slack = slack > robot_.slack ? slack : robot_.slack;
+  const uint32_t rounding = rounding_with(mesh);
+  const uint32_t own = rounding + 2 * error;
+  // Its origin may lie farther than those of the others, which all of them may meet.
+  const uint32_t others = (robot_.slack << 8) + rounding - rounding_with(robot_.meshes[0]);
+  const uint32_t slack = ((own > others ? own : others) + 0xFF) >> 8;
+  if (slack > kMaxGuardDistance) {
+    return Status::distance_out_of_range;
+  }
+  robot_.slack = slack;
   link = robot_.link_count;
   links_[link] = body;
   meshes_[link] = mesh;

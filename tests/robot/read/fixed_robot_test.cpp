@@ -278,6 +278,7 @@ TEST_CASE("the slack grows by what the reader of a link's file rounded, along th
   const std::uint32_t least = slack();
   model.links[1].precision = 10 * cell;
   CHECK(tool::link_deviation(model.links[1], cell) == Approx(before + std::sqrt(3.0) * 10 * cell));
+  CHECK(bake_link(model.links[1], cell, 2, "").mesh().deviation_sixteenths >= 17 * 16);
   CHECK(slack() >= least + 2 * 17 * 256);
   CHECK(slack() <= least + 2 * 18 * 256);
 }

@@ -47,7 +47,7 @@ struct SimplifiedArm {
       coarse.coarsen(length);
       wholes.push_back(bake_part(link_input(link, ""), cell, 2));
       links.push_back(bake_link(link, cell, 2, "", &coarse));
-      deviations.push_back(firmware_deviation(link, links.back()));
+      deviations.push_back(links.back().tree.deviation);
       drawn.emplace_back(triangles_of(link.mesh));
     }
     for (const BakedLink& link : links) {

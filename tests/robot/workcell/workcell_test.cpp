@@ -1,6 +1,8 @@
 // Tools and obstacles added to random arms, guarded and certified, against brute force.
+#include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/robot_float.hpp"
+#include "flashbvh/shape.hpp"
 #include "support/arms/any_workcell.hpp"
 #include "support/test.hpp"
 
@@ -123,6 +125,91 @@ TEST_CASE("joints far apart add as much slack to a tool as to a link that is bak
   CHECK(far.added - near.added <= 8 * (far.baked - near.baked));
 }
 
+namespace {
+
+/// A mesh as `bake` makes it with the workcell's cell.
+BakedMesh baked_body(const bake::SourceMesh& mesh, double simplify, bool drop) {
+  InputMesh input;
+  input.mesh = mesh;
+  input.degenerate = degenerate_triangles(mesh);
+  BakeOptions options;
+  options.cell = kWorkcellCell;
+  options.drop_degenerate = drop;
+  if (simplify == 0) {
+    return flashbvh::tool::bake(input, options);
+  }
+  simplify::Coarsening coarse(mesh, kWorkcellCell);
+  coarse.coarsen(simplify);
+  return flashbvh::tool::bake(input, options, coarse);
+}
+
+Mesh view_of(const BakedMesh& baked) {
+  return std::get<bake::BakedTree<std::uint16_t, Layout::post_indexed>>(baked.tree).view();
+}
+
+/// A plate, and a part of it that reaches 0.2 upwards: a tip, or a needle of a tenth of a cell.
+bake::SourceMesh plate(bool has_needle) {
+  bake::SourceMesh mesh;
+  mesh.vertices = {{-0.3, -0.3, 0}, {0.3, -0.3, 0}, {0.3, 0.3, 0}, {-0.3, 0.3, 0}, {0, 0, 0.2}};
+  mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  if (has_needle) {
+    mesh.vertices.insert(mesh.vertices.end(), {{0, 0, 0}, {kWorkcellCell / 10, 0, 0}});
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {5, 6, 4}};
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a body is kept as far away as its file's mesh, simplified or with triangles dropped") {
+  Model model;
+  add_joint(model, kNoJoint, Transform(), JointType::revolute, -1, 1);
+  add_link(model, kNoJoint, box({-0.1, -0.1, 4}, {0.1, 0.1, 4.2}));
+  add_link(model, 0, box({-0.1, -0.1, 0}, {0.1, 0.1, 0.2}));
+  const FixedArm arm(model, kWorkcellCell);
+  constexpr std::uint32_t kStop = 10 << 8;
+  for (const bool is_dropped : {false, true}) {
+    const bake::SourceMesh source = plate(is_dropped);
+    const BakedMesh whole = baked_body(source, 0, false);
+    const BakedMesh baked = baked_body(source, is_dropped ? 0 : 0.21, is_dropped);
+    const Mesh body = view_of(baked);
+    REQUIRE(body.triangle_count == 2);
+    bool verdicts[5] = {};
+    for (int apart = -10; apart <= 320; apart += 10) {
+      CAPTURE(is_dropped, apart);
+      AnyWorkcell memory;
+      Workcell workcell(arm.robot(), memory);
+      Frame frame = kIdentityFrame;
+      frame.translation[2] = (-100 - apart) * kFrameCell;  // the tip is 100 cells above the plate
+      std::uint8_t link = 0;
+      REQUIRE(workcell.add(body, {kBase, frame}, link) == Status::done);
+      REQUIRE(workcell.keep_apart(1, link, kStop, kStop) == Status::done);
+      WorkcellState state;
+      Guard guard(workcell.robot(), state);
+      const JointCoordinate value = 0;
+      const Verdict verdict = guard.prime(&value).verdict;
+      const Pose at = Pose::translated(0, 0, -100 - apart);
+      REQUIRE((verdict > Verdict::warn ||
+               !closer_than(arm.robot().meshes[1], view_of(whole), at, kStop).yes));
+      verdicts[static_cast<int>(verdict)] = true;
+    }
+    CHECK(verdicts[static_cast<int>(Verdict::free)]);
+    CHECK(verdicts[static_cast<int>(Verdict::stop)]);
+  }
+}
+
+TEST_CASE("a shape counts as rounded to the nearest cell") {
+  Model model;
+  add_link(model, kNoJoint, box({-1, -1, -1}, {1, 1, 1}));
+  const FixedArm arm(model, kWorkcellCell);
+  AnyWorkcell memory;
+  Workcell workcell(arm.robot(), memory);
+  const BoxShape shape(arm.robot().meshes[0], {0, 0, 0}, {10, 10, 10});
+  std::uint8_t link = 0;
+  REQUIRE(workcell.add(shape.mesh(), {kBase, kIdentityFrame}, link) == Status::done);
+  CHECK(memory.links[link].deviation >= std::sqrt(0.75) * 256);
+}
+
 TEST_CASE("far origins add their rounding to the slack of links and of bodies") {
   const auto model_at = [](double metres) {
     const double end = metres + 1;
@@ -136,7 +223,6 @@ TEST_CASE("far origins add their rounding to the slack of links and of bodies") 
     const double far = 3 * metres / kWorkcellCell;
     return std::sqrt(3.0) * (0.51 + far * 0x1p-23) * 256 + 2 * deviation;
   };
-  const double half_diagonal = std::sqrt(0.75) * 256;
   for (const double of_link : {0.0, 600.0}) {
     const FixedArm arm(model_at(of_link), kWorkcellCell);
     const Robot& robot = arm.robot();
@@ -150,8 +236,15 @@ TEST_CASE("far origins add their rounding to the slack of links and of bodies") 
       std::uint8_t link = 0;
       REQUIRE(workcell.add(body.meshes()[0], {kBase, kIdentityFrame}, link) == Status::done);
       const double farther = std::max(of_link, of_body);
-      CHECK(workcell.robot().slack >= needed(farther, half_diagonal));
-      CHECK(workcell.robot().slack <= needed(farther, half_diagonal) + 14);
+      CHECK(workcell.robot().slack >= needed(farther, memory->links[link].deviation - 16.0));
+      CHECK(workcell.robot().slack <= needed(farther, memory->links[link].deviation) + 14);
+      // Links that deviate by 45/256 cell more than this one.
+      const std::uint32_t of_both = 45 + memory->links[link].deviation;
+      Robot coarse = robot;
+      coarse.slack += 2 * 45;
+      Workcell with_coarse(coarse, *memory);
+      REQUIRE(with_coarse.add(body.meshes()[0], {kBase, kIdentityFrame}, link) == Status::done);
+      CHECK(with_coarse.robot().slack >= needed(farther, 0) + of_both);
     }
   }
 }
@@ -196,6 +289,9 @@ TEST_CASE("what a workcell refuses changes nothing") {
   Mesh other = mesh;
   other.cell_bits ^= 1;
   CHECK(cell->workcell.add(other, {kBase, frame}, link) == Status::cell_mismatch);
+  other = mesh;
+  other.deviation_sixteenths = kDeviationUnknown;
+  CHECK(cell->workcell.add(other, {kBase, frame}, link) == Status::distance_out_of_range);
   frame.translation[1] = kMaxFrameTranslation;
   CHECK(cell->workcell.add(mesh, {kBase, frame}, link) == Status::translation_out_of_range);
   CHECK(cell->workcell.move(cell->links[2], frame, {0}) == Status::translation_out_of_range);
@@ -226,6 +322,15 @@ TEST_CASE("what a workcell refuses changes nothing") {
   CHECK(tiny.add(mesh, {kBase, kIdentityFrame}, link) == Status::workcell_full);
   CHECK(tiny.robot().joints == cell->arm.robot().joints);  // the guard keeps all its pairs
   CHECK(tiny.robot().pair_count == cell->arm.robot().pair_count);
+
+  Robot late = cell->arm.robot();
+  late.slack = kMaxGuardDistance;
+  const auto memory = std::make_unique<AnyWorkcell>();
+  Workcell last(late, *memory);
+  REQUIRE(last.add(mesh, {kBase, kIdentityFrame}, link) == Status::done);
+  other.deviation_sixteenths = 1;
+  other.origin[0] = 1 << 18;
+  CHECK(last.add(other, {kBase, kIdentityFrame}, link) == Status::distance_out_of_range);
 }
 
 TEST_CASE("an obstacle that comes nearer is as near as it says, whatever is looked at") {

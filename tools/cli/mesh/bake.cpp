@@ -180,6 +180,11 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
     outcome.rows.back().size = size_of(mesh.mesh);
     outcome.rows.back().source_triangles = mesh.mesh.triangles.size();
     warn_of_mesh(mesh, baked.defects, options, warnings);
+    if (baked.dropped > *options.cell / 16) {
+      warnings.add(mesh.path,
+                   concat("triangles left out lie up to ", order.units.with_unit(baked.dropped),
+                          " from all others: the deviation includes that"));
+    }
     std::visit([&](const auto& tree) { warn_of_place(tree.origin, mesh.path, warnings); },
                baked.tree);
   }

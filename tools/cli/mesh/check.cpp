@@ -133,6 +133,16 @@ void check_surface(const Tree& tree, const bake::LatticeMesh& mesh, const std::s
   }
 }
 
+/// UserError unless the image's deviation in cells is its deviation in the unit, rounded up. The
+/// library does not divide by the cell.
+void check_deviation(const ImageFile& image) {
+  if (image.header().deviation_sixteenths !=
+      bake::sixteenths_above(image.deviation(), image.cell())) {
+    throw UserError(image.path(),
+                    "is invalid: its deviation in cells is not that in its unit; bake it again");
+  }
+}
+
 /// Warns of defects of the image's own surface.
 void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh, Warnings& warnings) {
   MeshDefects defects;
@@ -209,6 +219,7 @@ CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& w
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   const bake::LatticeMesh mesh = mesh_of(image, triangles);
   std::visit([&](const auto& tree) { check_surface(tree, mesh, image.path(), ""); }, image.tree());
+  check_deviation(image);
   CheckResult result;
   result.name = image.name();
   result.text = concat("well-formed, ", triangles.size(), " triangles, ", image.header().node_count,
@@ -247,6 +258,10 @@ CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
   for (std::uint32_t i = 0; i < robot.link_count; ++i) {
     const Mesh& link = robot.meshes[i];
     check_surface(link, mesh_of(link), arguments.image, concat("of link ", i, ": "));
+    if (robot.links[i].deviation + 15 < 16u * link.deviation_sixteenths) {
+      throw UserError(arguments.image, "is invalid: link ", i,
+                      " deviates by less than its mesh; bake it again");
+    }
     triangles += link.triangle_count;
   }
   CheckResult result;

@@ -51,6 +51,10 @@ void write_obj(const ExportArguments& arguments) {
   std::string text = arguments.cells ? "# in cells\n"
                      : unit.empty()  ? "# in the mesh's unit\n"
                                      : "# in " + unit + "\n";
+  if (!arguments.cells) {
+    text += concat("# within ", shortest(image.deviation()), unit.empty() ? "" : " ", unit,
+                   " of the file it was baked from\n");
+  }
   for (const LatticePoint& v : vertices) {
     text += "v";
     for (const std::int64_t c : v) {

@@ -312,7 +312,7 @@ void bake_for_firmware(const AllDistances& distances, SimplifiedLinks& simplifie
   made.leaf_size = simplified.leaf_size();
   std::vector<double> deviations;
   for (std::size_t i = 0; i < made.links.size(); ++i) {
-    deviations.push_back(firmware_deviation(made.model.links[i], made.links[i]));
+    deviations.push_back(made.links[i].tree.deviation);
   }
   made.fixed = std::make_unique<FixedRobot>(made.model, wholes, meshes_of(made.links), made.cell,
                                             pairs, made.reaches, deviations);

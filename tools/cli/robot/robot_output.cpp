@@ -107,7 +107,7 @@ Json pair_json(const Model& model, const PairVerdict& pair) {
 double deviation_of(const BakedRobot& robot) {
   double most = 0;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    most = std::max(most, firmware_deviation(robot.model.links[i], robot.links[i]));
+    most = std::max(most, robot.links[i].tree.deviation);
   }
   return most;
 }
@@ -138,7 +138,7 @@ Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked
           {"triangles", baked.tree.triangles.size()},
           {"flash_bytes", baked.image_bytes()},
           {"size", size},
-          {"deviation", firmware_deviation(link, baked)},
+          {"deviation", baked.tree.deviation},
           {"source_triangles", link.mesh.triangles.size()},
           {"sources", link.sources}};
 }

@@ -160,14 +160,9 @@ bool fits_firmware(const BakedPart& part) {
          part.nodes.size() <= Limits::kMost && part.leaf_count <= Limits::kMostLeaves;
 }
 
-double firmware_deviation(const ModelLink& link, const BakedLink& baked) {
-  return baked.tree.deviation + std::sqrt(3.0) * link.precision;
-}
-
 BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
                     const std::string& path, const simplify::Coarsening* coarse) {
-  InputMesh input = link_input(link, path);
-  input.precision = 0;  // firmware_deviation() adds it
+  const InputMesh input = link_input(link, path);
   BakeOptions options;
   options.unit = "m";
   options.cell = cell;

@@ -46,9 +46,6 @@ void check_triangles(const ModelLink& link, double cell, const std::string& path
 /// True if 16-bit indices reach all elements of the part.
 bool fits_firmware(const BakedPart& part);
 
-/// Like link_deviation(), for a link baked for firmware, simplified or not. In metres.
-double firmware_deviation(const ModelLink& link, const BakedLink& baked);
-
 /// Bakes a link for firmware. UserError, with the link and the remedy, if it has more triangles,
 /// vertices or nodes than 16-bit indices reach. `leaf_size`: most triangles in a leaf. `coarse`: a
 /// simplification of the link's mesh to bake in its place, or null.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "bake/length.hpp"
+#include "bake/quantise.hpp"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "image/fine_length.hpp"
@@ -228,7 +229,9 @@ void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMes
   fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
   fixed.joint = number_of(link.joint);
   deviations_.push_back(deviation / cell_);
-  fixed.deviation = fine_length_rounded_up(deviation, cell_).count;
+  fixed.deviation = static_cast<std::uint32_t>(std::min(
+      bake::parts_above(static_cast<double>(bake::float_above(deviation)), cell_, kFineOne),
+      double{UINT32_MAX}));
   for (std::size_t j = link.joint; j != kNoJoint; j = model.joints[j].parent) {
     const double unit = unit_of(model.joints[j], cell_);
     const double fine = reaches[j] * unit / cell_ * 256;

@@ -27,7 +27,7 @@
 namespace flashbvh {
 
 constexpr uint32_t kRobotImageMagic = 0x52564246u;  // "FBVR"
-constexpr uint16_t kRobotImageVersion = 4;
+constexpr uint16_t kRobotImageVersion = 5;
 
 /// Most bytes of a name, without the zero at its end.
 constexpr uint32_t kMaxRobotNameSize = 255;

@@ -91,8 +91,10 @@ class Workcell {
   /// Its mesh is in the mount's frame. `workcell_full`: the memory has no capacity left, or not
   /// even for the robot; `not_open`: the mesh or the robot; `cell_mismatch`: the mesh's cell
   /// differs from the links'; `link_invalid`: there is no such joint; `not_a_rotation`;
-  /// `translation_out_of_range`: it may come 2^19 cells or more from a joint of its branch. Time is
-  /// linear in all vertices and triangles, for the sphere and the hash.
+  /// `translation_out_of_range`: it may come 2^19 cells or more from a joint of its branch;
+  /// `distance_out_of_range`: the mesh deviates from its source by too much, or by an unknown
+  /// length. The mesh must not change afterwards, as one that bends does. Time is linear in all
+  /// vertices and triangles, for the sphere and the hash.
   Status add(const Mesh& mesh, const Mount& mount, uint8_t& link);
 
   /// Makes guards keep two links apart. `warn`: at least `stop`. `workcell_full`; `not_open`;
@@ -114,7 +116,7 @@ class Workcell {
  private:
   void copy();
   bool sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) const;
-  uint64_t farthest_origin(const Mesh& mesh) const;
+  uint32_t rounding_with(const Mesh& mesh) const;
   uint32_t joints_on_branch(uint8_t joint) const;
   uint64_t branch_of(const RobotLink& link) const;
   uint8_t joints_beside(const RobotLink& link, uint64_t other, uint64_t& sum) const;
