@@ -17,9 +17,12 @@ function(flashbvh_warnings target)
   endif()
 endfunction()
 
-# flashbvh_library_warnings(target): sets these warnings and, on the boards, a limit for every stack frame.
+# flashbvh_library_warnings(target): sets these warnings, those of signs, and on the boards a limit for every stack frame.
 function(flashbvh_library_warnings target)
   flashbvh_warnings(${target})
+  if(FLASHBVH_WARNINGS)
+    target_compile_options(${target} PRIVATE -Wsign-conversion)
+  endif()
   if(FLASHBVH_WARNINGS AND CMAKE_SYSTEM_NAME STREQUAL "Generic")
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wstack-usage=400>)
   endif()

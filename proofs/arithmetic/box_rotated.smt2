@@ -6,7 +6,7 @@
 ; code: include/flashbvh/detail/arch/packed.hpp | return static_cast<uint32_t>(value < 0 ? 0 : value > most ? most : value);
 ; code: include/flashbvh/detail/lattice/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
 ; code: src/bounds/box_rotated_plain.hpp | return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
-; code: src/bounds/box_rotated_plain.hpp | if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits), 0) != 0) {
+; code: src/bounds/box_rotated_plain.hpp | if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits) != 0, 0)) {
 ; code: src/bounds/box_rotated_sse2.hpp | const __m128i cells = _mm_max_epi16(_mm_packs_epi32(upper, lower), _mm_setzero_si128());
 ; code: src/bounds/box_rotated_dsp.hpp | usat \upper, #15, \upper, asr #14
 ; code: src/bounds/box_rotated_mve.hpp | "vqadd.u16 q1, q1, q0\n\t"

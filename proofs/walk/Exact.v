@@ -154,7 +154,7 @@ Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b 
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const uint32_t first = m.first_triangle(leaf); const uint32_t after = m.end_triangle(leaf);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | static constexpr bool kComparesLeaves = true;
-   code: include/flashbvh/detail/walk/walk_below.hpp | if (!at.node().is_leaf()) { at.descend(); continue; } progress.go_on(work_left, overlaps); const bool go_on = found(at.index());
+   code: include/flashbvh/detail/walk/walk_below.hpp | if (!at.node().is_leaf()) { at.descend(); continue; } progress.go_on(work_left, overlaps); const bool go_on = found(at.node_index());
    code: include/flashbvh/detail/walk/walk_below.hpp | if constexpr (Shapes::kComparesLeaves) { if (shapes.rejects_leaf(other, run.progress)) { return true; } } *)
 Definition corners_pass_a n k : bool :=
   if leaf_b k then slabs_pass_a (firstn 1 (directions A n)) n (corners_beyond (leaf_points B k)) else true.

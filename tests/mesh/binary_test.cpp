@@ -102,6 +102,35 @@ TEST_CASE("binary STL: each float as it is, to the subnormal ones and the larges
   CHECK(std::signbit(file.mesh.vertices[0][1]));
 }
 
+TEST_CASE(
+    "binary STL: bytes behind the last triangle are left out with a warning, unless they may be "
+    "triangles") {
+  const std::string whole = binary_stl({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  CHECK(tool::read_stl(whole, "file").warnings.empty());
+  for (const std::string& behind :
+       {std::string("\n"), std::string(49, 'x'), std::string(428, '\0')}) {
+    const FileMesh file = tool::read_stl(whole + behind, "file");
+    CHECK(file.mesh.triangles.size() == 1);
+    CHECK(file.warnings == std::vector<std::string>{std::to_string(behind.size()) +
+                                                    " bytes behind the last triangle left out"});
+  }
+  CHECK(refusal(tool::read_stl, whole + std::string(50, 'x')) ==
+        "file: its header announces 1 triangles, but 50 bytes follow them, which 1 more would "
+        "fill; export the mesh again");
+  std::string none = whole;
+  none.replace(80, 4, 4, '\0');
+  CHECK(refusal(tool::read_stl, none).find("announces 0 triangles, but 50 bytes follow") !=
+        std::string::npos);
+  CHECK(refusal(tool::read_stl, none.substr(0, 84)).find("has no polygons or triangles") !=
+        std::string::npos);
+  CHECK(refusal(tool::read_stl, whole.substr(0, 133)).find("is truncated") != std::string::npos);
+  std::string endless = whole;
+  endless.replace(80, 4, 4, 'o');
+  endless[90] = 0;
+  CHECK(refusal(tool::read_stl, std::string(1, '\0') + endless)
+            .find("is no STL file: it is neither") != std::string::npos);
+}
+
 TEST_CASE("binary PLY: each type of number, in both orders of bytes") {
   check_ply("float", std::array<float, 3>{0.1f, std::numeric_limits<float>::denorm_min(), -3e38f});
   check_ply("float64", std::array<double, 3>{0.1, 1000000.03, -5e-324});

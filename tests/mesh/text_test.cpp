@@ -158,6 +158,77 @@ TEST_CASE("line ends, blanks and comments change nothing") {
   CHECK(tool::read_obj(comments, "file").mesh.vertices.size() == 3);
 }
 
+TEST_CASE("byte order marks before a text, blank lines, NULs and Ctrl-Z behind it change nothing") {
+  const std::string pad(3, '\0');
+  for (const TextFormat& format : kTextFormats) {
+    CAPTURE(format.name);
+    const std::string plain = format.before + "0.1 0.2 0.3\n" + format.after;
+    const bool pads = format.read != tool::read_off;
+    for (const std::string& changed : {"\xEF\xBB\xBF" + plain, plain + "\n \n",
+                                       pads ? plain + pad : plain, pads ? plain + "\x1A" : plain}) {
+      CHECK(format.read(changed, "file").mesh.triangles.size() == 1);
+    }
+  }
+  for (const std::string before : {"\r\n\n", "  ", "# made by a tool\n", "\xEF\xBB\xBF\n#\n"}) {
+    CHECK(tool::read_stl(before + "solid\n" + facet(0) + "# a comment\nendsolid\n", "file")
+              .mesh.triangles.size() == 1);
+  }
+}
+
+TEST_CASE("a file of other contents than its name says is refused by what it holds") {
+  struct Case {
+    std::string bytes;
+    const char* said;
+  };
+  const Case cases[] = {
+      {"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 123\n", "Git LFS"},
+      {"\x1F\x8B\x08" + std::string(97, '\0'), "gzip"},
+      {"PK\x03\x04" + std::string(96, 'x'), "zip"},
+      {"\xFF\xFEs" + std::string(1, '\0') + "o", "UTF-16"},
+      {std::string("\0s\0o\0l\0i\0d", 10), "UTF-16"},
+      {std::string("v\0 \0"
+                   "1\0 \0"
+                   "2\0",
+                   10),
+       "UTF-16"},
+      {"glTF" + std::string(96, '\2'), "GLB"},
+      {"<!DOCTYPE html>\n<html>", "page of the web"},
+      {"<?xml version=\"1.0\"?>\n<COLLADA/>", "XML"},
+      {"ISO-10303-21;\nHEADER;", "STEP"},
+  };
+  for (const auto read : {tool::read_stl, tool::read_obj, tool::read_ply}) {
+    for (const auto& [bytes, said] : cases) {
+      CAPTURE(said);
+      CHECK(refusal(read, bytes).find(said) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE(
+    "a text that is no ASCII STL is refused at its first wrong word, whatever its letters count") {
+  const std::string words =
+      "a text in words only, long enough for a header of eighty bytes, a count of them, and more\n";
+  CHECK(refusal(tool::read_stl, words) == "file:1: 'a' is where 'solid' must be" + kFix);
+  CHECK(refusal(tool::read_stl, "ply\n" + words) ==
+        "file:1: 'ply' is where 'solid' must be" + kFix);
+  CHECK(refusal(tool::read_stl, "solid\n" + facet(0) + "endsolid\n" + words) ==
+        "file:10: 'a' is where 'solid' must be" + kFix);
+  // No triangle is taken for a part of a name.
+  std::string line = facet(0);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  for (const std::string& text : {"solid a " + line + "\n" + facet(1) + "endsolid\n",
+                                  "solid\n" + facet(0) + "endsolid solid " + line + "endsolid\n"}) {
+    CHECK(refusal(tool::read_stl, text).find("a triangle on the line of a solid's name") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("OBJ: a line that adds what another file holds is refused") {
+  for (const std::string line : {"call part.obj", "csh make_part"}) {
+    CHECK(refusal(tool::read_obj, kVertices + line + "\nf 1 2 3\n").find("file:4: '") == 0);
+  }
+}
+
 TEST_CASE("PLY: what is malformed") {
   CHECK(refusal(tool::read_ply, ply_with("ply", "ply")) == "");
   CHECK(refusal(tool::read_ply, ply_with("double x", "int x")) == "");

@@ -31,7 +31,7 @@ Cursor plausible(Random& random, Cursor cursor) {
   cursor.phase = static_cast<ContactPhase>(random.below(4));
   cursor.time = random.below(3) == 0 ? kMotionEnd : random.below(kMotionEnd) & ~1u;
   cursor.step = random.below(3) == 0 ? 0 : random.below(kMotionEnd + 1 - cursor.time) & ~1u;
-  cursor.near = random.below(2) == 0 ? Cursor::kNever : random.below(cursor.time + 1);
+  cursor.near_since = random.below(2) == 0 ? Cursor::kNever : random.below(cursor.time + 1);
   cursor.near_steps = static_cast<std::uint8_t>(random.next());
   return cursor;
 }

@@ -398,6 +398,28 @@ def npm():
     hold(run("diff", "-r", "native", "node"), "other bytes")
 
 
+def warnings():
+    """The public headers compile after other vendors' macros, and they and the sources under warnings of users that
+    ours do not include, as errors."""
+    lib = Path(ROOT, "lib")
+    headers = sorted(str(header.relative_to(lib / "include")) for header in lib.glob("include/flashbvh/**/*.h*")
+                     if "detail" not in header.parts)
+    for suffix, found in (".cpp", headers), (".c", [name for name in headers if name.endswith(".h")]):
+        Path("all" + suffix).write_text('#include "vendor_macros.h"\n' + "".join(f'#include "{h}"\n' for h in found))
+    sources = [source for source in lib.glob("src/*/*.cpp")]
+    hold(len(headers) > 40 and len(sources) > 60, "few files")
+    strictly = ["-std=c++17", "-fno-exceptions", "-fno-rtti", "-fsyntax-only", "-I", lib / "include", "-I", HERE,
+                *("-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wundef -Wold-style-cast"
+                  " -Wdouble-promotion -Weffc++ -Werror").split()]
+    arm = "arm-none-eabi-g++", "-mthumb"
+    for compiler in (["g++"], ["clang++"], [*arm, "-mcpu=cortex-m0"], [*arm, "-mcpu=cortex-m3"],
+                     [*arm, "-mcpu=cortex-m4", "-mfloat-abi=hard"], [*arm, "-mcpu=cortex-m55", "-mfloat-abi=hard"]):
+        if shutil.which(compiler[0]):
+            hold(run(*compiler, *strictly, "all.cpp", *sources), f"warnings: {' '.join(compiler)}")
+    hold(run("gcc", "-std=c99", "-fsyntax-only", "-I", lib / "include", "-I", HERE, "-Wall", "-Wextra", "-Wpedantic",
+             "-Wconversion", "-Wsign-conversion", "-Wundef", "-Werror", "all.c"), "C")
+
+
 def enter(way):
     """A separate folder with the firmware project. Programs compiled there hardly run, so they are unoptimised."""
     work = Path(FOLDER, way)
@@ -413,8 +435,8 @@ def enter(way):
     os.environ.update(CMAKE_C_COMPILER_LAUNCHER=str(launcher), CMAKE_CXX_COMPILER_LAUNCHER=str(launcher))
 
 
-WAYS = (add_subdirectory, cells, machine_target, runtime_only, robot, cross, find_package, two_files, copied, manifests,
-        lib_alone, npm)
+WAYS = (add_subdirectory, cells, machine_target, runtime_only, robot, warnings, cross, find_package, two_files,
+        copied, manifests, lib_alone, npm)
 THOROUGH_WAYS = (machine_target, cross, find_package, npm)
 
 if __name__ == "__main__":

@@ -87,6 +87,9 @@ FileMesh import_mesh(const std::string& path, Warnings& warnings) {
   if (format == nullptr) {
     throw UserError(path, "is no mesh by its extension; convert it to one of ", kMeshFormats);
   }
+  if (format->read == read_with_assimp) {
+    refuse_other_contents(bytes, path);
+  }
   FileMesh mesh = format->read(bytes, path);
   for (const std::string& warning : mesh.warnings) {
     warnings.add(path, warning);

@@ -83,6 +83,13 @@ double coordinate(std::string_view word, const std::string& file, std::size_t li
 /// True if a float can hold the value: firmware's lengths are floats.
 bool is_coordinate(double value);
 
+/// UserError if the first bytes are those of an archive, of UTF-16 or of another kind of file.
+/// Binary STLs may begin with any bytes.
+void refuse_other_contents(std::string_view bytes, const std::string& file);
+
+/// A text without the NULs and Ctrl-Zs behind it, which pad files.
+std::string_view without_padding(std::string_view text);
+
 // Each reader takes the bytes of a file and its name for messages. UserError if the file is damaged
 // or of another format, or has no polygons.
 

@@ -16,10 +16,11 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::array<std::string_view, 23> kNoShape = {
-    "vt",     "vn",    "vp",       "s",        "mg",  "usemtl",     "mtllib",    "usemap",
-    "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech",
-    "stech",  "deg",   "vg",       "call",     "csh", "bmat",       "step"};
+/// Not `call` and `csh`, which add what another file or a program writes.
+constexpr std::array<std::string_view, 21> kNoShape = {
+    "vt",        "vn",     "vp",    "s",        "mg",       "usemtl", "mtllib",
+    "usemap",    "maplib", "bevel", "c_interp", "d_interp", "lod",    "shadow_obj",
+    "trace_obj", "ctech",  "stech", "deg",      "vg",       "bmat",   "step"};
 
 /// A # inside the name of a body begins no comment.
 std::string_view without_comment(std::string_view line) {
@@ -137,6 +138,8 @@ class ObjReader {
 }  // namespace
 
 FileMesh read_obj(std::string_view bytes, const std::string& file) {
+  refuse_other_contents(bytes, file);
+  bytes = without_padding(bytes);
   Lines lines(bytes);
   ObjReader reader(file);
   std::string joined;

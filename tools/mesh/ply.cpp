@@ -64,7 +64,9 @@ class Body {
 
   /// In a text; empty at the end of the file and in a binary.
   std::string_view last_word() const { return last_word_; }
-  bool at_end() const { return bytes_.find_first_not_of(kBlanks) == std::string_view::npos; }
+  bool at_end() const {
+    return without_padding(bytes_).find_first_not_of(kBlanks) == std::string_view::npos;
+  }
 
  private:
   static constexpr std::string_view kBlanks = " \t\r\n";
@@ -248,10 +250,11 @@ class PlyReader {
 }  // namespace
 
 FileMesh read_ply(std::string_view bytes, const std::string& file) {
+  refuse_other_contents(bytes, file);
   PlyReader reader(bytes, file);
   FileMesh mesh = reader.read();
   if (reader.is_text()) {
-    warn_of_cut_line(bytes, mesh);
+    warn_of_cut_line(without_padding(bytes), mesh);
   }
   return mesh;
 }

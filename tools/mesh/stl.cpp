@@ -26,22 +26,37 @@ bool is_binary(std::string_view bytes) {
   return bytes.size() >= kHeader && bytes.size() == kHeader + kPerTriangle * binary_count(bytes);
 }
 
-/// Binary files may begin with "solid", too; then they hold bytes that text does not.
+/// A binary file has NULs in its header or its count, which no file of 4 GiB fills.
 bool looks_like_ascii(std::string_view bytes) {
-  const std::vector<std::string_view> words = words_of(bytes.substr(0, bytes.find('\n')));
   constexpr std::string_view kNul("\0", 1);
-  return !words.empty() && lower_case(words[0]) == "solid" &&
-         bytes.find(kNul) == std::string_view::npos;
+  return without_padding(bytes).substr(0, kHeader).find(kNul) == std::string_view::npos;
 }
 
-[[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
+/// Bytes behind the last triangle of a binary file, as a warning. UserError if they are too few or
+/// may be triangles.
+std::string refuse_other_size(std::string_view bytes, const std::string& file) {
   if (bytes.size() < kHeader) {
     throw UserError(file, "is no STL file (too short); export the mesh again");
   }
   const std::size_t count = binary_count(bytes);
-  throw UserError(file, "is truncated or no STL file: its header announces ", count,
-                  " triangles, which take ", kHeader + kPerTriangle * count, " bytes, but it has ",
-                  bytes.size(), "; export the mesh again");
+  const std::uint64_t wanted = kHeader + kPerTriangle * count;
+  if (wanted > UINT32_MAX) {
+    throw UserError(file,
+                    "is no STL file: it is neither text that begins with 'solid', nor are its "
+                    "bytes 80 to 83 a count of triangles; export the mesh again");
+  }
+  if (bytes.size() < wanted) {
+    throw UserError(file, "is truncated or no STL file: its header announces ", count,
+                    " triangles, which take ", wanted, " bytes, but it has ", bytes.size(),
+                    "; export the mesh again");
+  }
+  const std::uint64_t behind = bytes.size() - wanted;
+  if (behind >= kPerTriangle && !without_padding(bytes.substr(wanted)).empty()) {
+    throw UserError(file, "its header announces ", count, " triangles, but ", behind,
+                    " bytes follow them, which ", behind / kPerTriangle,
+                    " more would fill; export the mesh again");
+  }
+  return concat(behind, " bytes behind the last triangle left out");
 }
 
 /// Reads the words of an ASCII file in turn, each with its line.
@@ -68,22 +83,27 @@ class AsciiReader {
   }
 
  private:
-  /// The next word; empty at the end of the file.
+  /// The next word; empty at the end of the file. Skips lines of comments.
   std::string_view next() {
     while (at_ == words_.size()) {
       if (!lines_.next()) {
         return {};
       }
       words_ = words_of(lines_.line());
-      at_ = 0;
+      at_ = words_.empty() || words_[0][0] != '#' ? 0 : words_.size();
     }
     return words_[at_++];
   }
 
-  /// The remaining words of the line, as written.
+  /// The remaining words of the line, as written: a name, no triangle.
   std::string rest_of_line() {
     const std::size_t first = at_;
-    at_ = words_.size();
+    for (; at_ < words_.size(); ++at_) {
+      if (lower_case(words_[at_]) == "endloop") {
+        throw UserError(at_line(file_, lines_.number()),
+                        "a triangle on the line of a solid's name; give it lines of its own");
+      }
+    }
     return first == at_
                ? std::string()
                : std::string(words_[first].data(), words_.back().data() + words_.back().size());
@@ -154,10 +174,14 @@ FileMesh read_stl(std::string_view bytes, const std::string& file) {
   if (is_binary(bytes)) {
     return read_binary(bytes, file);
   }
+  refuse_other_contents(bytes, file);
   if (!looks_like_ascii(bytes)) {
-    refuse_binary(bytes, file);
+    const std::string warning = refuse_other_size(bytes, file);
+    FileMesh mesh = read_binary(bytes, file);
+    mesh.warnings.push_back(warning);
+    return mesh;
   }
-  return AsciiReader(bytes, file).read();
+  return AsciiReader(without_padding(bytes), file).read();
 }
 
 }  // namespace flashbvh::tool

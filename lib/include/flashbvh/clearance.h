@@ -16,10 +16,10 @@ extern "C" {
 #endif
 
 /** The largest distance of a query: 2^20 cells. */
-#define FLASHBVH_MAX_DISTANCE ((uint32_t)256 << 20)
+#define FLASHBVH_MAX_DISTANCE (UINT32_C(256) << 20)
 
 /** 1 in the fixed point of a direction. */
-#define FLASHBVH_UNIT_ONE ((int32_t)1 << 30)
+#define FLASHBVH_UNIT_ONE (INT32_C(1) << 30)
 
 /** Clearance: the distance of two meshes, as far as it is known. */
 typedef struct flashbvh_clearance {

@@ -19,7 +19,7 @@ extern "C" {
 #endif
 
 /** The end of a motion. A time is a binary fraction of the motion; 0 is the start. */
-#define FLASHBVH_MOTION_END ((uint32_t)1 << 30)
+#define FLASHBVH_MOTION_END (UINT32_C(1) << 30)
 
 /** BodyMotion: constant once made; any number of queries may share it. It stores an error, which
  * every query on it returns. 188 bytes on a 32-bit core, 192 on a 64-bit one. */

@@ -30,6 +30,9 @@
 #include "flashbvh/query.hpp"
 #include "flashbvh/status.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh {
 
 using Move = flashbvh_move;
@@ -138,15 +141,15 @@ enum class ContactPhase : uint8_t {
 /// be stored for any time.
 template <class Index>
 struct [[nodiscard]] FirstContactCursor {
-  uint32_t time;  ///< in 2^-30 of the motion: certified or passed over up to here
-  uint32_t step;  ///< in 2^-30 of the motion: length of the interval that begins there
-  uint32_t near;  ///< start of the time in which they may be close, or kNever
+  uint32_t time;        ///< in 2^-30 of the motion: certified or passed over up to here
+  uint32_t step;        ///< in 2^-30 of the motion: length of the interval that begins there
+  uint32_t near_since;  ///< start of the time in which they may be close, or kNever
   QueryCursor<Index> walk;
   Witness<Index> hint;
   Status status;
   ContactOutcome outcome;
   ContactPhase phase;
-  uint8_t near_steps;    ///< intervals since `near`
+  uint8_t near_steps;    ///< intervals since `near_since`
   uint8_t is_begun;      ///< 1 if time 0 is tested
   uint8_t walks_at_end;  ///< 1 if a walk has yet to test the end
 
@@ -236,5 +239,7 @@ extern template class BasicFirstContact<Mesh>;
 extern template class BasicFirstContact<Mesh32>;
 
 }  // namespace flashbvh
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -84,13 +84,13 @@ bool flashbvh_mesh_is_closed(const flashbvh_mesh* mesh);
 /* Poses: pose.hpp and float.hpp ---------------------------------------------------------------- */
 
 /** 1 in the fixed point of a rotation: 30 fraction bits. */
-#define FLASHBVH_ROTATION_ONE ((int32_t)1 << 30)
+#define FLASHBVH_ROTATION_ONE (INT32_C(1) << 30)
 
 /** A full turn as an angle. */
-#define FLASHBVH_FULL_TURN ((int32_t)1 << 28)
+#define FLASHBVH_FULL_TURN (INT32_C(1) << 28)
 
 /** Largest magnitude of a translation along each axis, in cells. */
-#define FLASHBVH_MAX_TRANSLATION ((int32_t)1 << 29)
+#define FLASHBVH_MAX_TRANSLATION (INT32_C(1) << 29)
 
 /** Pose: maps B's point p to rotation * p + translation in A's frame. 68 bytes. The pose stores an
  * error, which every query on it returns, so a maker's status may be ignored. */

@@ -13,10 +13,10 @@ extern "C" {
 #endif
 
 /** Largest distance of a ray's ends from the mesh's origin along each axis, in cells. */
-#define FLASHBVH_MAX_RAY_COORDINATE (((int32_t)1 << 19) - 1)
+#define FLASHBVH_MAX_RAY_COORDINATE ((INT32_C(1) << 19) - 1)
 
 /** The hint without a triangle. */
-#define FLASHBVH_NO_HINT ((uint16_t)0xFFFF)
+#define FLASHBVH_NO_HINT UINT16_C(0xFFFF)
 
 /** RayHit: a ray's hit. */
 typedef struct flashbvh_hit {

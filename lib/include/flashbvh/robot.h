@@ -197,9 +197,9 @@ FLASHBVH_OPAQUE(flashbvh_workcell, 11, 56, uint64_t);
 
 /** Bytes of a workcell's memory: an array of uint64_t, since it has pointers and its size differs
  * between cores. */
-#define FLASHBVH_WORKCELL_SIZE(joints, links, pairs, reaches)                               \
-  ((72 * (size_t)(joints) + (24 + sizeof(flashbvh_mesh)) * (links) + 16 * (size_t)(pairs) + \
-    4 * (size_t)(reaches) + 7) /                                                            \
+#define FLASHBVH_WORKCELL_SIZE(joints, links, pairs, reaches)                 \
+  ((sizeof(uint64_t[9]) * (joints) + (24 + sizeof(flashbvh_mesh)) * (links) + \
+    sizeof(uint64_t[2]) * (pairs) + sizeof(uint32_t[1]) * (reaches) + 7) /    \
    8 * 8)
 
 /** Starts with the robot only. Its meshes must outlive the workcell; `memory` is written.

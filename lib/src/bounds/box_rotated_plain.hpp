@@ -60,7 +60,7 @@ inline uint32_t clamped_sum(uint32_t sum) {
 /// Rounds sums down to whole cells, clamped to 0 and 32,767. One test for both, as bounds outside
 /// the lattice are rare.
 inline AxisBounds whole_bounds(AxisSums sums) {
-  if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits), 0) != 0) {
+  if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits) != 0, 0)) {
     sums = {clamped_sum(sums.upper), clamped_sum(sums.lower)};
   }
   return {sums.upper >> kSplitBits, sums.lower >> kSplitBits};

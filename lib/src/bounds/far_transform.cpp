@@ -20,7 +20,7 @@ void Transform::place_far(const Pose& pose, const int32_t (&origin_a)[3],
   const bool rotates = !pose.is_translation();
   const RotationMatrix& matrix = rotates ? pose.matrix() : kUnrotated;
   constexpr int64_t most = int64_t{kMaxFarOffset} * kSplitOne;
-  placing_ = Placing::far;
+  placing_ = Placing::far_off;
   rotated_.matrix = &matrix;
   if (!rotates) {
     rotated_.columns = matrix.rows;

@@ -6,6 +6,8 @@
 #include "gap_sse2.hpp"
 #endif
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 namespace {

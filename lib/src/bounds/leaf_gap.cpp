@@ -2,6 +2,8 @@
 
 #include "../predicates/short_root.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 namespace {
 

@@ -17,6 +17,8 @@
 #define FLASHBVH_ONE_AXIS [[gnu::noinline]]
 #endif
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 namespace {
 
@@ -165,7 +167,8 @@ class Row {
     const SplitRow& row = transform.matrix->rows.row[axis];
     const int8_t(&rest)[3] = transform.matrix->rest[axis];
     entries_ = {signed_difference(row.positive_xy, row.negative_xy), row.z_entry()};
-    rest_ = {join_halves(static_cast<uint16_t>(rest[0]), static_cast<uint16_t>(rest[1])), rest[2]};
+    rest_ = {join_halves(static_cast<uint32_t>(rest[0]) & 0xFFFFu, static_cast<uint32_t>(rest[1])),
+             rest[2]};
     offset_ = offset_of(transform.on_a[axis]) + kHalf;
   }
 
@@ -197,13 +200,13 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
   }
   store_all(starts, on_a);
 #elif defined(FLASHBVH_NARROW_SUMS)
-  const bool near = is_near(origin_b);
+  const bool b_is_near = is_near(origin_b);
   uint32_t upper = root_a.upper_xy;
   uint32_t lower = root_a.lower_xy;
   for (int axis = 0;;) {
     const SplitRow& row = matrix->rows.row[axis];
-    const int32_t offset = near ? near_offset_along_axis(pose, origin_a, origin_b, axis)
-                                : offset_along_axis(pose, origin_a, origin_b, axis);
+    const int32_t offset = b_is_near ? near_offset_along_axis(pose, origin_a, origin_b, axis)
+                                     : offset_along_axis(pose, origin_a, origin_b, axis);
     on_a[axis] = start_of(row, offset, kWidestMargin);
     if (may_stop && far_apart(row, on_a[axis], root_b, low_half(upper), low_half(lower))) {
       return false;

@@ -12,6 +12,8 @@
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/pose.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// The rows of a matrix: x, y, z and 0. Not an array, which compilers would keep in memory.

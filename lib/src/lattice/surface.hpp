@@ -6,6 +6,8 @@
 
 #include "flashbvh/lattice.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// A surface is closed if each edge runs as often in either direction: then a point's winding

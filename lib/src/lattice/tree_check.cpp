@@ -12,6 +12,8 @@
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "surface.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 namespace {
 

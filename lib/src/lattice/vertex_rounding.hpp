@@ -10,12 +10,12 @@ namespace flashbvh::detail {
 /// rotation to 2^-23, which moves it by less than 0.01 cells: 0.51 along three axes, 0.8833.
 constexpr uint32_t kVertexRounding = 228;
 
-/// The rounding in 1/65,536 cell if the coordinates of the mesh's origin add up to `far` cells,
-/// below 2^33. The rotation turns the origin, too, so each axis is off by 2^-23 of `far` more. 0.89
+/// The rounding in 1/65,536 cell if the coordinates of the mesh's origin add up to `sum` cells,
+/// below 2^33. The rotation turns the origin, too, so each axis is off by 2^-23 of `sum` more. 0.89
 /// cells include 32,000 cells.
-constexpr uint32_t vertex_rounding(uint64_t far) {
+constexpr uint32_t vertex_rounding(uint64_t sum) {
   constexpr uint32_t near_by = 58328;
-  const auto at_origin = static_cast<uint32_t>(57892 + (far * 222 >> 14));  // sqrt(3) / 2^7 of it
+  const auto at_origin = static_cast<uint32_t>(57892 + (sum * 222 >> 14));  // sqrt(3) / 2^7 of it
   return at_origin > near_by ? at_origin : near_by;
 }
 

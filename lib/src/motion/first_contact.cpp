@@ -5,6 +5,8 @@
 #include "moved_frame.hpp"
 #include "near_query.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh {
 
 namespace {
@@ -35,7 +37,7 @@ template <class MeshType>
 BasicFirstContact<MeshType>::BasicFirstContact(const Mesh& a, const Mesh& b,
                                                const BodyMotion& motion, FineLength within)
     : a_(&a), b_(&b), motion_(&motion), within_(within.count), at_() {
-  at_.near = Cursor::kNever;
+  at_.near_since = Cursor::kNever;
   at_.step = kMotionEnd;
   at_.status = prepare();
   at_.outcome = ContactOutcome::close;
@@ -167,8 +169,8 @@ void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
     at_.phase = ContactPhase::choose;
     return;
   }
-  if (at_.near == Cursor::kNever) {
-    at_.near = at_.time;
+  if (at_.near_since == Cursor::kNever) {
+    at_.near_since = at_.time;
     at_.near_steps = 0;
   }
   ++at_.near_steps;
@@ -179,7 +181,7 @@ void BasicFirstContact<MeshType>::come_near(uint32_t distance) {
 /// The bodies are apart in the whole interval. Proceeds to the next one.
 template <class MeshType>
 void BasicFirstContact<MeshType>::certify() {
-  if (at_.near != Cursor::kNever) {
+  if (at_.near_since != Cursor::kNever) {
     end(ContactOutcome::close);
     return;
   }
@@ -243,7 +245,7 @@ void BasicFirstContact<MeshType>::walk_at_time(uint32_t& work) {
     end(ContactOutcome::contact);
   } else if (status != Status::done) {
     at_.status = status;
-  } else if (at_.near != Cursor::kNever &&
+  } else if (at_.near_since != Cursor::kNever &&
              (at_.near_steps == kMostNearSteps || at_.time == kMotionEnd)) {
     end(ContactOutcome::close);
   } else if (at_.time == kMotionEnd) {
@@ -297,8 +299,8 @@ typename BasicFirstContact<MeshType>::Answer BasicFirstContact<MeshType>::run(ui
     step(work);
   }
   Answer answer = {status(), at_.outcome, {}, at_.time, at_.time};
-  if (at_.near != Cursor::kNever) {
-    answer.from = at_.near;
+  if (at_.near_since != Cursor::kNever) {
+    answer.from = at_.near_since;
   }
   if (at_.status == Status::done && !at_.hint.is_none() && at_.outcome != ContactOutcome::free) {
     answer.triangles = {a_->triangle_ids[at_.hint.a], b_->triangle_ids[at_.hint.b]};
@@ -311,7 +313,7 @@ void BasicFirstContact<MeshType>::pass() {
   if (at_.status != Status::done || at_.outcome != ContactOutcome::close) {
     return;
   }
-  at_.near = Cursor::kNever;
+  at_.near_since = Cursor::kNever;
   if (at_.time == kMotionEnd) {
     end(ContactOutcome::free);
     return;
@@ -332,7 +334,7 @@ Status BasicFirstContact<MeshType>::resume(const Cursor& at) {
   const bool is_in_motion = at.time <= kMotionEnd && at.step <= longest;
   const bool has_step = at.step != 0 || (is_behind && at.time == kMotionEnd);
   const bool has_pair = at.hint.is_none() || detail::is_pair(at.hint, *a_, *b_);
-  const bool is_known = (at.near == Cursor::kNever || at.near <= at.time) &&
+  const bool is_known = (at.near_since == Cursor::kNever || at.near_since <= at.time) &&
                         at.phase < ContactPhase::done && at.status == Status::suspended;
   if (!(is_even && is_in_motion && has_step && has_pair && is_known)) {
     return Status::cursor_invalid;

@@ -4,13 +4,16 @@
 #include "long_division.hpp"
 #include "wide_product.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 namespace {
 
 /// Word i of a number, counted from the lowest; no core is big-endian (plain/byte_order.h).
 inline uint32_t word_of(const Int128& u, int i) {
   uint32_t word = 0;
-  const char* const at = reinterpret_cast<const char*>(&u) + sizeof word * (i ^ 2);
+  const char* const at =
+      reinterpret_cast<const char*>(&u) + sizeof word * static_cast<unsigned>(i ^ 2);
   __builtin_memcpy(&word, __builtin_assume_aligned(at, alignof(uint32_t)), sizeof word);
   return word;
 }

@@ -32,7 +32,7 @@ inline Int128 long_quotient(const Int128& u, const Int128& v) {
     Int128 part = {0, up < 0 ? share >> -up : share};
     part = up > 0 ? shifted_up(part, static_cast<unsigned>(up)) : part;
     // `v` fits once more, which the leading bits are too few to show.
-    part.low += is_zero(part) ? 1 : 0;
+    part.low += is_zero(part) ? 1u : 0u;
     rest = rest - low_product(part, v);
     whole = whole + part;
   }

@@ -3,6 +3,8 @@
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "triangle_range.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 namespace {
 

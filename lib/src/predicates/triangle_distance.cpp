@@ -10,6 +10,8 @@
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "triangle_range.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 namespace {
 

@@ -184,7 +184,7 @@ bool zone_fits(const Robot& robot, const RobotUnguarded& pair) {
 const char* name_of(const void* image, uint32_t number) {
   const char* name = image_part<char>(image, names_offset(header_of(image)));
   while (number != 0) {
-    number -= *name++ == 0 ? 1 : 0;
+    number -= *name++ == 0 ? 1u : 0u;
   }
   return name;
 }

@@ -13,6 +13,8 @@
 #include "branch.hpp"
 #include "flashbvh/robot/robot.hpp"
 
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// The share of a whole reach.

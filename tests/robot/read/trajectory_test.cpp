@@ -104,6 +104,24 @@ TEST_CASE("the first column of times names the lines") {
   }
 }
 
+TEST_CASE(
+    "the files of other programs are read: names of times, quotation marks, columns without a "
+    "name") {
+  const char* text = GENERATE(
+      "__time,a,b\n0.0,1,2\n0.1,3,4\n",   // PlotJuggler
+      "%time,a,b\n1000,1,2\n1001,3,4\n",  // rostopic echo -p
+      ",a,b\n0,1,2\n1,3,4\n",             // pandas
+      "\ta\tb\n0.0\t1\t2\n0.1\t3\t4\n", ",Unnamed: 0,a,b\n2024-01-01,0,1,2\n2024-01-02,1,3,4\n",
+      "\"\",\"time\",\"a\",\"b\"\n\"1\",0,1,2\n\"2\",1,3,4\n",             // R
+      "\xEF\xBB\xBF\"time\";\"a\";\"b\"\r\n0;\"1\";2\r\n1; \"3\" ;4\r\n",  // Excel
+      "sep=;\n\"time; [s]\";a;b;\n0;1;2;\n1;3;4;\n");
+  INFO(text);
+  const tool::Trajectory way = Given().read(text);
+  REQUIRE(way.size() == 2);
+  CHECK(std::vector<float>(way.values(0), way.values(0) + 2) == std::vector<float>{1, 2});
+  CHECK(std::vector<float>(way.values(1), way.values(1) + 2) == std::vector<float>{3, 4});
+}
+
 TEST_CASE("a joint named like a time is a joint") {
   RobotFiles files;
   const tool::Model model = files.read(link_text("base") + link_text("one") +
@@ -124,8 +142,26 @@ TEST_CASE("trajectories that are refused") {
        {"a,b,a\n", "way.csv:1: has two columns 'a'; leave one out"},
        {"\na,b,fixed\n",
         "way.csv:2: the column 'fixed' is no joint of the robot that moves; its joints are a,b"},
-       {"a,b,\n",
-        "way.csv:1: the column '' is no joint of the robot that moves; its joints are a,b"},
+       {"0,0.5\n1,2\n",
+        "way.csv:1: has the value '0' in place of a name; the first line names all joints that "
+        "move: a,b"},
+       {"0,5;1\n1;2\n",
+        "way.csv:1: has the value '0,5' in place of a name; the first line names all joints that "
+        "move: a,b"},
+       {"\"a,b\n1,2\n", "way.csv:1: '\"a,b' has quotation marks that enclose no field"},
+       {"\"a\"x,b\n", "way.csv:1: '\"a\"x' has quotation marks that enclose no field"},
+       {"\"a\"\"\",b\n", "way.csv:1: '\"a\"\"\"' has quotation marks that enclose no field"},
+       {"a,\"a\",b\n", "way.csv:1: has two columns 'a'; leave one out"},
+       {"a,b\n\"0,5\",1\n",
+        "way.csv:2: '0,5' in the column 'a' has a decimal comma; write a point: 0.5"},
+       {"a,b\n\"\",1\n",
+        "way.csv:2: '' in the column 'a' is no finite number; give radians, or metres"},
+       {",a\n0,1\n",
+        "way.csv:1: has no column 'b'; the first line names all joints that move: a,b"},
+       {"a,b\n1,0,0.1\n", "way.csv:2: has 3 values, the first line names 2 columns; give each one"},
+       {"\xFF\xFE"
+        "a",
+        "way.csv: is text in UTF-16; save it as UTF-8"},
        {"a b\n",
         "way.csv:1: the column 'a b' is no joint of the robot that moves; its joints are a,b"},
        {"a,c\n", "way.csv:1: has no column 'b'; the first line names all joints that move: a,b"},

@@ -14,12 +14,14 @@
 namespace flashbvh::tool {
 namespace {
 
-/// A column of a joint, or of the time.
+/// A column of a joint, of the time, or without a name, as of a data frame's index.
 struct TrajectoryColumn {
   std::string name;
-  std::size_t joint;  ///< of Model::joints; kNoJoint for a time
+  std::size_t joint;  ///< of Model::joints; kNoJoint for a time and without a name
 
-  bool is_time() const { return joint == kNoJoint; }
+  bool has_name() const { return !name.empty(); }
+  bool is_joint() const { return joint != kNoJoint; }
+  bool is_time() const { return !is_joint() && has_name(); }
 };
 
 struct TrajectoryColumns {
@@ -33,23 +35,37 @@ std::string variable_names(const Model& model) {
       model.variables, [&](std::size_t joint) { return model.joints[joint].name; }, ",");
 }
 
-/// The first separator that the line holds; any one for a file with one column.
+/// The first separator that the line holds outside quotation marks; any one for a single column.
 char separator_of(std::string_view line) {
+  std::string bare;
+  bool is_quoted = false;
+  for (const char c : line) {
+    is_quoted = is_quoted != (c == '"');
+    bare += is_quoted ? ' ' : c;
+  }
   for (const char separator : {';', ',', '\t'}) {
-    if (line.find(separator) != std::string_view::npos) {
+    if (bare.find(separator) != std::string::npos) {
       return separator;
     }
   }
   return ',';
 }
 
-/// "time", "t", "Time [s]", "time_from_start", "timestamp", "header.stamp", "secs".
+/// "time", "t", "Time [s]", "__time", "%time", "time_from_start", "timestamp", "header.stamp",
+/// "secs".
 bool names_time(std::string_view name) {
-  const std::string lower = lower_case(name);
+  std::string lower = lower_case(name);
+  lower.erase(0, lower.find_first_not_of("_%/"));
   const std::string first = lower.substr(0, lower.find_first_of(" _[(/"));
   constexpr std::string_view kNames[] = {"t", "sec", "secs", "seconds"};
   return lower.compare(0, 4, "time") == 0 || lower.find("stamp") != std::string::npos ||
          std::find(std::begin(kNames), std::end(kNames), first) != std::end(kNames);
+}
+
+std::string with_point(std::string_view number) {
+  std::string pointed(number);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  return pointed;
 }
 
 TrajectoryColumn column_named(const Model& model, std::string_view name, const std::string& place) {
@@ -58,8 +74,16 @@ TrajectoryColumn column_named(const Model& model, std::string_view name, const s
   if (joint != model.joints.end()) {
     return {std::string(name), static_cast<std::size_t>(joint - model.joints.begin())};
   }
+  if (name.empty() || name.substr(0, 8) == "Unnamed:") {  // as pandas names it when it reads it
+    return {"", kNoJoint};
+  }
   if (names_time(name)) {
     return {std::string(name), kNoJoint};
+  }
+  if (parse_number(with_point(name))) {
+    throw UserError(
+        place, "has the value ", quoted(name),
+        " in place of a name; the first line names all joints that move: ", variable_names(model));
   }
   throw UserError(place, "the column ", quoted(name),
                   " is no joint of the robot that moves; its joints are ", variable_names(model));
@@ -76,26 +100,39 @@ void check_complete(const Model& model, const std::vector<TrajectoryColumn>& col
   }
 }
 
-/// The fields of a line, without the blanks around them.
-std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+std::string_view without_blanks(std::string_view field, std::string_view blanks) {
+  field.remove_prefix(std::min(field.find_first_not_of(blanks), field.size()));
+  return field.substr(0, field.find_last_not_of(blanks) + 1);
+}
+
+/// The fields of a line, without quotation marks and the blanks around them.
+std::vector<std::string_view> fields_of(std::string_view line, char separator,
+                                        const std::string& place) {
   const std::string_view blanks = separator == '\t' ? " \v\f" : " \t\v\f";
   std::vector<std::string_view> fields;
   for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
-    end = line.find(separator, begin);
-    std::string_view field = line.substr(begin, end == std::string_view::npos ? end : end - begin);
-    field.remove_prefix(std::min(field.find_first_not_of(blanks), field.size()));
-    fields.push_back(field.substr(0, field.find_last_not_of(blanks) + 1));
+    const std::size_t first = line.find_first_not_of(blanks, begin);
+    const bool is_quoted = first != std::string_view::npos && line[first] == '"';
+    const std::size_t close = is_quoted ? line.find('"', first + 1) : begin;
+    end = line.find(separator, close);
+    std::string_view field = without_blanks(line.substr(begin, end - begin), blanks);
+    if (is_quoted && (close == std::string_view::npos || field.back() != '"' ||
+                      std::count(field.begin(), field.end(), '"') != 2)) {
+      throw UserError(place, quoted(field), " has quotation marks that enclose no field");
+    }
+    fields.push_back(is_quoted ? without_blanks(field.substr(1, field.size() - 2), blanks) : field);
   }
   return fields;
 }
 
-/// UserError, with `place`, unless each variable has one column and every other column is a time or
-/// a joint that mimics.
+/// UserError, with `place`, unless each variable has one column and every other column is a time, a
+/// joint that mimics, or without a name.
 TrajectoryColumns read_columns(const Model& model, std::string_view line,
                                const std::string& place) {
   TrajectoryColumns made = {separator_of(line), {}};
-  for (const std::string_view name : fields_of(line, made.separator)) {
-    if (std::any_of(made.columns.begin(), made.columns.end(),
+  for (const std::string_view name : fields_of(line, made.separator, place)) {
+    if (!name.empty() &&
+        std::any_of(made.columns.begin(), made.columns.end(),
                     [&](const TrajectoryColumn& column) { return column.name == name; })) {
       throw UserError(place, "has two columns ", quoted(name), "; leave one out");
     }
@@ -113,8 +150,7 @@ double number_in(std::string_view field, const std::string& column, const std::s
   if (value && is_coordinate(*value)) {
     return *value;
   }
-  std::string pointed(field);
-  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  const std::string pointed = with_point(field);
   if (pointed != field && parse_number(pointed)) {
     throw UserError(place, quoted(field), " in the column ", tool::quoted(column),
                     " has a decimal comma; write a point: ", pointed);
@@ -126,7 +162,7 @@ double number_in(std::string_view field, const std::string& column, const std::s
 /// The numbers of a line, one per column; none for a time that is no number, such as a date.
 std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
                                               std::string_view line, const std::string& place) {
-  const std::vector<std::string_view> fields = fields_of(line, header.separator);
+  const std::vector<std::string_view> fields = fields_of(line, header.separator, place);
   if (fields.size() != header.columns.size()) {
     throw UserError(place, "has ", fields.size(), fields.size() == 1 ? " value" : " values",
                     ", the first line names ", header.columns.size(), " columns; give each one");
@@ -134,8 +170,8 @@ std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
   std::vector<std::optional<double>> numbers;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const TrajectoryColumn& column = header.columns[i];
-    numbers.push_back(column.is_time() ? parse_number(fields[i])
-                                       : number_in(fields[i], column.name, place));
+    numbers.push_back(column.is_joint() ? number_in(fields[i], column.name, place)
+                                        : parse_number(fields[i]));
   }
   return numbers;
 }
@@ -171,12 +207,12 @@ class RowReader {
     std::vector<double> values(model_.variables.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const TrajectoryColumn& column = header_.columns[i];
-      if (!column.is_time() && !is_mimic(model_, column.joint)) {
+      if (column.is_joint() && !is_mimic(model_, column.joint)) {
         values[model_.joints[column.joint].variable] = *numbers[i];
       }
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (!header_.columns[i].is_time() && is_mimic(model_, header_.columns[i].joint)) {
+      if (header_.columns[i].is_joint() && is_mimic(model_, header_.columns[i].joint)) {
         check_mimic(model_, header_.columns[i], *numbers[i], values, place);
       }
     }
@@ -259,10 +295,13 @@ void note_times(const std::string& path, const RowReader& reader, const Trajecto
 
 Trajectory read_trajectory(const std::string& path, const Model& model, Warnings& warnings) {
   const std::string text = read_file(path);
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  const bool is_marked = text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0;
-  Lines lines(std::string_view(text).substr(is_marked ? kByteOrderMark.size() : 0));
-  if (!lines.next_content()) {
+  refuse_other_contents(text, path);
+  Lines lines(without_padding(text));
+  bool has_line = lines.next_content();
+  if (has_line && lines.line().substr(0, 4) == "sep=") {  // Excel's line, which the next one shows
+    has_line = lines.next_content();
+  }
+  if (!has_line) {
     throw UserError(path, "has no line that names the joints: ", variable_names(model));
   }
   const std::string place = at_line(path, lines.number());

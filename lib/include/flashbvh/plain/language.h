@@ -23,7 +23,7 @@ enum class [[nodiscard]] Status : uint8_t;
 
 /* Marks a function whose result must not be dropped. */
 #if defined(__GNUC__)
-#define FLASHBVH_NODISCARD __attribute__((warn_unused_result))
+#define FLASHBVH_NODISCARD __attribute__((__warn_unused_result__))
 #else
 #define FLASHBVH_NODISCARD
 #endif

@@ -34,6 +34,9 @@
 #include "flashbvh/robot/robot.hpp"
 #include "flashbvh/status.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh {
 
 /// Verdicts, from the best to the worst.
@@ -282,5 +285,7 @@ class Guard {
 };
 
 }  // namespace flashbvh
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -18,6 +18,9 @@
 #include "flashbvh/robot/robot.hpp"
 #include "flashbvh/status.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh {
 
 /// Outcomes of a motion.
@@ -125,5 +128,7 @@ class MotionQuery {
 };
 
 }  // namespace flashbvh
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -4,10 +4,10 @@
 
 /// Walks are not inlined: in a function of its own, a loop gets the registers.
 #if defined(__GNUC__)
-#define FLASHBVH_NOINLINE [[gnu::noinline]]
+#define FLASHBVH_NOINLINE [[gnu::__noinline__]]
 /// For small functions whose stack frame would add to a query's. A build may define it as nothing.
 #if !defined(FLASHBVH_INLINE)
-#define FLASHBVH_INLINE [[gnu::always_inline]]
+#define FLASHBVH_INLINE [[gnu::__always_inline__]]
 #endif
 /// FLASHBVH_INLINE except at -Os: for functions with several callers.
 #if defined(__OPTIMIZE_SIZE__)

@@ -46,7 +46,7 @@ inline uint32_t halved_difference(uint32_t u, uint32_t v) {
 }
 /// Signed halves of 15 bits, with negative ones replaced by 0.
 inline uint32_t positive_halves(uint32_t u) {
-  return static_cast<uint32_t>(__usat16(static_cast<int16x2_t>(u), 15));
+  return static_cast<uint32_t>(__builtin_arm_usat16(static_cast<int16x2_t>(u), 15));
 }
 
 #else

@@ -31,6 +31,9 @@
 #include "flashbvh/detail/bounds/gap_simd.hpp"
 #endif
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// Squared gaps and their limit, in 32 bits. For limits of more than 30 bits, gaps count in units
@@ -82,7 +85,7 @@ class GapLimit {
   static constexpr uint32_t kFours = 2;
   /// Returns the shift in the high word and the limit, of more than 30 bits, in the low word, one
   /// register each. Beyond 2^44 no gap is rejected in any unit.
-  [[gnu::noinline]] static constexpr uint64_t shifted(int64_t squared) {
+  [[gnu::__noinline__]] static constexpr uint64_t shifted(int64_t squared) {
     uint32_t shift = kFours;
     squared >>= 2 * kFours;
     while (squared >= int64_t{1} << 31 && squared < int64_t{1} << 40) {
@@ -171,13 +174,13 @@ inline PackedTriple window_of(const SeenBox& seen) {
 FLASHBVH_INLINE inline bool is_within(const PackedTriple& least, const PackedTriple& words,
                                       uint32_t limit) {
 #if defined(__ARM_FEATURE_SIMD32) && !defined(FLASHBVH_PORTABLE)
-  constexpr uint32_t far = 0x80008000u;
+  constexpr uint32_t far_bits = 0x80008000u;
   const uint32_t xy =
       subtract_halves(least.word[0], words.word[0]) | subtract_halves(least.word[1], words.word[1]);
   const uint32_t z = subtract_halves(least.word[2], words.word[2]);
-  return ((xy | z) & far) == 0 && sum_of_squares(xy, z) <= limit;
+  return ((xy | z) & far_bits) == 0 && sum_of_squares(xy, z) <= limit;
 #else  // axis by axis: no halves are joined, and the first axis may reject
-  constexpr int32_t far = 1 << 15;
+  constexpr int32_t least_far = 1 << 15;
   uint32_t sum = 0;
   const auto add = [&](uint32_t least_upper, uint32_t upper, uint32_t least_lower, uint32_t lower) {
     const auto of_upper = static_cast<int32_t>(least_upper - upper);
@@ -187,7 +190,7 @@ FLASHBVH_INLINE inline bool is_within(const PackedTriple& least, const PackedTri
       return true;
     }
     sum += static_cast<uint32_t>(missing) * static_cast<uint32_t>(missing);
-    return missing < far && sum <= limit;
+    return missing < least_far && sum <= limit;
   };
   const uint32_t(&l)[3] = least.word;
   const uint32_t(&w)[3] = words.word;
@@ -381,5 +384,7 @@ bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
                    const Transform& transform, const GapLimit& limit) noexcept;
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -12,6 +12,9 @@
 #include "flashbvh/detail/lattice/packed_vector.hpp"
 #include "flashbvh/detail/lattice/split_matrix.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// A direction from A to B in both lattices, and the gap along it that rejects two triangles. The
@@ -159,5 +162,7 @@ class SupportGap {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

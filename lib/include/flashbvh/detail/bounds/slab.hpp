@@ -33,8 +33,8 @@ struct Extent {
   /// `at`: less than 2^31 from either end.
   void add(int32_t at) {
 #if defined(__ARM_FEATURE_SAT) && !defined(FLASHBVH_PORTABLE)
-    least -= __usat(least - at, 31);  // negative differences saturate to 0
-    most += __usat(at - most, 31);
+    least -= static_cast<int32_t>(__usat(least - at, 31));  // negative differences saturate to 0
+    most += static_cast<int32_t>(__usat(at - most, 31));
 #else
     least = at < least ? at : least;
     most = at > most ? at : most;

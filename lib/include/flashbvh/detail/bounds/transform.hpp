@@ -11,6 +11,9 @@
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// One of a query's two trees.
@@ -22,13 +25,13 @@ struct TranslatedTransform {
   TranslatedBoxTest bound;  ///< set by Transform::prepare()
 };
 
-/// A transform's way of placing B; from kMaxOffset on, `far` and `beyond` serve predicates of
+/// A transform's way of placing B; from kMaxOffset on, `far_off` and `beyond` serve predicates of
 /// distance alone.
 enum class Placing : uint8_t {
   translated,
   rotated,
-  far = 2,  ///< rotated and then moved by whole cells, even where nothing is rotated
-  beyond,   ///< far, but put at kMaxFarOffset, as it lies farther off
+  far_off = 2,  ///< rotated and then moved by whole cells, even where nothing is rotated
+  beyond,       ///< far off, but put at kMaxFarOffset, as it lies farther off
 };
 
 /// 92 bytes on a 32-bit core.
@@ -103,7 +106,7 @@ class Transform {
   Placing placing() const { return placing_; }
   bool is_rotated() const { return placing_ != Placing::translated; }
   /// True after place_far(); is_beyond(): true if place_far() put B nearer than it lies.
-  bool is_far() const { return placing_ >= Placing::far; }
+  bool is_far() const { return placing_ >= Placing::far_off; }
   bool is_beyond() const { return placing_ == Placing::beyond; }
   /// The move of a far B after its rotation.
   const Point& far_offset() const { return rotated_.far_offset; }
@@ -265,5 +268,7 @@ void place_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b,
 }
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -15,6 +15,9 @@
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/triangle.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// Largest difference along one axis between any two of the six corners, in cells. It keeps the
@@ -97,7 +100,7 @@ class SupportPlanes {
     return int64_t{high_[0]} * (to.x - from.x) + int64_t{high_[1]} * (to.y - from.y) +
            int64_t{high_[2]} * (to.z - from.z);
   }
-  [[gnu::noinline]] bool separates_exactly(const Triangle& a, const Triangle& b) const noexcept;
+  [[gnu::__noinline__]] bool separates_exactly(const Triangle& a, const Triangle& b) const noexcept;
 
   // The normal, scaled, in two parts.
   int32_t high_[3];
@@ -157,5 +160,7 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
                     PlaceInTriangle& of_a, PlaceInTriangle& of_b) noexcept;
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

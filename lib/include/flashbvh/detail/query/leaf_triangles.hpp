@@ -17,6 +17,9 @@
 #define FLASHBVH_LEAVES_AT_ONCE 1
 #endif
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// True if the predicate tests any two triangles of two leaves, and only for intersection.
@@ -155,5 +158,7 @@ struct Batches<LeafPairs, Mesh, true> {
 #endif
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -18,6 +18,9 @@
 #include "flashbvh/detail/walk/proximity_planes.hpp"
 #include "flashbvh/status.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// A run's data of the nearest pair so far, computed from the pair when the run begins.
@@ -290,5 +293,7 @@ class TriangleTest<Nearest<Index>, Mesh, false> {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -10,6 +10,9 @@
 #include "flashbvh/detail/walk/proximity_planes.hpp"
 #include "flashbvh/status.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// The common part of predicates of distance: box tests of gaps, without widening.
@@ -109,5 +112,7 @@ struct Within : ProximityPredicate {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -16,6 +16,9 @@
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// The base of Query. A walk batches up to eight pairs of leaves before their triangles are tested.
@@ -393,5 +396,7 @@ class QueryRun : protected Predicate {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -12,6 +12,9 @@
 #include "flashbvh/detail/query/triangle_test.hpp"
 #include "flashbvh/detail/walk/walk.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// There are no leaf planes: neighbours always overlap, and a slab never separates them.
@@ -133,5 +136,7 @@ class TriangleTest<SelfPredicate<Base>, Mesh, false> {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

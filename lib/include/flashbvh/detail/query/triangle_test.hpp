@@ -8,6 +8,9 @@
 #include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// The triangle of B that consecutive pairs share. It is placed when first needed, as rotating it
@@ -124,5 +127,7 @@ class TriangleTest<Predicate, Mesh, true> {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

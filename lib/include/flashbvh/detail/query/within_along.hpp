@@ -12,6 +12,9 @@
 #include "flashbvh/detail/query/proximity.hpp"
 #include "flashbvh/detail/query/triangle_test.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 /// Within for a guard's walks, which are many, run in slices and mostly end with "no".
@@ -108,5 +111,7 @@ class TriangleTest<WithinAlong, Mesh, false> {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

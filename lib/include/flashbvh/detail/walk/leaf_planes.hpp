@@ -22,6 +22,9 @@
 #include "flashbvh/detail/walk/walk_run.hpp"
 #include "flashbvh/detail/walk/work.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction
+
 namespace flashbvh::detail {
 
 template <class Mesh>
@@ -221,5 +224,7 @@ class LeafPlanes {
 };
 
 }  // namespace flashbvh::detail
+
+#pragma GCC diagnostic pop
 
 #endif

@@ -47,8 +47,8 @@ class Ranked {
 
   const NodeType& node_a() const { return *a_.node; }
   const NodeType& node_b() const { return *b_.node; }
-  uint32_t index_a() const { return a_.index(); }
-  uint32_t index_b() const { return b_.index(); }
+  uint32_t index_a() const { return a_.node_index(); }
+  uint32_t index_b() const { return b_.node_index(); }
 
   FLASHBVH_INLINE bool descend() {
     const int32_t rank_a = a_.node->rank();
@@ -104,7 +104,7 @@ class Ranked {
   uint32_t leaf_root() const { return leaf() == detail::Side::a ? index_b() : index_a(); }
   uint32_t leaf_node() const { return leaf_root(); }
 
-  void store(Cursor& cursor, bool /*ended*/) const { cursor = {a_.index(), b_.index()}; }
+  void store(Cursor& cursor, bool /*ended*/) const { cursor = {a_.node_index(), b_.node_index()}; }
   void store_below(Cursor& cursor, detail::Side leaf, uint32_t node) const {
     store(cursor, false);
     (leaf == detail::Side::a ? cursor.b : cursor.a) = static_cast<Index>(node);
@@ -120,7 +120,7 @@ class Ranked {
     Place(const Tree& tree, Index index)
         : root(tree.nodes), node(tree.nodes + index), parent_rank(find_parent_rank(tree, index)) {}
 
-    Index index() const { return static_cast<Index>(node - root); }
+    Index node_index() const { return static_cast<Index>(node - root); }
 
     void descend(int32_t rank) {
       parent_rank = rank;

@@ -22,7 +22,7 @@ class Subtree<IndexType, Layout::pre_indexed> {
       : nodes_(tree.nodes), end_(nodes_ + nodes_[root].link), node_(nodes_ + node) {}
 
   const NodeType& node() const { return *node_; }
-  uint32_t index() const { return static_cast<uint32_t>(node_ - nodes_); }
+  uint32_t node_index() const { return static_cast<uint32_t>(node_ - nodes_); }
   /// Moves to the first child of an internal node.
   void descend() { ++node_; }
   /// Moves to the next node outside this node's subtree; false if there is none.
@@ -47,7 +47,7 @@ class Subtree<IndexType, Layout::post_indexed> {
       : nodes_(tree.nodes), root_(nodes_ + root), node_(nodes_ + node) {}
 
   const NodeType& node() const { return *node_; }
-  uint32_t index() const { return static_cast<uint32_t>(node_ - nodes_); }
+  uint32_t node_index() const { return static_cast<uint32_t>(node_ - nodes_); }
   void descend() { node_ = nodes_ + node_[1].link; }
   bool next() {
     while (node_ != root_) {

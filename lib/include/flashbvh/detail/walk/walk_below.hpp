@@ -44,7 +44,7 @@ FLASHBVH_INLINE inline State visit_subtree(Subtree& at, Shapes& shapes, Progress
           continue;
         }
         progress.go_on(work_left, overlaps);
-        const bool go_on = found(at.index());
+        const bool go_on = found(at.node_index());
         work_left = progress.work_left;
         if (!go_on) {
           end = State::at_leaf_pair;
@@ -77,7 +77,7 @@ FLASHBVH_NOINLINE State walk_below(Shapes& shapes, Run& run, uint32_t root, bool
     return run.found(leaf_is_a ? run.leaf : other, leaf_is_a ? other : run.leaf);
   };
   const State end = visit_subtree(at, shapes, run.progress, found, after);
-  run.node = at.index();
+  run.node = at.node_index();
   return end;
 }
 
