@@ -98,7 +98,8 @@ class Package {
     std::vector<std::string> names;
     for (int at = unzGoToFirstFile(zip_); at == UNZ_OK; at = unzGoToNextFile(zip_)) {
       std::array<char, 1024> name{};
-      unzGetCurrentFileInfo(zip_, nullptr, name.data(), name.size() - 1, nullptr, 0, nullptr, 0);
+      unz_file_info info{};
+      unzGetCurrentFileInfo(zip_, &info, name.data(), name.size() - 1, nullptr, 0, nullptr, 0);
       names.emplace_back(name.data());
     }
     return names;
