@@ -3,49 +3,12 @@
 
 #include "mesh/any_format.hpp"
 #include "mesh/solid.hpp"
+#include "mesh/zip.hpp"
 #include "support/test.hpp"
 
 using tool::FileMesh;
 
 namespace {
-
-using Parts = std::vector<std::pair<std::string, std::string>>;
-
-std::string bytes_of(std::uint32_t number, int count) {
-  return std::string(reinterpret_cast<const char*>(&number), static_cast<std::size_t>(count));
-}
-
-std::uint32_t crc(const std::string& bytes) {
-  std::uint32_t sum = ~0u;
-  for (const char c : bytes) {
-    sum ^= static_cast<unsigned char>(c);
-    for (int i = 0; i < 8; ++i) {
-      sum = (sum >> 1) ^ ((sum & 1) != 0 ? 0xEDB88320u : 0);
-    }
-  }
-  return ~sum;
-}
-
-/// A zip of these parts, without compression.
-std::string zip_of(const Parts& parts) {
-  std::string bytes;
-  std::string directory;
-  for (const auto& [name, text] : parts) {
-    const auto size = static_cast<std::uint32_t>(text.size());
-    const std::string facts = bytes_of(20, 2) + bytes_of(0, 4) + bytes_of(0x21, 4) +
-                              bytes_of(crc(text), 4) + bytes_of(size, 4) + bytes_of(size, 4) +
-                              bytes_of(static_cast<std::uint32_t>(name.size()), 4);
-    directory += "PK\1\2" + bytes_of(20, 2) + facts + bytes_of(0, 4) + bytes_of(0, 4) +
-                 bytes_of(0, 2) + bytes_of(static_cast<std::uint32_t>(bytes.size()), 4) + name;
-    bytes += "PK\3\4" + facts + name + text;
-  }
-  const auto count = static_cast<std::uint32_t>(parts.size());
-  return bytes + directory + "PK\5\6" + bytes_of(0, 4) + bytes_of(count, 2) + bytes_of(count, 2) +
-         bytes_of(static_cast<std::uint32_t>(directory.size()), 4) +
-         bytes_of(static_cast<std::uint32_t>(bytes.size()), 4) + bytes_of(0, 2);
-}
-
-const std::string kSpace = "http://schemas.microsoft.com/3dmanufacturing/";
 
 /// A tetrahedron of volume 1/6.
 const std::string kMesh =
@@ -72,11 +35,7 @@ std::string whole() {
 }
 
 std::string written(const std::string& root, const Parts& others) {
-  Parts parts = {{"_rels/.rels", "<Relationships><Relationship Target=\"/3D/m.model\" Type=\"" +
-                                     kSpace + "2013/01/3dmodel\"/></Relationships>"},
-                 {"3D/m.model", root}};
-  parts.insert(parts.end(), others.begin(), others.end());
-  std::ofstream("threemf_test.3mf", std::ios::binary) << zip_of(parts);
+  std::ofstream("threemf_test.3mf", std::ios::binary) << package_of(root, others);
   return "threemf_test.3mf";
 }
 

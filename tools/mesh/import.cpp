@@ -132,14 +132,14 @@ void check_units(const std::vector<InputMesh>& meshes, Warnings& warnings) {
   const auto first = std::find_if(meshes.begin(), meshes.end(), carries);
   for (const InputMesh& mesh : meshes) {
     if (first != meshes.end() && carries(mesh) && mesh.unit != first->unit) {
-      throw UserError(mesh.path, "is in ", unit_name(mesh.unit), ", but ", first->path, " in ",
+      throw UserError(mesh.path, "carries the unit ", unit_name(mesh.unit), ", ", first->path, " ",
                       unit_name(first->unit), "; give the unit of the results, such as --unit mm");
     }
   }
   if (first != meshes.end() && !std::all_of(meshes.begin(), meshes.end(), carries)) {
-    warnings.add(first->path, concat("is in ", unit_name(first->unit),
-                                     ", other files do not say their unit; give the unit of the "
-                                     "results, such as --unit mm"));
+    warnings.add(first->path, concat("carries the unit ", unit_name(first->unit),
+                                     ", other files none; give the unit of the results, such as "
+                                     "--unit mm"));
   }
 }
 

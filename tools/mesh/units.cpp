@@ -145,8 +145,8 @@ std::string Units::contradiction(const std::string& file, Unit says) const {
   if (says == Unit::none || own == own_.end() || own->second == unit_name(says)) {
     return "";
   }
-  return concat("is in ", unit_name(says), " by itself; its numbers are taken for ", own->second,
-                " all the same, by --unit FILE=", own->second);
+  return concat("carries the unit ", unit_name(says), ", but --unit FILE=", own->second,
+                " takes its numbers for ", own->second);
 }
 
 std::string Units::with_unit(double length) const {
