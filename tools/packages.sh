@@ -26,7 +26,7 @@ ensure_packages() {
   rm -f "$log"
 }
 
-host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev
+host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev libminizip-dev
   liburdfdom-dev nlohmann-json3-dev catch2 python3"
 test_packages="ccache clang-format doxygen"
 # The sanitizers and the fuzzer; without the fuzzer, tests only replay the corpora.

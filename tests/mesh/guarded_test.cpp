@@ -21,6 +21,7 @@ FileMesh two_bodies() {
   builder.add_triangle({{{0, 0, 0}, {0.1, 0, 0}, {0, -3e38, 0}}});
   FileMesh mesh = builder.finish();
   mesh.precision = 0.25;
+  mesh.unit = Unit::inch;
   mesh.warnings = {"one", "", "three"};
   return mesh;
 }
@@ -42,6 +43,7 @@ TEST_CASE("a guarded reader's mesh arrives whole") {
   CHECK(found.bodies == sent.bodies);
   CHECK(found.body_of == sent.body_of);
   CHECK(found.precision == sent.precision);
+  CHECK(found.unit == sent.unit);
   CHECK(found.warnings == sent.warnings);
 }
 
@@ -98,5 +100,6 @@ TEST_CASE("bytes that are not those of a mesh are refused") {
   CHECK(!is_taken([](FileMesh& m) { m.mesh.triangles[1][2] = 4; }));
   CHECK(!is_taken([](FileMesh& m) { m.mesh.vertices[1][2] = 4e38; }));
   CHECK(!is_taken([](FileMesh& m) { m.body_of[1] = 2; }));
+  CHECK(!is_taken([](FileMesh& m) { m.unit = static_cast<Unit>(kUnitCount); }));
   CHECK(!is_taken([](FileMesh& m) { m.body_of.pop_back(); }));
 }

@@ -97,7 +97,7 @@ bool is_sound(const FileMesh& mesh) {
     return std::all_of(point.begin(), point.end(), is_coordinate);
   };
   return !mesh.mesh.triangles.empty() && mesh.body_of.size() == mesh.mesh.triangles.size() &&
-         std::isfinite(mesh.precision) &&
+         std::isfinite(mesh.precision) && static_cast<std::uint8_t>(mesh.unit) < kUnitCount &&
          std::all_of(mesh.mesh.vertices.begin(), mesh.mesh.vertices.end(), is_point) &&
          std::all_of(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end(), corners_exist) &&
          std::all_of(mesh.body_of.begin(), mesh.body_of.end(), below(mesh.bodies.size()));
@@ -127,6 +127,7 @@ std::string bytes_of(const FileMesh& mesh) {
   append(bytes, mesh.mesh.triangles.data(), mesh.mesh.triangles.size());
   append(bytes, mesh.bodies);
   append(bytes, mesh.body_of.data(), mesh.body_of.size());
+  append(bytes, &mesh.unit, 1);
   append(bytes, &mesh.precision, 1);
   append(bytes, mesh.warnings);
   return bytes;
@@ -135,14 +136,17 @@ std::string bytes_of(const FileMesh& mesh) {
 std::optional<FileMesh> mesh_of_bytes(std::string_view bytes) {
   Unpacker unpacker(bytes);
   FileMesh mesh;
+  std::vector<Unit> unit;
   std::vector<double> precision;
   const bool is_whole = unpacker.take(mesh.mesh.vertices) && unpacker.take(mesh.mesh.triangles) &&
                         unpacker.take(mesh.bodies) && unpacker.take(mesh.body_of) &&
-                        unpacker.take(precision) && precision.size() == 1 &&
-                        unpacker.take(mesh.warnings) && unpacker.is_empty();
+                        unpacker.take(unit) && unit.size() == 1 && unpacker.take(precision) &&
+                        precision.size() == 1 && unpacker.take(mesh.warnings) &&
+                        unpacker.is_empty();
   if (!is_whole) {
     return std::nullopt;
   }
+  mesh.unit = unit[0];
   mesh.precision = precision[0];
   return is_sound(mesh) ? std::optional<FileMesh>(std::move(mesh)) : std::nullopt;
 }

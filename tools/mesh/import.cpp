@@ -23,7 +23,7 @@ constexpr std::array<Format, 8> kFormats = {{{"stl", read_stl},
                                              {"dae", read_with_assimp},
                                              {"gltf", read_with_assimp},
                                              {"glb", read_with_assimp},
-                                             {"3mf", read_with_assimp}}};
+                                             {"3mf", read_3mf}}};
 
 /// A format that is not read, and the remedy.
 struct Refusal {
@@ -59,12 +59,21 @@ const typename Table::value_type* find(const Table& table, const std::string& ex
   return found == table.end() ? nullptr : &*found;
 }
 
-InputMesh input_of(bake::SourceMesh mesh, const std::string& file, double precision,
+InputMesh input_of(bake::SourceMesh mesh, const std::string& path, const FileMesh& file,
                    const Units& units) {
-  InputMesh input = {file, {}, std::move(mesh), {}, units.converted(precision, file)};
+  const double precision = units.converted(file.precision, path, file.unit);
+  InputMesh input = {path, {}, std::move(mesh), {}, precision, file.unit};
   input.degenerate = degenerate_triangles(input.mesh);
-  units.convert(input.mesh, file);
+  units.convert(input.mesh, path, file.unit);
   return input;
+}
+
+FileMesh import_with(const Units& units, const std::string& path, Warnings& warnings) {
+  FileMesh file = import_mesh(path, warnings);
+  if (const std::string warning = units.contradiction(path, file.unit); !warning.empty()) {
+    warnings.add(path, warning);
+  }
+  return file;
 }
 
 }  // namespace
@@ -102,23 +111,39 @@ double InputMesh::reading_error() const {
 }
 
 InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings) {
-  FileMesh file = import_mesh(path, warnings);
-  InputMesh input = input_of(std::move(file.mesh), path, file.precision, units);
+  FileMesh file = import_with(units, path, warnings);
+  InputMesh input = input_of(std::move(file.mesh), path, file, units);
   input.bodies = std::move(file.bodies);
   return input;
 }
 
 std::vector<InputMesh> read_bodies(const std::string& path, const Units& units,
                                    Warnings& warnings) {
-  const FileMesh file = import_mesh(path, warnings);
+  const FileMesh file = import_with(units, path, warnings);
   std::vector<bake::SourceMesh> meshes = meshes_of_bodies(file);
   std::vector<InputMesh> inputs;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    inputs.push_back(input_of(std::move(meshes[i]), path, file.precision, units));
+    inputs.push_back(input_of(std::move(meshes[i]), path, file, units));
     inputs.back().path = concat(path, ", body ", i, " ", tool::quoted(file.bodies[i]));
     inputs.back().bodies = {file.bodies[i]};
   }
   return inputs;
+}
+
+void check_units(const std::vector<InputMesh>& meshes, Warnings& warnings) {
+  const auto carries = [](const InputMesh& mesh) { return mesh.unit != Unit::none; };
+  const auto first = std::find_if(meshes.begin(), meshes.end(), carries);
+  for (const InputMesh& mesh : meshes) {
+    if (first != meshes.end() && carries(mesh) && mesh.unit != first->unit) {
+      throw UserError(mesh.path, "carries the unit ", unit_name(mesh.unit), ", ", first->path, " ",
+                      unit_name(first->unit), "; give the unit of the results, such as --unit mm");
+    }
+  }
+  if (first != meshes.end() && !std::all_of(meshes.begin(), meshes.end(), carries)) {
+    warnings.add(first->path, concat("carries the unit ", unit_name(first->unit),
+                                     ", other files none; give the unit of the results, such as "
+                                     "--unit mm"));
+  }
 }
 
 }  // namespace flashbvh::tool

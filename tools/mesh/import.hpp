@@ -31,7 +31,8 @@ struct InputMesh {
   std::vector<std::string> bodies;  ///< their names in the file
   bake::SourceMesh mesh;            ///< converted to the common unit
   TriangleIds degenerate;           ///< before conversion
-  double precision = 0;  ///< bound on the reader's rounding of a coordinate, in the common unit
+  double precision = 0;    ///< bound on the reader's rounding of a coordinate, in the common unit
+  Unit unit = Unit::none;  ///< that the file carries
 
   /// A bound on the distance of a vertex from the file's, by the reader's rounding.
   double reading_error() const;
@@ -41,5 +42,9 @@ struct InputMesh {
 InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings);
 /// Reads each body as a mesh of its own, in order of their first triangles.
 std::vector<InputMesh> read_bodies(const std::string& path, const Units& units, Warnings& warnings);
+
+/// For meshes read without a common unit. UserError if their files carry several units; warns if
+/// some carry one and others none.
+void check_units(const std::vector<InputMesh>& meshes, Warnings& warnings);
 
 }  // namespace flashbvh::tool

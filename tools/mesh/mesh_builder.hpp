@@ -1,8 +1,9 @@
 // The readers of mesh files, and the builder of their meshes.
 //
-// STL, OBJ, PLY and OFF are read here: strictly, in double precision. Numbers of a text are rounded
-// to the nearest double; binary numbers are read unchanged. assimp reads the others. It repairs
-// faults and reports them in its log alone, and its coordinates are 32-bit floats.
+// STL, OBJ, PLY, OFF and 3MF are read here: strictly, in double precision. Numbers of a text are
+// rounded to the nearest double; binary numbers are read unchanged. assimp reads DAE and glTF. It
+// repairs faults and reports them in its log alone, and its coordinates are 32-bit floats: what it
+// would misread is refused before.
 #pragma once
 
 #include <array>
@@ -25,6 +26,7 @@ struct FileMesh {
   bake::SourceMesh mesh;
   std::vector<std::string> bodies;     ///< those with triangles: names as in the file, maybe equal
   std::vector<std::uint32_t> body_of;  ///< index in `bodies` for each triangle
+  Unit unit = Unit::none;              ///< of the numbers, if the file or its format says so
   double precision = 0;                ///< bound on the reader's rounding of a coordinate
   std::vector<std::string> warnings;   ///< for the user
 };
@@ -102,8 +104,10 @@ FileMesh read_off(std::string_view bytes, const std::string& file);
 /// ASCII and binary. One body.
 FileMesh read_ply(std::string_view bytes, const std::string& file);
 
-/// assimp reads the file itself, which may refer to other files. A body is a node.
+/// DAE and glTF: assimp reads the file itself, which may refer to other files. A body is a node.
 FileMesh read_with_assimp(std::string_view bytes, const std::string& file);
+/// A body is an object of the build.
+FileMesh read_3mf(std::string_view bytes, const std::string& file);
 
 /// Warns if a text file does not end with a line end: its last number may have lost digits without
 /// another sign.

@@ -100,12 +100,13 @@ struct Units::Ratio {
   double of(double length) const { return length * numerator / denominator; }
 };
 
-Units::Ratio Units::ratio_of(const std::string& file) const {
+Units::Ratio Units::ratio_of(const std::string& file, Unit says) const {
   const auto own = own_.find(file);
-  if (own == own_.end()) {
+  const std::string unit = own == own_.end() ? unit_name(says) : own->second;
+  if (common_.empty() || unit.empty()) {
     return {};
   }
-  const std::uint64_t from = nanometres_in(own->second);
+  const std::uint64_t from = nanometres_in(unit);
   const std::uint64_t to = nanometres_in(common_);
   const std::uint64_t common_part = std::gcd(from, to);
   const std::uint64_t numerator = from / common_part;
@@ -113,8 +114,8 @@ Units::Ratio Units::ratio_of(const std::string& file) const {
   return {static_cast<double>(numerator), static_cast<double>(denominator)};
 }
 
-void Units::convert(bake::SourceMesh& mesh, const std::string& file) const {
-  const Ratio ratio = ratio_of(file);
+void Units::convert(bake::SourceMesh& mesh, const std::string& file, Unit says) const {
+  const Ratio ratio = ratio_of(file, says);
   for (auto& vertex : mesh.vertices) {
     for (double& coordinate : vertex) {
       coordinate = ratio.of(coordinate);
@@ -135,8 +136,17 @@ std::string unit_name(Unit unit) {
   return unit == Unit::none ? "" : std::string(kUnits[static_cast<std::size_t>(unit) - 1].name);
 }
 
-double Units::converted(double length, const std::string& file) const {
-  return ratio_of(file).of(length);
+double Units::converted(double length, const std::string& file, Unit says) const {
+  return ratio_of(file, says).of(length);
+}
+
+std::string Units::contradiction(const std::string& file, Unit says) const {
+  const auto own = own_.find(file);
+  if (says == Unit::none || own == own_.end() || own->second == unit_name(says)) {
+    return "";
+  }
+  return concat("carries the unit ", unit_name(says), ", but --unit FILE=", own->second,
+                " takes its numbers for ", own->second);
 }
 
 std::string Units::with_unit(double length) const {

@@ -10,7 +10,8 @@
 namespace flashbvh::tool {
 
 /// The --unit options for some mesh files. "U" is the unit of all results and lengths, and of each
-/// file without a unit of its own. "FILE=U" gives a file its own unit and converts it.
+/// file without a unit of its own. "FILE=U" gives a file its own unit, whatever the file says.
+/// Files with a unit are converted.
 class Units {
  public:
   /// The names of all units, for messages.
@@ -22,10 +23,12 @@ class Units {
   /// units, or units of files without a common unit to convert to.
   Units(const std::vector<std::string>& given, const std::vector<std::string>& files);
 
-  /// Converts the mesh in `file`, one of the files.
-  void convert(bake::SourceMesh& mesh, const std::string& file) const;
+  /// Converts the mesh in `file`, one of the files. `says`: the unit that the file carries, if any.
+  void convert(bake::SourceMesh& mesh, const std::string& file, Unit says) const;
   /// Converts a length of that mesh.
-  double converted(double length, const std::string& file) const;
+  double converted(double length, const std::string& file, Unit says) const;
+  /// A warning if --unit FILE=U contradicts what the file says; else empty.
+  std::string contradiction(const std::string& file, Unit says) const;
 
   /// The name of the common unit; if none was given, it is empty and no file is converted.
   const std::string& common() const { return common_; }
@@ -36,7 +39,7 @@ class Units {
  private:
   void set_common(const std::string& unit);
   struct Ratio;
-  Ratio ratio_of(const std::string& file) const;
+  Ratio ratio_of(const std::string& file, Unit says) const;
   void set_own(const std::string& name, const std::string& unit,
                const std::vector<std::string>& files);
 

@@ -4,6 +4,7 @@
 #include <assimp/scene.h>
 
 #include <assimp/DefaultIOSystem.h>
+
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
@@ -13,30 +14,22 @@
 
 #include "mesh/guarded_import.hpp"
 #include "mesh/mesh_builder.hpp"
+#include "mesh/placement.hpp"
+#include "mesh/scene_checks.hpp"
+#include "text/files.hpp"
 #include "text/messages.hpp"
-#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-/// Rows of a rotation and scale with a translation, in double precision: placing a mesh adds no
-/// rounding that matters.
-using Placement = std::array<std::array<double, 4>, 3>;
-
-constexpr Placement kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-
-/// The node's own placement, then `outer`.
-Placement placed(const Placement& outer, const aiMatrix4x4& own) {
-  Placement product{};
+Placement placement_of(const aiMatrix4x4& matrix) {
+  Placement placement{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (unsigned column = 0; column < 4; ++column) {
-      product[row][column] = column == 3 ? outer[row][3] : 0;
-      for (unsigned k = 0; k < 3; ++k) {
-        product[row][column] += outer[row][k] * static_cast<double>(own[k][column]);
-      }
+      placement[row][column] = static_cast<double>(matrix[static_cast<unsigned>(row)][column]);
     }
   }
-  return product;
+  return placement;
 }
 
 /// A bound on the distance of a number of this size from the nearest float.
@@ -48,18 +41,18 @@ double half_ulp(double size) {
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, const std::string& file)
-      : scene_(scene), file_(file), builder_(file) {}
+      : scene_(scene), file_(file), builder_(file), points_(file, builder_) {}
 
   FileMesh read() {
     add(*scene_.mRootNode, kIdentity);
     FileMesh mesh = builder_.finish();
-    mesh.precision = half_ulp(largest_);
+    mesh.precision = half_ulp(points_.largest());
     return mesh;
   }
 
  private:
   void add(const aiNode& node, const Placement& outer) {
-    const Placement placement = placed(outer, node.mTransformation);
+    const Placement placement = composed(outer, placement_of(node.mTransformation));
     if (node.mNumMeshes != 0) {
       builder_.begin_body({node.mName.data, node.mName.length});
     }
@@ -74,8 +67,11 @@ class SceneReader {
   void add(const aiMesh& mesh, const Placement& placement) {
     const auto first = static_cast<std::uint32_t>(builder_.point_count());
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-      builder_.add_point(point(mesh.mVertices[i], placement));
+      const aiVector3D& at = mesh.mVertices[i];
+      points_.add({static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)},
+                  placement);
     }
+    const bool mirrored = is_mirrored(placement);
     std::vector<std::uint32_t> corners;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace& face = mesh.mFaces[i];
@@ -91,36 +87,17 @@ class SceneReader {
         }
         corners.push_back(first + face.mIndices[j]);
       }
+      if (mirrored) {
+        std::reverse(corners.begin() + 1, corners.end());
+      }
       builder_.add_polygon(corners);
     }
-  }
-
-  Position point(const aiVector3D& at, const Placement& placement) {
-    Position point{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto& row = placement[axis];
-      const std::array<double, 4> parts = {row[0] * static_cast<double>(at.x),
-                                           row[1] * static_cast<double>(at.y),
-                                           row[2] * static_cast<double>(at.z), row[3]};
-      double size = 0;
-      for (const double part : parts) {
-        point[axis] += part;
-        size += std::fabs(part);
-      }
-      if (!is_coordinate(size)) {
-        throw UserError(file_,
-                        "has a coordinate that is no finite number of at most 3.4e38; repair "
-                        "the mesh");
-      }
-      largest_ = std::max(largest_, size);
-    }
-    return point;
   }
 
   const aiScene& scene_;
   const std::string& file_;
   MeshBuilder builder_;
-  double largest_ = 0;  ///< largest sum of a coordinate's absolute summands
+  PlacedPoints points_;
 };
 
 /// Opens regular files alone: a file may refer to a device or a pipe without end.
@@ -151,6 +128,28 @@ FileMesh read_scene(const std::string& file) {
   return SceneReader(*scene, file).read();
 }
 
+FileMesh read_checked(std::string_view bytes, const std::string& file) {
+  const std::string kind = lower_case(std::filesystem::path(file).extension().string());
+  FileMesh mesh;
+  if (kind == ".gltf" || kind == ".glb") {
+    const GltfContents contents = check_gltf(bytes, file);
+    mesh = read_scene(file);
+    if (mesh.mesh.triangles.size() != contents.triangles) {
+      throw UserError(file, "has ", contents.triangles, " triangles, of which assimp reads ",
+                      mesh.mesh.triangles.size(),
+                      ": others have corners at no vertex; export the mesh again");
+    }
+    mesh.warnings.insert(mesh.warnings.end(), contents.warnings.begin(), contents.warnings.end());
+  } else {
+    if (kind == ".dae") {
+      check_collada(bytes, file);
+    }
+    mesh = read_scene(file);
+  }
+  mesh.unit = Unit::m;  // assimp applies the unit of a DAE
+  return mesh;
+}
+
 }  // namespace
 
 FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
@@ -160,7 +159,8 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw UserError(file, "is a pipe, from which this format can't be read; name a file");
   }
-  return guarded_import([&] { return read_scene(file); }, file, limits_of_file(bytes.size()));
+  return guarded_import([&] { return read_checked(bytes, file); }, file,
+                        limits_of_file(bytes.size()));
 }
 
 }  // namespace flashbvh::tool

@@ -47,6 +47,7 @@ Mesh mesh_of_file(const py::object& path, double scale, std::optional<double> ce
     }
   }
   mesh.input.precision *= scale;
+  mesh.input.unit = scale == 1 ? mesh.input.unit : Unit::none;
   warn(warnings);
   return mesh;
 }
@@ -142,12 +143,18 @@ Order order_of(std::optional<double> cell, const std::optional<std::string>& uni
   return order;
 }
 
-/// The cell of the call or of its meshes, or the finest that all meshes fit.
-double shared_cell(const std::vector<const Mesh*>& meshes, std::optional<double> given) {
+/// The cell of the call or of its meshes, or the finest that all meshes fit. ValueError for a mesh
+/// whose file carries another unit.
+double shared_cell(const std::vector<const Mesh*>& meshes, std::optional<double> given, Unit unit) {
   double finest = 0;
   for (const Mesh* const mesh : meshes) {
     if (mesh == nullptr) {
       throw py::type_error("meshes: holds None; give Mesh objects");
+    }
+    if (mesh->input.unit != Unit::none && unit != Unit::none && mesh->input.unit != unit) {
+      throw py::value_error(concat("unit: ", mesh->input.path, " is in ",
+                                   tool::unit_name(mesh->input.unit),
+                                   "; give that unit, or read it with a scale that converts it"));
     }
     finest = std::max(finest, tool::finest_cell(mesh->input));
     if (mesh->cell && given && *mesh->cell != *given) {
@@ -185,7 +192,7 @@ tool::BakedMesh tree_of(const tool::InputMesh& input, const Order& order) {
 }
 
 std::vector<std::unique_ptr<Baked>> bake_all(const std::vector<const Mesh*>& meshes, Order order) {
-  order.options.cell = shared_cell(meshes, order.options.cell);
+  order.options.cell = shared_cell(meshes, order.options.cell, order.unit);
   std::vector<std::unique_ptr<Baked>> baked;
   tool::Warnings warnings;
   {

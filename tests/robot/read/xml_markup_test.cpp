@@ -1,6 +1,6 @@
 // The levels of an XML text are TinyXML's, so that no text makes TinyXML recurse deeper than
 // allowed.
-#include "robot/read/xml_markup.hpp"
+#include "text/xml_markup.hpp"
 
 #include <tinyxml.h>
 

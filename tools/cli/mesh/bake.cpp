@@ -121,6 +121,9 @@ Parts read_parts(const BakeOrder& order, const std::vector<double>& weights, Pro
       all.parts.push_back({names[j], weights[i] / static_cast<double>(bodies.size())});
     }
   }
+  if (order.units.common().empty()) {
+    check_units(all.meshes, warnings);
+  }
   return all;
 }
 

@@ -154,12 +154,13 @@ void add_mesh_options(CLI::App& command, Arguments& a) {
 }  // namespace
 
 void add_unit_option(CLI::App& command, std::vector<std::string>& given) {
-  repeated(
-      add_option(command, "--unit", given, "UNIT|FILE=UNIT",
-                 "Unit of the meshes and of all other lengths, given and printed: " +
-                     std::string(Units::kNames) +
-                     ".\nFILE=UNIT: this file alone is in another unit and is converted. May be "
-                     "repeated. Default: numbers as they are"));
+  repeated(add_option(
+      command, "--unit", given, "UNIT|FILE=UNIT",
+      "Unit of the meshes and of all other lengths, given and printed: " +
+          std::string(Units::kNames) +
+          ".\nFiles that carry a unit (DAE, glTF, 3MF) are converted. FILE=UNIT: this file alone "
+          "is in another unit and is converted. May be repeated. Default: numbers as "
+          "they are"));
 }
 
 void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run) {

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "robot/read/xml_file.hpp"
-#include "robot/read/xml_markup.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
+#include "text/xml_markup.hpp"
 
 namespace flashbvh::tool {
 namespace {

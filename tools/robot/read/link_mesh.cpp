@@ -168,8 +168,11 @@ Element mesh_element(const UrdfGeometry& shape, const std::string& urdf, const P
   } catch (const UserError& error) {
     throw UserError(place, error.what());
   }
+  const Units metres({"m"}, {});
+  metres.convert(read.mesh, file, read.unit);
   scale(read.mesh, shape.size);
-  return {std::move(read.mesh), shape.mesh, read.precision * largest, file};
+  return {std::move(read.mesh), shape.mesh,
+          metres.converted(read.precision, file, read.unit) * largest, file};
 }
 
 void append(Element element, const Transform& placement, const std::string& place,

@@ -1,4 +1,4 @@
-#include "robot/read/xml_markup.hpp"
+#include "text/xml_markup.hpp"
 
 #include <algorithm>
 #include <cctype>
