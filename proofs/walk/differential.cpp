@@ -92,8 +92,9 @@ void write_walk(Random& random) {
   print(b.nodes);
   std::printf(" %u %d %u %u ", tests.modulus, static_cast<int>(state), cursor.a, cursor.b);
   Walked walked;
-  walk_on<Ranked<ModelTree>>(a.view(), b.view(), tests, 1 + random.below(30), 1 + random.below(4),
-                             cursor, state, walked, true);
+  const uint32_t work = 1 + random.below(30);
+  walk_on<Ranked<ModelTree>>(a.view(), b.view(), tests, work, 1 + random.below(4), cursor, state,
+                             walked, true);
   print(walked.visits);
   std::printf(" ");
   print(walked.found);

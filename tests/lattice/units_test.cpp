@@ -33,8 +33,8 @@ std::int64_t any_fine(Random& random) {
 TEST_CASE("lengths: a product that a double holds is rounded to a float once, however small") {
   for_rounds(20000, [&](Random& random, int) {
     // A number of 14 bits and one of 39.
-    const double cell =
-        std::ldexp(random.between(1 << 13, (1 << 14) - 1), random.between(-190, 80));
+    const std::int32_t bits = random.between(1 << 13, (1 << 14) - 1);
+    const double cell = std::ldexp(bits, random.between(-190, 80));
     const std::int64_t fine = any_fine(random);
     const double exact = static_cast<double>(fine) * cell / 256;
     REQUIRE(length_of(fine, cell) == static_cast<float>(exact));

@@ -30,8 +30,11 @@ inline Frame fixed_frame(const Transform& transform) {
 }
 
 inline Transform any_transform(Random& random, double far) {
-  Transform made = composed(turned(random.below(3), real_between(random, -4, 4)),
-                            turned(random.below(3), real_between(random, -4, 4)));
+  Transform made;
+  for (int turn = 0; turn < 2; ++turn) {
+    const std::size_t axis = random.below(3);
+    made = composed(made, turned(axis, real_between(random, -4, 4)));
+  }
   for (double& t : made.translation) {
     t = real_between(random, -far, far);
   }
