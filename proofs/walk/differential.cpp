@@ -133,7 +133,8 @@ bool write_check(Random& random) {
     if (node.is_leaf() || random.below(3) != 0) {
       node.link = static_cast<uint16_t>(random.below(count + 2));
     } else {
-      node.data = static_cast<uint16_t>(random.below(128) << 8 | random.below(128));
+      const uint32_t rank = random.below(128);
+      node.data = static_cast<uint16_t>(rank << 8 | random.below(128));
     }
   }
   const bool accepted = library_accepts(nodes, leaves);

@@ -80,9 +80,8 @@ TEST_CASE("lengths: cells of powers of two have whole numbers of millionths, or 
 TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
   __extension__ using Wide = unsigned __int128;
   for_rounds(100000, [&](Random& random, int) {
-    const std::uint64_t digits = std::uint64_t{1} << 52 |
-                                 std::uint64_t{random.below(1u << 20)} << 32 |
-                                 random.below(UINT32_MAX);
+    const std::uint64_t high = 1u << 20 | random.below(1u << 20);
+    const std::uint64_t digits = high << 32 | random.below(UINT32_MAX);
     const double one_to_two = std::ldexp(static_cast<double>(digits), -52);
     const std::int64_t fine = any_fine(random);
     const std::uint64_t size = static_cast<std::uint64_t>(fine < 0 ? -fine : fine);
