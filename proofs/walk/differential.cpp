@@ -92,8 +92,9 @@ void write_walk(Random& random) {
   print(b.nodes);
   std::printf(" %u %d %u %u ", tests.modulus, static_cast<int>(state), cursor.a, cursor.b);
   Walked walked;
-  walk_on<Ranked<ModelTree>>(a.view(), b.view(), tests, 1 + random.below(30), 1 + random.below(4),
-                             cursor, state, walked, true);
+  const uint32_t work = 1 + random.below(30);
+  walk_on<Ranked<ModelTree>>(a.view(), b.view(), tests, work, 1 + random.below(4), cursor, state,
+                             walked, true);
   print(walked.visits);
   std::printf(" ");
   print(walked.found);
@@ -132,7 +133,8 @@ bool write_check(Random& random) {
     if (node.is_leaf() || random.below(3) != 0) {
       node.link = static_cast<uint16_t>(random.below(count + 2));
     } else {
-      node.data = static_cast<uint16_t>(random.below(128) << 8 | random.below(128));
+      const uint32_t rank = random.below(128);
+      node.data = static_cast<uint16_t>(rank << 8 | random.below(128));
     }
   }
   const bool accepted = library_accepts(nodes, leaves);

@@ -36,7 +36,8 @@ struct GeneratedTree {
   static GeneratedTree random(Random& random) {
     constexpr uint32_t limits[] = {2, 4, kMaxRank};
     GeneratedTree tree;
-    tree.grow(random, limits[random.below(3)], kRootParentRank, random.below(5), 0);
+    const uint32_t limit = random.one_of(limits);
+    tree.grow(random, limit, kRootParentRank, random.below(5), 0);
     tree.nodes[0].link = static_cast<uint16_t>(tree.nodes.size());
     tree.set_levels();
     return tree;

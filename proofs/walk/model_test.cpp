@@ -125,8 +125,9 @@ struct Subject {
     const ModelTree tree_b = b.view();
     const uint32_t most = random.below(3) == 0 ? 1000 : 1 + random.below(12);
     while (state != State::done) {
-      walk_on<typename Rule::Order>(tree_a, tree_b, tests, 1 + random.below(most),
-                                    1 + random.below(4), cursor, state, walked);
+      const uint32_t work = 1 + random.below(most);
+      walk_on<typename Rule::Order>(tree_a, tree_b, tests, work, 1 + random.below(4), cursor, state,
+                                    walked);
       if (state != State::done) {
         REQUIRE(model.can_visit({cursor.a, cursor.b}));
       }

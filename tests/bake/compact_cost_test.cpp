@@ -26,14 +26,16 @@ struct Cost {
   std::uint32_t visits = 0;
 };
 
+Pose any_translation(test::Random& random, std::int32_t reach) {
+  const Point to = test::any_point(random, reach);
+  return Pose::translated(to.x, to.y, to.z);
+}
+
 Cost cost_of(const Mesh& a, const Mesh& b, std::int32_t reach) {
   test::Random random = test::test_random();
   Cost cost;
   for (int i = 0; i < 20; ++i) {
-    const Pose pose =
-        i < 10 ? test::any_rigid_pose(random, reach)
-               : Pose::translated(random.between(-reach, reach), random.between(-reach, reach),
-                                  random.between(-reach, reach));
+    const Pose pose = i < 10 ? test::any_rigid_pose(random, reach) : any_translation(random, reach);
     PairQuery query(a, b, pose);
     cost.instructions += port::instructions_of(
         [&] { (void)query.run(UINT32_MAX, [](const PairQuery::Pair&) { return true; }); });

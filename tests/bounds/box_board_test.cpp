@@ -83,11 +83,15 @@ TEST_CASE("all forms of the packed comparison are one function") {
       constexpr std::uint32_t ends[] = {0, 1, 0x7FFF, 0x8000, 0x8001, 0xFFFE, 0xFFFF};
       return random.below(2) == 0 ? random.one_of(ends) : random.below(0x10000);
     };
+    const auto word = [&] {
+      const std::uint32_t low = half();
+      return join_halves(low, half());
+    };
     PackedTriple value{};
     PackedTriple least{};
     for (int i = 0; i < 3; ++i) {
-      value.word[i] = join_halves(half(), half());
-      least.word[i] = random.below(2) == 0 ? value.word[i] : join_halves(half(), half());
+      value.word[i] = word();
+      least.word[i] = random.below(2) == 0 ? value.word[i] : word();
     }
     const bool reference = halves_reach_portable(value, least);
     REQUIRE(halves_reach_plain(value, least) == reference);

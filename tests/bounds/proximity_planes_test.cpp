@@ -139,8 +139,10 @@ TEST_CASE("gaps of boxes are those along each axis, however many are worked out 
 
 TEST_CASE("rotated boxes are the sums of products along each axis") {
   for_rounds(rounds(1500, 5000), [&](Random& random, int) {
-    const AnyMesh a = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
-    const AnyMesh b = mesh_of(any_vertex(random, 16383), any_vertex(random, 16383), {0, 0, 0});
+    const Vertex of_a[] = {any_vertex(random, 16383), any_vertex(random, 16383)};
+    const Vertex of_b[] = {any_vertex(random, 16383), any_vertex(random, 16383)};
+    const AnyMesh a = mesh_of(of_a[0], of_a[1], {0, 0, 0});
+    const AnyMesh b = mesh_of(of_b[0], of_b[1], {0, 0, 0});
     const Pose pose = any_rigid_pose(random, 40000);
     Transform transform(pose, a, b, /*may_stop=*/false);
     if (!transform.is_rotated()) {
@@ -204,10 +206,13 @@ TEST_CASE("leaves as shapes reject no box that is within the limit") {
     const std::int32_t height = random.between(0, 16000);
     const Vertex point = above(p, q, r, height);
     const AnyMesh triangle = mesh_of(p, q, r);
-    const AnyMesh other = random.below(3) == 0
-                              ? mesh_of(any_vertex(random, 16000), any_vertex(random, 16000),
-                                        any_vertex(random, 16000))
-                              : mesh_of(point, point, point);
+    Vertex others[] = {point, point, point};
+    if (random.below(3) == 0) {
+      for (Vertex& vertex : others) {
+        vertex = any_vertex(random, 16000);
+      }
+    }
+    const AnyMesh other = mesh_of(others[0], others[1], others[2]);
     const Mesh& a = round % 2 == 0 ? triangle : other;
     const Mesh& b = round % 2 == 0 ? other : triangle;
     const std::int32_t far = random.below(4) == 0 ? 20000 : 0;

@@ -17,11 +17,16 @@ PackedVector vector(std::int32_t x, std::int32_t y, std::int32_t z) {
   return {join_halves(static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)), z};
 }
 
+PackedVector any_vector(Random& random, std::int32_t most) {
+  const std::int32_t x = random.between(-most, most);
+  const std::int32_t y = random.between(-most, most);
+  return vector(x, y, random.between(-most, most));
+}
+
 /// A random direction of 13 bits and a sign.
 PackedVector any_direction(Random& random) {
   const std::int32_t most = random.below(4) == 0 ? 8191 : 1 << random.below(13);
-  const auto at = [&] { return random.between(-most, most); };
-  return vector(at(), at(), at());
+  return any_vector(random, most);
 }
 
 Box any_box(Random& random, std::int32_t most) {
@@ -130,12 +135,8 @@ TEST_CASE("a slab misses vertices exactly when all lie on one side of it") {
 TEST_CASE("a scaled direction has 13 bits, those of the product, and its sign") {
   for_rounds(20000, 1, [&](Random& random, int) {
     const std::int32_t most = random.below(3) == 0 ? 32766 : 1 << random.below(15);
-    const auto any = [&] {
-      return vector(random.between(-most, most), random.between(-most, most),
-                    random.between(-most, most));
-    };
-    const PackedVector u = any();
-    const PackedVector v = any();
+    const PackedVector u = any_vector(random, most);
+    const PackedVector v = any_vector(random, most);
     const std::int64_t product[3] = {std::int64_t{u.y()} * v.z - std::int64_t{u.z} * v.y(),
                                      std::int64_t{u.z} * v.x() - std::int64_t{u.x()} * v.z,
                                      std::int64_t{u.x()} * v.y() - std::int64_t{u.y()} * v.x()};

@@ -8,8 +8,8 @@
 # tests/harness/small_catch, and link no heap.
 # ICOUNT: instruction counts on the board are exact, and each test case is a test of CTest, "<preset>/<test case>";
 # -R and -V show its figures. LONG: a label of tests that run separately. Tests that link nothing but what is
-# listed below, of the host program `bake` alone, get the label `library`; the target library_tests builds them:
-# tools/test.sh --quick.
+# listed below get the label `library`: of the host program no more than the rooms that bake meshes and robots in the
+# test. The target library_tests builds them: the preset dev, tools/test.sh --quick.
 # OPTIMISED: optimised in a fast build, too.
 set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
 
@@ -29,7 +29,7 @@ function(flashbvh_add_test name)
   set(labels "")
   set(components ${arg_LIBRARIES})
   list(FILTER components EXCLUDE REGEX
-    "^(flashbvh::robot|flashbvh_(golden|kept_images|small_trees|test_support)|gmp(xx)?)$")
+    "^(flashbvh::robot|flashbvh_(golden|kept_images|small_trees|test_(arm_images|arms|near|support))|gmp(xx)?)$")
   if(arg_LONG)
     set(labels LABELS long)
   elseif(NOT components)

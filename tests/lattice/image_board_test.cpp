@@ -105,7 +105,8 @@ struct Baked {
   explicit Baked(Random& random, uint16_t most) {
     digest::make_mesh(random, digest::kScales[1], mesh);
     mesh.triangle_count = mesh.triangle_count < most ? mesh.triangle_count : most;
-    tree.make(mesh, static_cast<digest::Shape>(random.below(4)), 1 + random.below(3));
+    const auto shape = static_cast<digest::Shape>(random.below(4));
+    tree.make(mesh, shape, 1 + random.below(3));
   }
 };
 

@@ -154,10 +154,10 @@ TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
 TEST_CASE("translations are multiplied and rounded once, to 1/65,536 of a cell") {
   for_rounds(2000, [&](Random& random, int) {
     // Any size, down to products that round to zero.
-    const float length = std::ldexp(static_cast<float>(random.between(-16777215, 16777215)),
-                                    random.between(-70, 10));
-    const float scale =
-        std::ldexp(static_cast<float>(random.between(1, 16777215)), random.between(-40, 10));
+    const auto of_length = static_cast<float>(random.between(-16777215, 16777215));
+    const float length = std::ldexp(of_length, random.between(-70, 10));
+    const auto of_scale = static_cast<float>(random.between(1, 16777215));
+    const float scale = std::ldexp(of_scale, random.between(-40, 10));
     CAPTURE(length, scale);
     const Pose pose = pose_of(kUnrotated, {0, length, 0}, scale);
     // 48 bits at most: exact in double.

@@ -57,6 +57,11 @@ void check_same(const flashbvh_pose& by_library, const Pose& wanted) {
   }
 }
 
+/// value * 2^n, with a random n from `low` to `high`.
+float scaled(Random& random, std::int32_t value, std::int32_t low, std::int32_t high) {
+  return std::ldexp(static_cast<float>(value), random.between(low, high));
+}
+
 /// Numbers at which forms may differ: no number, limits, subnormals, halves between two results.
 float any_odd_number(Random& random) {
   constexpr float odd[] = {0,
@@ -71,22 +76,24 @@ float any_odd_number(Random& random) {
                            Limits::max(),
                            Limits::min(),
                            Limits::denorm_min()};
-  const float any = random.one_of(odd) * (random.below(2) == 0 ? 1.0f : -1.0f);
+  const float size = random.one_of(odd);
+  const float any = random.below(2) == 0 ? size : -size;
   switch (random.below(4)) {
     case 0:
       return any;
     case 1:  // next to one of them
       return std::nextafter(any, random.below(2) == 0 ? Limits::max() : Limits::lowest());
     case 2: {  // any bits
-      const std::uint32_t bits = random.below(1u << 16) << 16 | random.below(1u << 16);
+      const std::uint32_t high = random.below(1u << 16);
+      const std::uint32_t bits = high << 16 | random.below(1u << 16);
       float value = 0;
       std::memcpy(&value, &bits, sizeof value);
       return value;
     }
-    default:  // halves and their neighbours, of each size
-      return std::ldexp(static_cast<float>(2 * random.between(-999, 999) + 1),
-                        random.between(-60, 0)) +
-             std::ldexp(static_cast<float>(random.between(-1, 1)), random.between(-60, -20));
+    default: {  // halves and their neighbours, of each size
+      const float half = scaled(random, 2 * random.between(-999, 999) + 1, -60, 0);
+      return half + scaled(random, random.between(-1, 1), -60, -20);
+    }
   }
 }
 
@@ -96,7 +103,8 @@ class FpuMode {
 #if defined(__SSE2__)
   explicit FpuMode(Random& random) : before_(_mm_getcsr()) {
     constexpr unsigned flush = 0x8040;
-    _mm_setcsr(before_ | random.below(4) << 13 | (random.below(2) == 0 ? flush : 0));
+    const unsigned rounding = random.below(4) << 13;
+    _mm_setcsr(before_ | rounding | (random.below(2) == 0 ? flush : 0));
   }
   ~FpuMode() {
     _mm_setcsr(before_);
@@ -126,17 +134,14 @@ Numbers any_numbers(Random& random) {
   }
   if (random.below(4) == 0) {  // near the tolerance, mirrored, or with bits that round away
     float& entry = numbers.rotation[random.below(9)];
-    entry = random.below(4) == 0 ? -entry
-                                 : entry + std::ldexp(static_cast<float>(random.between(-99, 99)),
-                                                      random.between(-40, -14));
+    entry =
+        random.below(4) == 0 ? -entry : entry + scaled(random, random.between(-99, 99), -40, -14);
   }
   for (float& t : numbers.translation) {
-    t = std::ldexp(static_cast<float>(random.between(-16777215, 16777215)), random.between(-40, 8));
+    t = scaled(random, random.between(-16777215, 16777215), -40, 8);
   }
   numbers.cells_per_unit =
-      random.below(2) == 0
-          ? 1.0f
-          : std::ldexp(static_cast<float>(random.between(1, 16777215)), random.between(-40, 0));
+      random.below(2) == 0 ? 1.0f : scaled(random, random.between(1, 16777215), -40, 0);
   const std::uint32_t odd = random.below(40);
   if (odd < 9) {
     numbers.rotation[odd] = any_odd_number(random);

@@ -33,8 +33,8 @@ std::int64_t any_fine(Random& random) {
 TEST_CASE("lengths: a product that a double holds is rounded to a float once, however small") {
   for_rounds(20000, [&](Random& random, int) {
     // A number of 14 bits and one of 39.
-    const double cell =
-        std::ldexp(random.between(1 << 13, (1 << 14) - 1), random.between(-190, 80));
+    const std::int32_t bits = random.between(1 << 13, (1 << 14) - 1);
+    const double cell = std::ldexp(bits, random.between(-190, 80));
     const std::int64_t fine = any_fine(random);
     const double exact = static_cast<double>(fine) * cell / 256;
     REQUIRE(length_of(fine, cell) == static_cast<float>(exact));
@@ -80,9 +80,8 @@ TEST_CASE("lengths: cells of powers of two have whole numbers of millionths, or 
 TEST_CASE("lengths: cells of 53 digits, against integers of 128 bits") {
   __extension__ using Wide = unsigned __int128;
   for_rounds(100000, [&](Random& random, int) {
-    const std::uint64_t digits = std::uint64_t{1} << 52 |
-                                 std::uint64_t{random.below(1u << 20)} << 32 |
-                                 random.below(UINT32_MAX);
+    const std::uint64_t high = 1u << 20 | random.below(1u << 20);
+    const std::uint64_t digits = high << 32 | random.below(UINT32_MAX);
     const double one_to_two = std::ldexp(static_cast<double>(digits), -52);
     const std::int64_t fine = any_fine(random);
     const std::uint64_t size = static_cast<std::uint64_t>(fine < 0 ? -fine : fine);

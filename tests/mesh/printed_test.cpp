@@ -46,7 +46,8 @@ TEST_CASE("numbers printed by <cstdio> are those of <charconv>") {
   }
   for_rounds(rounds(5000, 1000000), [&](Random& random, int) {
     const auto value = number_of<double>(random.next());
-    const double decimal = random.between(-99999, 99999) / std::pow(10, random.below(9));
+    const std::int32_t digits = random.between(-99999, 99999);
+    const double decimal = digits / std::pow(10, random.below(9));
     CAPTURE(value, decimal);
     REQUIRE((!std::isfinite(value) || is_alike(value)));
     REQUIRE(is_alike(decimal));

@@ -118,7 +118,10 @@ TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") 
   for_rounds(rounds(20, 60), [&](Random& random, int round) {
     const AnyMesh a = any_mesh(random, 40, 800, 400);
     const AnyMesh b = any_mesh(random, 40, 800, 400);
-    const auto far = [&] { return (random.below(2) == 0 ? 1 : -1) * random.between(20000, 23000); };
+    const auto far = [&] {
+      const std::int32_t sign = random.below(2) == 0 ? 1 : -1;
+      return sign * random.between(20000, 23000);
+    };
     const std::int32_t cells[3] = {far(), far(), far()};
     const Pose pose = round % 4 == 0
                           ? Pose::translated(cells[0], cells[1], cells[2])

@@ -63,7 +63,8 @@ void check_refits(Random& random, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     CAPTURE(round);
     const bake::LatticeMesh lattice = any_bendable(random);
-    Bending<Mesh> bent(any_tree(random, lattice), lattice, random.below(4) != 0);
+    const bake::BuildTree tree = any_tree(random, lattice);
+    Bending<Mesh> bent(tree, lattice, random.below(4) != 0);
     const Mesh& mesh = bent.mesh.mesh();
     for (int frame = 0; frame < 8; ++frame) {
       CAPTURE(frame);

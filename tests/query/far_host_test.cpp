@@ -75,7 +75,8 @@ void check_band(Random& random, const std::vector<TruePair>& all, const Mesh& a,
 std::int32_t any_offset(Random& random) {
   constexpr std::int32_t at[] = {1 << 15, 40000,   kNear,          1 << 16,
                                  1 << 17, 1 << 18, (1 << 19) + 77, kFar - 1};
-  const std::int32_t offset = std::min(random.one_of(at) + random.between(-1, 1), kFar - 1);
+  const std::int32_t near = random.one_of(at);
+  const std::int32_t offset = std::min(near + random.between(-1, 1), kFar - 1);
   return random.below(2) == 0 ? offset : -offset;
 }
 
@@ -117,7 +118,9 @@ Pose any_pose_just_far(Random& random) {
   for (std::int32_t& along : cells) {
     along = random.between(-2000, 2000);
   }
-  cells[random.below(3)] = (random.below(2) == 0 ? 1 : -1) * (kNear + random.between(0, 3000));
+  const std::int32_t sign = random.below(2) == 0 ? 1 : -1;
+  const std::int32_t far = kNear + random.between(0, 3000);
+  cells[random.below(3)] = sign * far;
   return random.below(2) == 0 ? Pose::translated(cells[0], cells[1], cells[2])
                               : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
 }

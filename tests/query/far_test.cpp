@@ -75,7 +75,8 @@ TEST_CASE(
     const AnyMesh b = any_mesh(random, doubled(half_b));
     std::int32_t cells[3];
     for (std::int32_t& along : cells) {
-      along = (random.below(2) == 0 ? 1 : -1) * random.between(kRange / 2 + 1, kRange / 2 + 20000);
+      const std::int32_t sign = random.below(2) == 0 ? 1 : -1;
+      along = sign * random.between(kRange / 2 + 1, kRange / 2 + 20000);
     }
     const bool rotated = round % 2 != 0;
     const std::int32_t twice[3] = {2 * cells[0], 2 * cells[1], 2 * cells[2]};

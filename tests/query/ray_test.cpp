@@ -189,7 +189,8 @@ TEST_CASE("where a hit is, and how far off") {
   for_rounds(2000 / kShare, [&](Random& random, int round) {
     const Point from = any_point(random, round % 2 == 0 ? 500 : kMaxRayCoordinate);
     const Point to = any_point(random, round % 3 == 0 ? 500 : kMaxRayCoordinate);
-    const std::int64_t below = 1 + random.below(1u << 30) * (std::int64_t{1} << random.below(23));
+    const std::int64_t bits = random.below(1u << 30);
+    const std::int64_t below = 1 + bits * (std::int64_t{1} << random.below(23));
     const std::int64_t above = below / (1 + random.below(9));
     const double share = static_cast<double>(above) / static_cast<double>(below);
     const FinePoint at = point_along({from, to}, {above, below});

@@ -59,7 +59,8 @@ Pairs run_by_cursors(Random& random, const Make& make, std::uint32_t& visits) {
     status = query.resume(position);
     REQUIRE((status == Status::suspended || status == Status::done));
     typename Query::Pair found[2];
-    const RunResult step = query.run(1 + random.below(90), found, 1 + random.below(2));
+    const std::uint32_t work = 1 + random.below(90);
+    const RunResult step = query.run(work, found, 1 + random.below(2));
     for (std::uint32_t i = 0; i < step.count; ++i) {
       pairs.emplace_back(found[i].a, found[i].b);
     }
@@ -76,7 +77,8 @@ void check(Random& random, const Make& make, const Pairs& expected) {
   const Pairs in_order = run_to_end(whole);
   REQUIRE(unordered(in_order) == expected);
   Query cut = make();
-  REQUIRE(run_to_end(cut, 1 + random.below(200), 1 + random.below(9)) == in_order);
+  const std::uint32_t work = 1 + random.below(200);
+  REQUIRE(run_to_end(cut, work, 1 + random.below(9)) == in_order);
   REQUIRE(cut.stats().visits == whole.stats().visits);
   REQUIRE(cut.stats().leaf_pairs == whole.stats().leaf_pairs);
   std::uint32_t visits = 0;

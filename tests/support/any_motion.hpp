@@ -63,7 +63,8 @@ inline Move any_move(Random& random, int32_t far, int32_t size) {
   for (int i = 0; i < 3; ++i) {
     const double along = length == 0 ? 0 : parts[i] / length;
     move.axis[i] = static_cast<int32_t>(std::lround(along * kRotationOne));
-    move.point[i] = random.between(-far, far) * kFrameCell + random.between(0, kFrameCell);
+    const int32_t cells = random.between(-far, far);
+    move.point[i] = cells * kFrameCell + random.between(0, kFrameCell);
     move.travel[i] = is_screw               ? static_cast<int32_t>(along * pitch)
                      : random.below(2) == 0 ? random.between(-size * kFrameCell, size * kFrameCell)
                                             : 0;

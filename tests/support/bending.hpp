@@ -59,9 +59,11 @@ inline bake::LatticeMesh any_bendable(Random& random) {
   if (kind == 0) {
     return random_mesh(random, 1 + random.below(24), 40, 25);
   }
-  bake::LatticeMesh mesh = grid(3 + random.below(3), 1 + random.below(4), kind == 1);
-  lay(random, 3 + random.below(3), 10, 5, static_cast<std::int32_t>(random.below(12)),
-      mesh.vertices.data(), mesh.vertices.size());
+  const std::uint32_t columns = 3 + random.below(3);
+  bake::LatticeMesh mesh = grid(columns, 1 + random.below(4), kind == 1);
+  const std::uint32_t width = 3 + random.below(3);
+  const auto noise = static_cast<std::int32_t>(random.below(12));
+  lay(random, width, 10, 5, noise, mesh.vertices.data(), mesh.vertices.size());
   return mesh;
 }
 

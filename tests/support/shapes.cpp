@@ -139,10 +139,14 @@ bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh) {
       return random_tree(random, mesh, {2 + random.below(7), 1, true});
     case 5:
       return bake::build_default(mesh, 1 + random.below(2));
-    case 6:
-      return bake::collapse(bake::build_sah(mesh, 1 + random.below(4)), 2 + random.below(7));
-    case 4:
-      return bake::collapse(bake::build_median(mesh, 1 + random.below(4)), 2 + random.below(7));
+    case 6: {
+      const bake::BuildTree binary = bake::build_sah(mesh, 1 + random.below(4));
+      return bake::collapse(binary, 2 + random.below(7));
+    }
+    case 4: {
+      const bake::BuildTree binary = bake::build_median(mesh, 1 + random.below(4));
+      return bake::collapse(binary, 2 + random.below(7));
+    }
     default:
       return random_tree(random, mesh, {2 + random.below(3), 1 + random.below(16), true});
   }

@@ -18,7 +18,9 @@ std::size_t check_pairs(Random& random, const MeshType& a, const MeshType& b, co
   using NearQuery = Query<detail::NearFirst<MeshType>>;
   const Pairs pairs = pairs_of(Query<Ranked<MeshType>>(a, b, pose), kNoLimit, 1000);
   REQUIRE(pairs_of(NearQuery(a, b, pose), kNoLimit, 1000) == pairs);
-  REQUIRE(pairs_of(NearQuery(a, b, pose), 1 + random.below(3000), 1 + random.below(7)) == pairs);
+  const std::uint32_t work = 1 + random.below(3000);
+  const std::uint32_t capacity = 1 + random.below(7);
+  REQUIRE(pairs_of(NearQuery(a, b, pose), work, capacity) == pairs);
   return pairs.size();
 }
 
@@ -41,8 +43,8 @@ TEST_CASE("nearest first, a query has the pairs of ranked where nodes have 2 to 
     const auto wide = bake::lay_out<std::uint32_t, Layout::post_indexed>(tree, ring);
     for (int i = 0; i < 6; ++i) {
       const Pose pose = any_rigid_pose(random, 700);
-      REQUIRE(check_pairs<Mesh>(random, narrow.view(), narrow.view(), pose) ==
-              check_pairs<Mesh32>(random, wide.view(), wide.view(), pose));
+      const std::size_t pairs = check_pairs<Mesh>(random, narrow.view(), narrow.view(), pose);
+      REQUIRE(check_pairs<Mesh32>(random, wide.view(), wide.view(), pose) == pairs);
     }
   });
 }

@@ -77,7 +77,9 @@ TEST_CASE("all traversals agree on all pairs of sizes 1 to 8, over random shapes
 
 TEST_CASE("all traversals agree on random trees of every shape") {
   for_rounds(rounds(100, 600), 1, [&](Random& random, int) {
-    check_all(any_trees(random, 1 + random.below(60), 1 + random.below(60)));
+    const std::uint32_t count_a = 1 + random.below(60);
+    const std::uint32_t count_b = 1 + random.below(60);
+    check_all(any_trees(random, count_a, count_b));
   });
 }
 
@@ -94,7 +96,9 @@ TEST_CASE("all traversals agree on the trees of each builder, and find what brut
     for (const Builder& build_b : builders) {
       for (int round = 0; round < rounds(4, 30); ++round) {
         CAPTURE(&build_a - builders, &build_b - builders, round);
-        Trees trees = any_trees(random, 1 + random.below(90), 1 + random.below(90));
+        const std::uint32_t count_a = 1 + random.below(90);
+        const std::uint32_t count_b = 1 + random.below(90);
+        Trees trees = any_trees(random, count_a, count_b);
         trees.a = build_a(trees.mesh_a);
         trees.b = build_b(trees.mesh_b);
         check_all(trees);
@@ -105,7 +109,9 @@ TEST_CASE("all traversals agree on the trees of each builder, and find what brut
 
 TEST_CASE("all traversals agree on chains as deep as their triangles, and on unequal heights") {
   for_rounds(12, 2, [&](Random& random, int round) {
-    Trees trees = any_trees(random, 1 + random.below(120), 1 + random.below(120));
+    const std::uint32_t count_a = 1 + random.below(120);
+    const std::uint32_t count_b = 1 + random.below(120);
+    Trees trees = any_trees(random, count_a, count_b);
     trees.a = chain(trees.mesh_a, (round & 1) != 0);
     if ((round & 2) != 0) {
       trees.b = chain(trees.mesh_b, (round & 4) != 0);

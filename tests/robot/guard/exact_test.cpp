@@ -127,8 +127,9 @@ TEST_CASE("to less than a cell: nothing reported is better than the truth") {
     for (std::size_t i = 0; i < arms.size(); ++i) {
       CAPTURE(round, i);
       const double speeds[] = {2e-4, 2e-3, 0.02, 0.2};
-      check_walks(random, *arms[i], speeds[random.below(4)],
-                  random.below(3) == 0 ? 1 + random.below(100) : UINT32_MAX);
+      const double speed = random.one_of(speeds);
+      const std::uint32_t work = random.below(3) == 0 ? 1 + random.below(100) : UINT32_MAX;
+      check_walks(random, *arms[i], speed, work);
     }
   }
 }

@@ -126,7 +126,7 @@ TEST_CASE("a cart that comes nearer is warned of where it is near, not where its
 TEST_CASE("of a period the variable is named that brought two links nearer by most") {
   long named[3] = {};
   long none = 0;
-  for_rounds(20, [&](Random& random, int) {
+  for_rounds(20, [&](Random& random, std::size_t round) {
     // A carriage that slides, an arm on it, and a forearm that mimics the arm.
     Model model;
     const std::size_t carriage =
@@ -146,13 +146,18 @@ TEST_CASE("of a period the variable is named that brought two links nearer by mo
                                           arm.unit_of(v));
     };
     const Values from = {near(0, 0), near(0, 1), near(0, 2)};
-    Values to = from;
-    for (std::size_t v = 0; v < 3; ++v) {
-      to[v] += static_cast<JointCoordinate>(real_between(random, -1e-3, 1e-3) / arm.unit_of(v));
-    }
-    (void)guard.prime(from.data());
-    REQUIRE(guard.update(to.data(), UINT32_MAX).status == Status::done);
     std::int32_t changes[3];
+    (void)guard.prime(from.data());
+    REQUIRE(guard.explain(0, changes).status == Status::done);
+    Values to = from;
+    const std::size_t nearer = round % 5;  // this one alone comes nearer; 3: none; 4: any
+    for (std::size_t v = 0; v < 3; ++v) {
+      const auto any =
+          static_cast<JointCoordinate>(real_between(random, -1e-3, 1e-3) / arm.unit_of(v));
+      const JointCoordinate away = changes[v] < 0 ? -std::abs(any) : std::abs(any);
+      to[v] += nearer == 4 ? any : nearer == v ? -away : away;
+    }
+    REQUIRE(guard.update(to.data(), UINT32_MAX).status == Status::done);
     const PairDetail detail = guard.explain(0, changes);
     REQUIRE(detail.status == Status::done);
     const auto way_of = [&](std::size_t v) { return 1.0 * changes[v] * (to[v] - from[v]); };

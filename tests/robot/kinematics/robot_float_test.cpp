@@ -105,10 +105,12 @@ TEST_CASE("angles are rounded to the nearest") {
 TEST_CASE("ways of joints that slide are rounded to the nearest") {
   Random random = test_random();
   for (int i = 0; i < 20'000; ++i) {
-    check_slide(any_float(random), any_float(random));
+    float length = any_float(random);
+    check_slide(length, any_float(random));
     check_slide(any_near(random, 2), 10'000);
     check_slide(any_near(random, 600'000), 1);
-    check_slide(any_near(random, 1e-4), any_near(random, 1000));
+    length = any_near(random, 1e-4);
+    check_slide(length, any_near(random, 1000));
   }
   for (const float edge :
        {kInfinite, kNotANumber, kSubnormal, 0.0F, 524'288.0F, 524'289.0F, 3e38F}) {
@@ -122,11 +124,14 @@ TEST_CASE("ways of joints that slide are rounded to the nearest") {
 TEST_CASE("ways of joints that slide are exact for each cell of a robot") {
   Random random = test_random();
   for (int i = 0; i < 20'000; ++i) {
-    check_exact_slide(any_near(random, 8), real_between(random, 2e-5, 4e-5));
-    check_exact_slide(any_near(random, 1), real_between(random, 1e-6, 1));
+    float length = any_near(random, 8);
+    check_exact_slide(length, real_between(random, 2e-5, 4e-5));
+    length = any_near(random, 1);
+    check_exact_slide(length, real_between(random, 1e-6, 1));
     check_exact_slide(any_near(random, 600'000), 1);
-    check_exact_slide(any_float(random),
-                      std::ldexp(real_between(random, 1, 2), -static_cast<int>(random.below(40))));
+    length = any_float(random);
+    const double cell = real_between(random, 1, 2);
+    check_exact_slide(length, std::ldexp(cell, -static_cast<int>(random.below(40))));
   }
   for (const float edge : {kInfinite, kNotANumber, kSubnormal, 0.0F, 524'288.0F, 524'289.0F, 3e38F,
                            0x1p-12F, 0x3p-12F, 1e-30F}) {

@@ -83,8 +83,9 @@ Row certified(const tool::ModelLink& link, double cell, double limit, long sampl
   const std::vector<FloatTriangle> original = triangles_of(link.mesh);
   const std::vector<FloatTriangle> coarse = triangles_of(coarsening.mesh());
   Random random(1);
-  row.sampled = std::max(farthest(original, DrawnMesh(coarse), samples / 2, random),
-                         farthest(coarse, DrawnMesh(original), samples / 2, random));
+  const double there = farthest(original, DrawnMesh(coarse), samples / 2, random);
+  const double back = farthest(coarse, DrawnMesh(original), samples / 2, random);
+  row.sampled = std::max(there, back);
   return row;
 }
 

@@ -30,8 +30,11 @@ inline Frame fixed_frame(const Transform& transform) {
 }
 
 inline Transform any_transform(Random& random, double far) {
-  Transform made = composed(turned(random.below(3), real_between(random, -4, 4)),
-                            turned(random.below(3), real_between(random, -4, 4)));
+  Transform made;
+  for (int turn = 0; turn < 2; ++turn) {
+    const std::size_t axis = random.below(3);
+    made = composed(made, turned(axis, real_between(random, -4, 4)));
+  }
   for (double& t : made.translation) {
     t = real_between(random, -far, far);
   }
@@ -95,7 +98,7 @@ struct CrowdedCell {
     for (std::uint8_t a = 0; a < robot().link_count; ++a) {
       for (const std::uint8_t b : links) {
         const std::uint32_t stop = random.below(2000);
-        if (a < b && robot().links[a].joint != tool_joint &&
+        if (a < b && !(robot().links[a].joint == tool_joint && b == links[0]) &&
             !(robot().links[a].joint == kBase && b != links[0]) &&
             !(a == links[1] && b == links[2])) {
           REQUIRE(workcell.keep_apart(a, b, {stop}, {stop + random.below(4000)}) == Status::done);
@@ -114,6 +117,18 @@ struct CrowdedCell {
       t = random.below(4) == 0 ? 0 : real_between(random, -speed, speed) * 0.3;
     }
     return workcell.move(links[2], fixed_frame(way.at(1)), {way.length(moving.radius())});
+  }
+
+  /// Moves a corner of the obstacle to a corner of the arm's last link.
+  void put_on_a_link(const Values& values) {
+    const auto last = static_cast<std::uint8_t>(arm.robot().link_count - 1);
+    const Transform frame = frame_of(last, values, 1);
+    way = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      way.from.translation[i] =
+          placed(frame, arm.model.links[last].mesh.vertices[0])[i] - moving.low[i];
+    }
+    REQUIRE(workcell.move(links[2], fixed_frame(way.from), 1u << 27) == Status::done);
   }
 
   Transform frame_of(std::uint8_t link, const Values& values, double part) const {
@@ -148,5 +163,17 @@ struct CrowdedCell {
   Way way;
   std::uint8_t links[3] = {};
 };
+
+/// A workcell, and values at which its guard does not stop.
+inline std::unique_ptr<CrowdedCell> any_cell_apart(Random& random, Values& values) {
+  for (;;) {
+    auto cell = std::make_unique<CrowdedCell>(random);
+    const auto state = std::make_unique<WorkcellState>();
+    Guard guard(cell->robot(), *state);
+    if (prime_apart(random, cell->arm, guard, 50, values).verdict != Verdict::stop) {
+      return cell;
+    }
+  }
+}
 
 }  // namespace flashbvh::test
