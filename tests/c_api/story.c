@@ -297,7 +297,7 @@ static void not_open(void) {
     const flashbvh_mesh* const b = pairs[i][1];
     CHECK_NOT_OPEN(flashbvh_intersects(a, b, &pose, &yes));
     CHECK_NOT_OPEN(flashbvh_intersects_hinted(a, b, &pose, &hint, &yes));
-    CHECK_NOT_OPEN(flashbvh_closer_than(a, b, &pose, 2560, &yes));
+    CHECK_NOT_OPEN(flashbvh_closer_than(a, b, &pose, fine(2560), &yes));
     CHECK_NOT_OPEN(flashbvh_one_is_inside(a, b, &pose, &yes));
     CHECK_NOT_OPEN(flashbvh_solids_intersect(a, b, &pose, &yes));
     CHECK(flashbvh_distance(a, b, &pose, NULL, &distance) == FLASHBVH_STATUS_NOT_OPEN);
@@ -319,7 +319,7 @@ static void not_open(void) {
   vertex = UINT32_MAX;
   CHECK(flashbvh_clearance_run(&clearance_query, &vertex) == FLASHBVH_STATUS_NOT_OPEN);
   CHECK(flashbvh_first_contact_run(&contact, UINT32_MAX).status == FLASHBVH_STATUS_NOT_OPEN);
-  CHECK(flashbvh_first_contact_start(&contact, &block, &blade, &motion, 0) ==
+  CHECK(flashbvh_first_contact_start(&contact, &block, &blade, &motion, fine(0)) ==
         FLASHBVH_STATUS_NOT_OPEN);
 }
 

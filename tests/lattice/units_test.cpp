@@ -119,7 +119,8 @@ TEST_CASE("lengths: rounded up to 1/256 cell, never below and hardly above the e
   for_rounds(100000, [&](Random& random, int) {
     // Cells whose inverse is near a power of two, or any.
     const std::uint64_t beside = random.below(1u << random.below(31));
-    const std::uint64_t any = std::uint64_t{random.below(1u << 20)} << 32 | random.below(UINT32_MAX);
+    const std::uint64_t upper = random.below(1u << 20);
+    const std::uint64_t any = upper << 32 | random.below(UINT32_MAX);
     const std::uint32_t kind = random.below(3);
     const std::uint64_t cell_digits =
         kind == 0 ? kTwo52 + beside : kind == 1 ? 2 * kTwo52 - 1 - beside : kTwo52 | any;

@@ -197,7 +197,7 @@ TEST_CASE("bodies that stay farther apart than the largest distance are not clos
   const PointShape point(some_mesh(), {0, 0, 0});
   const auto outcome = [&](int32_t apart, std::uint32_t within) {
     const BodyMotion motion = straight({-apart, -400, 0}, {0, 800, 0});
-    return FirstContact(wall(), point.mesh(), motion, within).run(UINT32_MAX).outcome;
+    return FirstContact(wall(), point.mesh(), motion, {within}).run(UINT32_MAX).outcome;
   };
   CHECK(outcome(32'003, kMaxMotionDistance) == ContactOutcome::free);
   CHECK(outcome(31'990, kMaxMotionDistance) == ContactOutcome::contact);

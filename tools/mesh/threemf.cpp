@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 3> kSpaces = {"material/2015/02", "triang
                                                      "production/2015/06"};
 
 /// What elements may hold.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kContents = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPartTypes = {
     {{"object", "mesh"},
      {"object", "components"},
      {"object", "metadatagroup"},
@@ -213,10 +213,10 @@ class Reader {
   /// False for elements that are no geometry. UserError for geometry that is not read.
   bool is_read(std::string_view parent, std::string_view name) const {
     const auto holds = [&](const auto& pair) { return pair.first == parent; };
-    if (std::none_of(kContents.begin(), kContents.end(), holds)) {
+    if (std::none_of(kPartTypes.begin(), kPartTypes.end(), holds)) {
       return false;
     }
-    if (std::find(kContents.begin(), kContents.end(), std::pair(parent, name)) == kContents.end()) {
+    if (std::find(kPartTypes.begin(), kPartTypes.end(), std::pair(parent, name)) == kPartTypes.end()) {
       refuse("has a <", name, "> in a <", parent, ">, which is not read; export it as triangles");
     }
     return true;

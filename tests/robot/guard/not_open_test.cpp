@@ -45,8 +45,8 @@ void check_refused(Workcell& workcell, const Mesh& body) {
   CHECK(workcell.status() == Status::not_open);
   CHECK_FALSE(workcell.fits());
   CHECK(workcell.add(body, {kBase, kIdentityFrame}, link) == Status::not_open);
-  CHECK(workcell.keep_apart(0, 1, 5, 9) == Status::not_open);
-  CHECK(workcell.move(0, kIdentityFrame, 0) == Status::not_open);
+  CHECK(workcell.keep_apart(0, 1, {5}, {9}) == Status::not_open);
+  CHECK(workcell.move(0, kIdentityFrame, {0}) == Status::not_open);
   CHECK(link == 77);
 }
 

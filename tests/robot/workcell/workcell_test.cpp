@@ -182,14 +182,14 @@ TEST_CASE("a body is kept as far away as its file's mesh, simplified or with tri
       frame.translation[2] = (-100 - apart) * kFrameCell;  // the tip is 100 cells above the plate
       std::uint8_t link = 0;
       REQUIRE(workcell.add(body, {kBase, frame}, link) == Status::done);
-      REQUIRE(workcell.keep_apart(1, link, kStop, kStop) == Status::done);
+      REQUIRE(workcell.keep_apart(1, link, {kStop}, {kStop}) == Status::done);
       WorkcellState state;
       Guard guard(workcell.robot(), state);
       const JointCoordinate value = 0;
       const Verdict verdict = guard.prime(&value).verdict;
       const Pose at = Pose::translated(0, 0, -100 - apart);
       REQUIRE((verdict > Verdict::warn ||
-               !closer_than(arm.robot().meshes[1], view_of(whole), at, kStop).yes));
+               !closer_than(arm.robot().meshes[1], view_of(whole), at, {kStop}).yes));
       verdicts[static_cast<int>(verdict)] = true;
     }
     CHECK(verdicts[static_cast<int>(Verdict::free)]);

@@ -128,7 +128,7 @@ struct CrowdedCell {
       way.from.translation[i] =
           placed(frame, arm.model.links[last].mesh.vertices[0])[i] - moving.low[i];
     }
-    REQUIRE(workcell.move(links[2], fixed_frame(way.from), 1u << 27) == Status::done);
+    REQUIRE(workcell.move(links[2], fixed_frame(way.from), {1u << 27}) == Status::done);
   }
 
   Transform frame_of(std::uint8_t link, const Values& values, double part) const {
