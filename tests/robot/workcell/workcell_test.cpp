@@ -199,6 +199,7 @@ TEST_CASE("a body is kept as far away as its file's mesh, simplified or with tri
 
 TEST_CASE("a shape counts as rounded to the nearest cell") {
   Model model;
+  add_joint(model, kNoJoint, {}, JointType::revolute, -1, 1);
   add_link(model, kNoJoint, box({-1, -1, -1}, {1, 1, 1}));
   const FixedArm arm(model, kWorkcellCell);
   AnyWorkcell memory;
