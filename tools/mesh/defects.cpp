@@ -166,6 +166,13 @@ bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates)
   return volume >> 63 != 0;
 }
 
+void set_orientation(const bake::LatticeMesh& mesh, MeshDefects& defects) {
+  if (defects.edges.none()) {
+    defects.inside_out = is_inside_out(mesh, defects.duplicates);
+    defects.shells_inside_out = shells_inside_out(mesh, defects.duplicates);
+  }
+}
+
 MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
                        const TriangleIds& degenerate) {
   MeshDefects defects;
@@ -177,7 +184,7 @@ MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& ro
   defects.edges = edge_defects(rounded.triangles, defects.duplicates);
   defects.closed_before = !defects.edges.none() &&
                           edge_defects(mesh.triangles, duplicate_triangles(mesh.triangles)).none();
-  defects.inside_out = defects.edges.none() && is_inside_out(rounded, defects.duplicates);
+  set_orientation(rounded, defects);
   return defects;
 }
 

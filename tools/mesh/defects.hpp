@@ -49,15 +49,23 @@ EdgeDefects edge_defects(const std::vector<bake::TriangleCorners>& triangles,
 /// Precondition: it is closed and oriented. O(n).
 bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates);
 
+/// The number of shells, parts that share no vertex, that are inside out and no cavities: not
+/// within the others, at up to some thousand points. Precondition: as above.
+std::size_t shells_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates);
+
 /// Defects of a mesh after rounding to the lattice, and before it.
 struct MeshDefects {
-  TriangleIds degenerate;      ///< without area in the file
-  TriangleIds collapsed;       ///< without area by rounding alone
-  TriangleIds duplicates;      ///< on the lattice
-  EdgeDefects edges;           ///< on the lattice
-  bool closed_before = false;  ///< edges have defects by rounding alone
-  bool inside_out = false;     ///< closed, oriented, and normals face into the solid
+  TriangleIds degenerate;             ///< without area in the file
+  TriangleIds collapsed;              ///< without area by rounding alone
+  TriangleIds duplicates;             ///< on the lattice
+  EdgeDefects edges;                  ///< on the lattice
+  bool closed_before = false;         ///< edges have defects by rounding alone
+  bool inside_out = false;            ///< closed, oriented, and normals face into the solid
+  std::size_t shells_inside_out = 0;  ///< if closed and oriented
 };
+
+/// Sets what is inside out, by the mesh on the lattice and its edges' defects.
+void set_orientation(const bake::LatticeMesh& mesh, MeshDefects& defects);
 
 /// `degenerate`: of the mesh in the file.
 MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,

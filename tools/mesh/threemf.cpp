@@ -216,7 +216,8 @@ class Reader {
     if (std::none_of(kPartTypes.begin(), kPartTypes.end(), holds)) {
       return false;
     }
-    if (std::find(kPartTypes.begin(), kPartTypes.end(), std::pair(parent, name)) == kPartTypes.end()) {
+    if (std::find(kPartTypes.begin(), kPartTypes.end(), std::pair(parent, name)) ==
+        kPartTypes.end()) {
       refuse("has a <", name, "> in a <", parent, ">, which is not read; export it as triangles");
     }
     return true;

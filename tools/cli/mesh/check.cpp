@@ -148,7 +148,7 @@ void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh, Warn
   MeshDefects defects;
   defects.duplicates = duplicate_triangles(mesh.triangles);
   defects.edges = edge_defects(mesh.triangles, defects.duplicates);
-  defects.inside_out = defects.edges.none() && is_inside_out(mesh, defects.duplicates);
+  set_orientation(mesh, defects);
   warn_of_surface(defects, image.path(), warnings);
 }
 

@@ -55,7 +55,7 @@ void mark_defects(const ImageFile& image, Subject& subject) {
   mark_edges(subject, edges, EdgeDefect::twisted, "p2",
              "edge of two triangles that face opposite ways.",
              "edges of two triangles that face opposite ways.");
-  if (edges.empty() && is_inside_out(mesh, duplicates)) {
+  if (edges.empty() && shells_inside_out(mesh, duplicates) != 0) {
     subject.warnings.push_back("inside out: normals face into the solid.");
   }
 }
