@@ -202,7 +202,8 @@ bool lengths_agree(Scene& s) {
   flashbvh_in_millionths(&p, &s.a.c, millionths);
   return at[0] == wanted.x && at[1] == wanted.y && at[2] == wanted.z && same(millionths, whole) &&
          flashbvh_length_in_unit(p.y, &s.a.c) == length_in_unit(p.y, cell) &&
-         flashbvh_fine_length_rounded_up(length, 3).count == fine_length_rounded_up(length, 3).count;
+         flashbvh_fine_length_rounded_up(length, 3).count ==
+             fine_length_rounded_up(length, 3).count;
 }
 
 bool bounds_agree(Scene& s) {

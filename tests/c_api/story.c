@@ -144,7 +144,8 @@ static void distances(const flashbvh_pose* pose) {
   CHECK(near(flashbvh_length_in_unit(found.lower, &block), 2.5f));
   CHECK(found.point_a.z == 10100 * 256 && found.point_b.z == 10125 * 256);
   CHECK(found.direction.x == 0 && found.direction.z == FLASHBVH_UNIT_ONE);
-  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, flashbvh_fine_length_rounded_up(2.5f, scale), &yes),
+  CHECK_YES(flashbvh_closer_than(&block, &blade, pose, flashbvh_fine_length_rounded_up(2.5f, scale),
+                                 &yes),
             true);
   CHECK_YES(flashbvh_closer_than(&block, &blade, pose, fine(25 * 256 - 1), &yes), false);
   CHECK(flashbvh_for_each_within(&block, &blade, pose, fine(25 * 256), count_pair, &pairs) ==

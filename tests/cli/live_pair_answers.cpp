@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kQueries = 10000;
 constexpr std::int32_t kSpan = 1 << 14;  // cells, either way
-constexpr double kLimit = 4096;  // cells
+constexpr double kLimit = 4096;          // cells
 /// Every 16th pose, the motion from the previous pose is queried, too.
 constexpr int kWays = 16;
 constexpr std::uint32_t kMostWayWork = 1000000;
@@ -76,7 +76,8 @@ int main(int argc, char** argv) {
   Pose before = Pose::translated(0, 0, 0);
   const auto length = static_cast<float>(kLimit * images[0].cell());
   const FineLength limit = fine_length_rounded_up(length, cells_per_unit(a.cell_bits));
-  std::cout << std::setprecision(9) << "const LIMIT = Math.fround(" << length << ");\nconst KNOWN = [\n";
+  std::cout << std::setprecision(9) << "const LIMIT = Math.fround(" << length
+            << ");\nconst KNOWN = [\n";
   for (int i = 0; i < kQueries; ++i) {
     std::cout << "[[";
     const Pose pose = drawn_pose(random, a, b);

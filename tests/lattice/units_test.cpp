@@ -122,8 +122,9 @@ TEST_CASE("lengths: rounded up to 1/256 cell, never below and hardly above the e
     const std::uint64_t upper = random.below(1u << 20);
     const std::uint64_t any = upper << 32 | random.below(UINT32_MAX);
     const std::uint32_t kind = random.below(3);
-    const std::uint64_t cell_digits =
-        kind == 0 ? kTwo52 + beside : kind == 1 ? 2 * kTwo52 - 1 - beside : kTwo52 | any;
+    const std::uint64_t cell_digits = kind == 0   ? kTwo52 + beside
+                                      : kind == 1 ? 2 * kTwo52 - 1 - beside
+                                                  : kTwo52 | any;
     const int power = random.between(-20, 20);
     const std::uint64_t length_digits = random.below(1 << 24);
     const int shift = random.between(0, 60);

@@ -72,7 +72,8 @@ TEST_CASE("motions: any numbers are refused or lead to an end") {
     const BodyMotion motion = any.motion();
     (void)motion.pose_at(random.below(kMotionEnd));
     const auto within = static_cast<std::uint32_t>(extreme(random));
-    FirstContact query(a, b, motion, {random.below(2) == 0 ? 0 : within % (kMaxMotionDistance + 2)});
+    FirstContact query(a, b, motion,
+                       {random.below(2) == 0 ? 0 : within % (kMaxMotionDistance + 2)});
     if (query.status() != Status::suspended) {
       ++refused;
       return;

@@ -40,8 +40,8 @@ static_assert(refuses_temporaries<FirstContact, Mesh, Mesh, BodyMotion, FineLeng
 template <class Number>
 constexpr bool refuses_numbers() {
   constexpr auto ask = [](auto length) -> decltype(closer_than(
-                           std::declval<const Mesh&>(), std::declval<const Mesh&>(),
-                           std::declval<const Pose&>(), length)) { return {}; };
+                                           std::declval<const Mesh&>(), std::declval<const Mesh&>(),
+                                           std::declval<const Pose&>(), length)) { return {}; };
   static_assert(std::is_invocable<decltype(ask), FineLength>::value);
   static_assert(!std::is_invocable<decltype(ask), Number>::value);
   static_assert(!std::is_invocable<decltype(within), Number>::value);

@@ -131,8 +131,8 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_within(const flashbvh_mesh*
                                                             flashbvh_fine_length distance,
                                                             flashbvh_visitor* visit, void* context);
 
-/** fine_length_rounded_up(): UINT32_MAX, which every query rejects, if the length is negative, not a
- * number or too large. */
+/** fine_length_rounded_up(): UINT32_MAX, which every query rejects, if the length is negative, not
+ * a number or too large. */
 flashbvh_fine_length flashbvh_fine_length_rounded_up(float length, float cells_per_unit);
 
 /** length_in_unit(): a length in the mesh's unit, to the nearest float. `fine`: in 1/256 cell,

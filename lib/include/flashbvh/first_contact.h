@@ -52,7 +52,8 @@ FLASHBVH_OPAQUE(flashbvh_first_contact_query, 3, 68, uint32_t);
  * bytes too. */
 FLASHBVH_OPAQUE(flashbvh_contact_cursor, 0, 36, uint32_t);
 
-/** Starts a query; meshes and motion must outlive it. `within`: bodies this near are in contact; 0: only bodies that intersect. SUSPENDED: there is work to run. The motion's status;
+/** Starts a query; meshes and motion must outlive it. `within`: bodies this near are in contact; 0:
+ * only bodies that intersect. SUSPENDED: there is work to run. The motion's status;
  * MOTION_OUT_OF_RANGE, also for too many moves or far origins; DISTANCE_OUT_OF_RANGE: `within` is
  * beyond FLASHBVH_MAX_MOTION_DISTANCE. Every run returns the status again, or CELL_MISMATCH. */
 flashbvh_status flashbvh_first_contact_start(flashbvh_first_contact_query* query,

@@ -213,7 +213,8 @@ flashbvh_status flashbvh_workcell_init(flashbvh_workcell* workcell, const flashb
 const flashbvh_robot* flashbvh_workcell_robot(const flashbvh_workcell* workcell);
 
 /** Workcell::add(): `link` is written only on DONE. WORKCELL_FULL; CELL_MISMATCH; LINK_INVALID;
- * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE; DISTANCE_OUT_OF_RANGE. The arrays of `mesh` must outlive the workcell. */
+ * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE; DISTANCE_OUT_OF_RANGE. The arrays of `mesh` must
+ * outlive the workcell. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_add(flashbvh_workcell* workcell,
                                                          const flashbvh_mesh* mesh,
                                                          const flashbvh_mount* mount,

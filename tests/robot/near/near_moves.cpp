@@ -57,7 +57,8 @@ void NearScene::add_obstacle() {
   const std::uint8_t own_links = link_;
   for (std::uint8_t link = 0; link < own_links; ++link) {
     if (robot().links[link].joint != kBase) {
-      (void)workcell_.keep_apart(link, link_, {fine(kObstacleStop, cell)}, {fine(kObstacleWarn, cell)});
+      (void)workcell_.keep_apart(link, link_, {fine(kObstacleStop, cell)},
+                                 {fine(kObstacleWarn, cell)});
     }
   }
 }

@@ -5,8 +5,8 @@
 #include "robot/matrix/joint_zone.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
-#include "robot/matrix/witness_triangles.hpp"
 #include "robot/matrix/unguarded.hpp"
+#include "robot/matrix/witness_triangles.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

@@ -105,8 +105,9 @@ void check_counts(const Model& model, const std::string& path) {
                     kMaxLinks, "; put those that are fixed to each other into one link");
   }
   if (model.joints.empty()) {
-    throw UserError(path, "has no joint that moves, so there is nothing to guard; give it one, or "
-                          "bake its links' meshes by `flashbvh bake`");
+    throw UserError(path,
+                    "has no joint that moves, so there is nothing to guard; give it one, or "
+                    "bake its links' meshes by `flashbvh bake`");
   }
 }
 

@@ -25,7 +25,8 @@ struct BakedLink {
 /// The size of all images together.
 std::size_t image_bytes(const std::vector<BakedLink>& links);
 
-/// UserError if the robot has no joint, or more joints or links than firmware holds. `path`: the URDF.
+/// UserError if the robot has no joint, or more joints or links than firmware holds. `path`: the
+/// URDF.
 void check_counts(const Model& model, const std::string& path);
 
 /// The cell in metres: `wanted`, or the finest with which links fit the lattice, and joints in all

@@ -19,9 +19,9 @@ typedef struct flashbvh_move {
 typedef enum flashbvh_contact_outcome {
   FLASHBVH_OUTCOME_FREE = 0,    /**< they touch at no moment */
   FLASHBVH_OUTCOME_CONTACT = 1, /**< they touch at `to`, and at no moment before `from` */
-  FLASHBVH_OUTCOME_CLOSE = 2 /**< they come near between `from` and `to`, may touch there, and
-                                touch at no moment before; two cells apart at most, more by
-                                what close_distance() in first_contact.hpp adds */
+  FLASHBVH_OUTCOME_CLOSE = 2    /**< they come near between `from` and `to`, may touch there, and
+                                   touch at no moment before; two cells apart at most, more by
+                                   what close_distance() in first_contact.hpp adds */
 } flashbvh_contact_outcome;
 
 #ifdef __cplusplus

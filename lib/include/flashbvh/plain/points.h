@@ -30,7 +30,8 @@ typedef struct flashbvh_segment {
   flashbvh_point to;
 } flashbvh_segment;
 
-/** A length in 1/256 cell. A type of its own, so that no length in a mesh's unit is taken for it. */
+/** A length in 1/256 cell. A type of its own, so that no length in a mesh's unit is taken for it.
+ */
 typedef struct flashbvh_fine_length {
   uint32_t count;
 } flashbvh_fine_length;

@@ -95,8 +95,8 @@ inline bool is_below_zero(float value) {
   return bits > 0x80000000u;
 }
 
-/// The least number of 1/256 cell that is at least `length`; UINT32_MAX if out of range. 1 / cell is
-/// at most half a digit above `cells_per_unit`, or equal to it if this is a power of two
+/// The least number of 1/256 cell that is at least `length`; UINT32_MAX if out of range. 1 / cell
+/// is at most half a digit above `cells_per_unit`, or equal to it if this is a power of two
 /// (cells_per_unit_bits()).
 inline uint32_t fine_steps_above(float length, float cells_per_unit) {
   const FloatParts t = parts_of(length);
@@ -115,8 +115,9 @@ inline uint32_t fine_steps_above(float length, float cells_per_unit) {
     const uint64_t steps = (digits + (uint64_t{1} << -exponent) - 1) >> -exponent;
     return steps < UINT32_MAX ? static_cast<uint32_t>(steps) : UINT32_MAX;
   }
-  return exponent < 32 && digits < UINT32_MAX >> exponent ? static_cast<uint32_t>(digits << exponent)
-                                                          : UINT32_MAX;
+  return exponent < 32 && digits < UINT32_MAX >> exponent
+             ? static_cast<uint32_t>(digits << exponent)
+             : UINT32_MAX;
 }
 
 /// pose_of() by integers alone, from a rotation in fixed point or in floats.
