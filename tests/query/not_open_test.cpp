@@ -33,7 +33,9 @@ void check_not_open() {
   const std::uint32_t damaged[32] = {kImageMagic};
   CHECK(open_image(damaged, sizeof damaged, failed) == Status::image_version);
   CHECK(is_not_open(failed, open));
-  BasicDeformableMesh<Mesh> deformable(Mesh{}, nullptr, nullptr);
+  Node<typename Mesh::Index> nodes[1];
+  Vertex vertices[1];
+  BasicDeformableMesh<Mesh> deformable(Mesh{}, nodes, vertices);
   CHECK(is_not_open(deformable.mesh(), open));
   CHECK(deformable.refit().status == Status::not_open);
   CHECK(is_not_open(deformable.mesh(), open));

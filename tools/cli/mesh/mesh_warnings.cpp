@@ -100,15 +100,18 @@ void warn_of_place(const std::array<std::int32_t, 3>& origin, const std::string&
                    Warnings& warnings) {
   constexpr std::int64_t kFar = std::int64_t{1} << 18;
   std::int64_t distance = 0;
+  std::int64_t farthest = 0;
   for (const std::int32_t cells : origin) {
     distance += std::abs(std::int64_t{cells});
+    farthest = std::max(farthest, std::abs(std::int64_t{cells}));
   }
-  if (distance > kFar) {
-    // The entries of a rotation are rounded to 2^-23.
+  if (distance > kFar || farthest >= kFar) {
+    // The entries of a rotation are rounded to 2^-23, whatever the cell.
     const double off = static_cast<double>(distance) / (1 << 23);
     warnings.add(path, concat("lies far from its frame's origin: rotated, it is placed within ",
-                              significant(0.51 + off, 2),
-                              " cells instead of 0.51; draw it nearer, or use a larger --cell"));
+                              significant(0.51 + off, 2), " cells instead of 0.51",
+                              farthest < kFar ? "" : ", and no motion of it can be queried",
+                              "; move it nearer to the origin"));
   }
 }
 

@@ -117,7 +117,8 @@ void check_range(double distance, const std::string& place, double cell) {
   const double most = kMaxGuardDistance * cell / kFineOne;
   if (fine_length_rounded_up(distance, cell).count > kMaxGuardDistance) {
     throw UserError(place, "is out of range: 0 to ", significant(most, 6),
-                    " m, 32,767 cells; use a larger --cell to look further");
+                    " m, 32,767 cells; lengths are in metres: ", shortest(distance), " mm is ",
+                    shortest(distance / 1000));
   }
 }
 

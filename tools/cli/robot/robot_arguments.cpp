@@ -66,7 +66,8 @@ double zone_radius(const std::string& place, const std::string& text, double cel
   const double radius = metres_in(place, text);
   if (fine_length_rounded_up(radius, cell).count == UINT32_MAX) {
     throw UserError(place, "is out of range: 0 to ", significant(kMostCells * cell, 6), " m, ",
-                    kMostCells, " cells; give less, or a larger --cell");
+                    kMostCells, " cells; lengths are in metres: ", shortest(radius), " mm is ",
+                    shortest(radius / 1000));
   }
   return radius;
 }
