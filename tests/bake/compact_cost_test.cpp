@@ -6,6 +6,7 @@
 #include "bake/image_bytes.hpp"
 #include "flashbvh/collide.hpp"
 #include "insn.hpp"
+#include "support/points.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
 #include "support/torus.hpp"

@@ -47,7 +47,7 @@ constexpr std::array<std::pair<std::string_view, Unit>, 6> kUnits3mf = {{{"micro
 constexpr std::array<std::string_view, 4> kCuraKinds = {
     "cura:anti_overhang_mesh", "cura:cutting_mesh", "cura:infill_mesh", "cura:support_mesh"};
 
-constexpr std::size_t kMostLevels = 64;
+constexpr std::size_t kMostObjectLevels = 64;
 
 /// A part's object, placed: an item of the build, or a component of an object.
 struct Placed {
@@ -317,7 +317,7 @@ class Reader {
       read_part(at.part);
     }
     const auto found = objects_.find({at.part, at.id});
-    if (found == objects_.end() || level > kMostLevels) {
+    if (found == objects_.end() || level > kMostObjectLevels) {
       refuse("refers to the object ", tool::quoted(at.id), " of ", at.part,
              found == objects_.end() ? ", which is not there" : ", which is in itself",
              "; export it again");

@@ -122,7 +122,7 @@ class Shape {
   uint16_t offsets_[2] = {0, triangles};
   uint16_t first_ = 0;
   Vertex vertices_[vertices] = {};
-  Status status_;
+  Status status_ = Status::not_open;
 };
 
 // Kept out of line for the smaller shapes, so that its frame is gone before queries run.

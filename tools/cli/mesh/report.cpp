@@ -126,6 +126,7 @@ void write_page(const ReportArguments& arguments) {
   const std::vector<std::string> names = unique_names(images);
   std::vector<QueriedPair> pairs = queried_pairs(images, arguments.poses);
   std::vector<Headline> headlines;
+  headlines.reserve(pairs.size());
   for (const QueriedPair& pair : pairs) {
     headlines.push_back(headline_of(pair, names, arguments.poses.empty()));
   }

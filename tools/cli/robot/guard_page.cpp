@@ -38,12 +38,12 @@ std::string first_text(const GuardedTrajectory& guarded, const ReplaySummary& su
                        std::size_t kind) {
   const std::size_t first = summary.first[kind];
   const GuardAnswer& answer = guarded.answers[first];
-  const std::string text = concat(kKindNames[kind], ": ", summary.periods[kind], " of ",
-                                  guarded.answers.size(), " periods");
+  std::string text = concat(kKindNames[kind], ": ", summary.periods[kind], " of ",
+                            guarded.answers.size(), " periods");
   if (kind == 0) {
     return text;
   }
-  const std::string at = concat(text, ", first at line ", guarded.trajectory.line(first));
+  std::string at = concat(text, ", first at line ", guarded.trajectory.line(first));
   if (kind == kRefusedKind || answer.pair == kNoPair) {
     return at;
   }
