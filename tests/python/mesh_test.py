@@ -119,6 +119,13 @@ class QueryTest(Scene):
         np.testing.assert_array_equal(flashbvh.closer_than(self.a, self.b, self.poses, 3)[sure],
                                       (found.distance < 3)[sure])
 
+    def test_closer_than_rounds_a_length_up(self):
+        box = flashbvh.bake(flashbvh.Mesh.from_arrays(*shapes.box(9, 9, 9)), cell=1.0)
+        pose = shapes.translated(19, 19, 0)  # edges sqrt(2) apart
+        for length in (1.4143, 1.4155, 1.4179, 1.418):
+            self.assertTrue(flashbvh.closer_than(box, box, pose, length), length)
+        self.assertFalse(flashbvh.closer_than(box, box, pose, 1.414))
+
     def test_distance_of_boxes_by_formula(self):
         box = flashbvh.bake(flashbvh.Mesh.from_arrays(*shapes.box(1, 1, 1)), cell=0.001)
         gaps = np.linspace(0.5, 3, 11)
