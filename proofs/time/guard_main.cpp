@@ -116,6 +116,7 @@ bool make_robot(Random& random, int32_t reach, Robot& robot) {
   robot.pair_count = kPairs;
   robot.reach_count = sizeof reaches / sizeof *reaches;
   robot.slack = 2;
+  robot.hash = 1;  // as of an opened image
   return true;
 }
 
@@ -145,7 +146,8 @@ bool measure_guard(Random& random, const Robot& robot, uint32_t granted) {
   for (uint32_t i = 0; i < kPeriods; ++i) {
     const uint32_t instructions = port::instructions_of_call(bound_period, &period);
     bound_done();
-    if (period.answer.status == Status::guard_state_invalid) {
+    if (period.answer.status == Status::guard_state_invalid ||
+        period.answer.status == Status::not_open) {
       return false;
     }
     port::print("run period ", granted, " ", kJoints, " ", kPairs, " ", kBetween, " ", kTabled,
