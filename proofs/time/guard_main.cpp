@@ -117,6 +117,7 @@ bool make_robot(Random& random, int32_t reach, Robot& robot) {
   robot.reach_count = sizeof reaches / sizeof *reaches;
   robot.slack = 2;
   robot.hash = 1;  // as of an opened image
+  robot.cell_bits = meshes[0].cell_bits;
   return true;
 }
 
