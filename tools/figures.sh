@@ -4,7 +4,7 @@
 # figures.sh --check [PRESET...]     measures and prints, and fails if a budget is not kept
 # figures.sh --print [PRESET...]     prints what the tests left in the build folders
 # figures.sh --trees [PRESET]        whole queries on trees of other leaf sizes and arities: the table of
-#                                    lib/docs/decisions/0003-trees.md; default: Cortex-M4F
+#                                    lib/docs/decisions.md; default: Cortex-M4F
 # figures.sh --cycles [PRESET...]    measures cycles, by a model of the core (lib/docs/cycles.md), prints them next to
 #                                    instructions, and writes tests/figures/cycles.csv and the pages that show it
 # figures.sh --prepare               makes build/figures, which builds are given to measure a robot:

@@ -30,6 +30,6 @@ configure_package_config_file(lib/cmake/flashbvhConfig.cmake.in
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 # Valid for any architecture, because the package contains the sources.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake
-  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
   ${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake DESTINATION ${package_folder})

@@ -14,7 +14,6 @@ PATH = re.compile(r"`((?:\./)?(?:lib|ports|tools|tests|proofs|firmware_examples|
 # The end of a source's path. Texts about other projects, and what earlier versions had, name other files.
 SOURCE = re.compile(r"`([A-Za-z0-9_./\-]+\.(?:cpp|hpp|inc|py|v|g|smt2|csv))(?::\d+)?`")
 FOREIGN = re.compile(r"/(changelog|packages|guide)\.md$")
-DROPPED = {"gap_dsp.hpp"}  # decisions name it with its figures
 # A reference may name several sections.
 SECTION = re.compile(r'`([A-Za-z0-9_./\-]+\.md)`[,:]? (?:section )?((?:"[^"]+"(?:, | and )?)+)')
 
@@ -71,7 +70,7 @@ def problems_of(root: Path, document: Path, files: list[str]) -> list[str]:
             problems.append(f"no `{name}`")
     for name in () if FOREIGN.search(str(document)) else SOURCE.findall(prose):
         ends = "/" + name.removeprefix("./")
-        if name not in DROPPED and not any(file.endswith(ends) for file in files):
+        if not any(file.endswith(ends) for file in files):
             problems.append(f"no source `{name}`")
     for name, quoted in SECTION.findall(prose):
         target = find(root, document, name)

@@ -6,7 +6,7 @@
 // but their sum with another bound, which is at least 1, saturates and reaches the bias.
 //
 // By LLVM's model of the core a rotated box takes a fifth fewer cycles than with SMLAD, and a
-// quarter fewer instructions (lib/docs/decisions/0007-rotated-boxes.md).
+// quarter fewer instructions (lib/docs/decisions.md).
 #ifndef FLASHBVH_BOUNDS_BOX_ROTATED_MVE_HPP
 #define FLASHBVH_BOUNDS_BOX_ROTATED_MVE_HPP
 

@@ -7,7 +7,7 @@
 // roots use Ranked's order, too.
 //
 // Under a translation the traversal is Ranked: visits are so cheap there that looking ahead costs
-// more than it saves. lib/docs/decisions/0028-first-pair.md has figures.
+// more than it saves. lib/docs/decisions.md has figures.
 #ifndef FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
 #define FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
 
