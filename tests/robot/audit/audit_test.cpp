@@ -1,7 +1,9 @@
 // An SRDF's lines by the decisions on their pairs, some of which are missing.
 #include "robot/audit/audit.hpp"
 
+#include "robot/read/urdf.hpp"
 #include "support/arms/arms.hpp"
+#include "support/arms/robot_files.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::tool;
@@ -39,5 +41,19 @@ TEST_CASE("a collision that may lie in a zone that there was no time for refutes
   const Audit audit = audit_of(decided, {line});
   CHECK(audit.lines[0].verdict == LineVerdict::undecided);
   CHECK(audit.lines[0].why == "no time was left to find a zone about joint0");
-  CHECK(audit.changes().enabled.empty());
+}
+
+TEST_CASE("an SRDF that is written reads as the same pairs, whatever the links' names") {
+  RobotFiles files;
+  const std::string odd = "d &lt;&amp;&quot;";
+  const std::string robot = link_texts("abc") + link_text(odd) +
+                            joint_text("j", "fixed", "a", "b") +
+                            joint_text("k", "fixed", "a", "c") + joint_text("l", "fixed", "a", odd);
+  const Model model = files.read(robot);
+  files.write("x.srdf", srdf_of(model, {{0, 3, "Never"}, {1, 2, "Adjacent"}}));
+  const std::vector<DisabledPair> read = read_srdf(files.path("x.srdf"), model, files.warnings);
+  REQUIRE(read.size() == 2);
+  CHECK((read[0].a == 0 && read[0].b == 3 && read[0].reason == "Never"));
+  CHECK((read[1].a == 1 && read[1].b == 2 && read[1].reason == "Adjacent"));
+  CHECK(files.warnings.all().empty());
 }

@@ -63,26 +63,3 @@ TEST_CASE("a cylinder and a sphere lie inside their meshes, which reach no furth
     CHECK(std::fabs(v[2]) == 1);
   }
 }
-
-TEST_CASE("a capsule and an ellipsoid lie inside their meshes, too") {
-  Random random = test_random(1);
-  const double radius = 0.3;
-  const Vector3 size = {2, 0.5, 1};
-  const tool::PrimitiveMesh capsule = tool::capsule_mesh(radius, 2);
-  const tool::PrimitiveMesh ellipsoid = tool::ellipsoid_mesh(size);
-  check_closed(capsule.mesh);
-  check_closed(ellipsoid.mesh);
-  CHECK(capsule.mesh.triangles.size() == 480);
-  CHECK(capsule.excess < 0.022 * radius);
-  CHECK(ellipsoid.excess < 0.02);
-  for (int i = 0; i < test::rounds(3000, 20000); ++i) {
-    const Vector3 u = any_point_at(random, 1);
-    CHECK(depth(capsule.mesh,
-                {u[0] * radius, u[1] * radius, u[2] * radius + std::copysign(1.0, u[2])}) >= 0);
-    CHECK(depth(ellipsoid.mesh, {u[0] * size[0] / 2, u[1] * size[1] / 2, u[2] * size[2] / 2}) >= 0);
-  }
-  for (const Vector3& v : capsule.mesh.vertices) {
-    const double beyond = std::max(std::fabs(v[2]) - 1, 0.0);
-    CHECK(std::hypot(v[0], v[1], beyond) < radius + capsule.excess + 1e-12);
-  }
-}

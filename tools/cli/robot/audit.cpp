@@ -13,7 +13,7 @@ namespace flashbvh::tool {
 namespace {
 
 struct AuditArguments : RobotArguments {
-  std::string fixed;
+  std::string written;
   bool json = false;
 };
 
@@ -110,11 +110,12 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   Model model = described_robot(arguments, warnings);
   const std::vector<DisabledPair> disabled = std::exchange(model.disabled, {});
   const BakedRobot robot = decided_robot(std::move(model), arguments, warnings);
-  const Audit audit = audit_of(
-      {robot.model, views_of(robot.wholes), robot.cell, robot.pairs, robot.late_joints}, disabled);
+  const std::vector<WholeMesh> meshes = views_of(robot.wholes);
+  const DecidedPairs decided = {robot.model, meshes, robot.cell, robot.pairs, robot.late_joints};
+  const Audit audit = audit_of(decided, disabled);
   FileSet files(files_read(arguments, robot.model));
-  if (!arguments.fixed.empty()) {
-    files.add(arguments.fixed, changed_srdf(arguments.srdf, robot.model, audit.changes()));
+  if (!arguments.written.empty()) {
+    files.add(arguments.written, srdf_of(robot.model, srdf_lines(decided)));
   }
   files.write([&] {
     warnings.print();
@@ -139,8 +140,8 @@ void add_audit(CLI::App& app) {
   add_described_options(command, "ROBOT", a);
   add_option(command, "SRDF", a.srdf, "FILE.srdf", "The SRDF of the robot")->required();
   add_time(command, a, "What is not decided by then is undecided");
-  add_option(command, "--write", a.fixed, "FIXED.srdf",
-             "Write the SRDF without refuted lines and with the missing ones; all else is kept");
+  add_option(command, "--write", a.written, "FIXED.srdf",
+             "Write an SRDF of all pairs that no planner has to check, and of nothing else");
   add_json(command, a.json, "One JSON object");
   add_progress(command, a.progress);
   add_example(command, "audit arm.urdf arm.srdf", "prints a verdict for each disabled pair");

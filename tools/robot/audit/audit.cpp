@@ -112,6 +112,14 @@ void add_witness(const DecidedPairs& decided, AuditedLine& line) {
                     line.triangles[1].triangle, " of ", line.triangles[1].source);
 }
 
+std::string xml_text(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  }
+  return text;
+}
+
 }  // namespace
 
 const char* name_of(LineVerdict verdict) {
@@ -125,19 +133,6 @@ std::size_t Audit::count(LineVerdict verdict) const {
                     [&](const AuditedLine& line) { return line.verdict == verdict; }));
 }
 
-SrdfChanges Audit::changes() const {
-  SrdfChanges changes;
-  for (const AuditedLine& line : lines) {
-    if (line.verdict == LineVerdict::refuted) {
-      changes.enabled.emplace_back(line.pair.a, line.pair.b);
-    }
-  }
-  for (const MissingLine& line : missing) {
-    changes.disabled.push_back(line.line);
-  }
-  return changes;
-}
-
 std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided) {
   std::vector<SrdfLine> lines;
   for (const PairVerdict& pair : decided.pairs) {
@@ -146,6 +141,17 @@ std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided) {
     }
   }
   return lines;
+}
+
+std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines) {
+  std::string text =
+      concat("<?xml version=\"1.0\"?>\n<robot name=\"", xml_text(model.name), "\">\n");
+  for (const SrdfLine& line : lines) {
+    text +=
+        concat("  <disable_collisions link1=\"", xml_text(model.links[line.a].name), "\" link2=\"",
+               xml_text(model.links[line.b].name), "\" reason=\"", line.reason, "\"/>\n");
+  }
+  return text + "</robot>\n";
 }
 
 Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& disabled) {

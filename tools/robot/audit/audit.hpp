@@ -1,4 +1,4 @@
-// Checks the lines of an SRDF against the decided matrix.
+// Checks the lines of an SRDF against the decided matrix, and writes an SRDF of what holds.
 #pragma once
 
 #include <array>
@@ -6,10 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "robot/audit/srdf_text.hpp"
 #include "robot/matrix/matrix.hpp"
 
 namespace flashbvh::tool {
+
+/// Two links that a planner need not check.
+struct SrdfLine {
+  std::size_t a;
+  std::size_t b;
+  const char* reason;  ///< MoveIt's: Adjacent, Never, Always, Default, User
+};
 
 enum class LineVerdict : std::uint8_t {
   proven,  ///< the two links never collide
@@ -46,7 +52,6 @@ struct Audit {
   std::vector<MissingLine> missing;  ///< pairs that the SRDF leaves enabled needlessly
 
   std::size_t count(LineVerdict verdict) const;
-  SrdfChanges changes() const;
 };
 
 /// A robot whose pairs are decided, none of them believed.
@@ -62,6 +67,9 @@ struct DecidedPairs {
 
 /// Lines for all pairs that a planner need not check.
 std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided);
+
+/// The text of an SRDF with only these lines.
+std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines);
 
 /// `disabled`: the SRDF's pairs, from read_srdf().
 Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& disabled);

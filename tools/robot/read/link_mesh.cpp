@@ -118,24 +118,13 @@ Element primitive_element(const UrdfGeometry& shape, const std::string& place) {
     }
     return {box_mesh(shape.size).mesh, "box", 0};
   }
-  if (shape.shape == UrdfGeometry::Shape::ellipsoid) {
-    for (const double width : shape.size) {
-      check_positive(width, "an ellipsoid with a width", place);
-    }
-    return round_element("ellipsoid of width ",
-                         *std::max_element(shape.size.begin(), shape.size.end()),
-                         ellipsoid_mesh(shape.size));
-  }
   check_positive(shape.radius, "a radius", place);
   if (shape.shape == UrdfGeometry::Shape::sphere) {
     return round_element("sphere of radius ", shape.radius, sphere_mesh(shape.radius));
   }
-  const bool is_capsule = shape.shape == UrdfGeometry::Shape::capsule;
-  check_positive(shape.length, is_capsule ? "a capsule's length" : "a cylinder's length", place);
-  return is_capsule ? round_element("capsule of radius ", shape.radius,
-                                    capsule_mesh(shape.radius, shape.length))
-                    : round_element("cylinder of radius ", shape.radius,
-                                    cylinder_mesh(shape.radius, shape.length));
+  check_positive(shape.length, "a cylinder's length", place);
+  return round_element("cylinder of radius ", shape.radius,
+                       cylinder_mesh(shape.radius, shape.length));
 }
 
 /// Mirroring turns triangles inside out; this swaps their corners back.
@@ -206,8 +195,6 @@ void add_link_mesh(const UrdfLink& link, const Transform& to_joint, const std::s
     const UrdfGeometry& shape = collision.geometry;
     Element element = shape.shape == UrdfGeometry::Shape::mesh
                           ? mesh_element(shape, urdf, packages, place, warnings)
-                      : shape.shape == UrdfGeometry::Shape::triangles
-                          ? Element{shape.triangles, shape.mesh, shape.precision}
                           : primitive_element(shape, place);
     append(std::move(element), composed(to_joint, collision.origin), place, made);
   }

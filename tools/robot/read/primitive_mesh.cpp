@@ -164,32 +164,6 @@ PrimitiveMesh cylinder_mesh(double radius, double length) {
   return cylinder;
 }
 
-/// Rings of corners about z, and a corner at each end. Regular polygons circumscribe the outline's
-/// half circles and each ring's circle.
-PrimitiveMesh capsule_mesh(double radius, double length) {
-  constexpr std::uint32_t kSides = 24;
-  constexpr std::uint32_t kRings = 10;  // half of them about either end
-  const double end = radius / std::cos(kPi / (2 * kRings)) * kRoundingMargin;
-  const double outer = end / std::cos(kPi / kSides) * kRoundingMargin;
-  PrimitiveMesh capsule;
-  capsule.excess = outer - radius;
-  auto& vertices = capsule.mesh.vertices;
-  vertices.push_back({0, 0, -0.5 * length - end});
-  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
-    const bool is_low = ring < kRings / 2;
-    const double latitude = kPi * (ring + (is_low ? 1 : 0)) / kRings - kPi / 2;
-    for (std::uint32_t side = 0; side < kSides; ++side) {
-      const double angle = 2 * kPi * side / kSides;
-      vertices.push_back({outer * std::cos(latitude) * std::cos(angle),
-                          outer * std::cos(latitude) * std::sin(angle),
-                          (is_low ? -0.5 : 0.5) * length + end * std::sin(latitude)});
-    }
-  }
-  vertices.push_back({0, 0, 0.5 * length + end});
-  add_round_triangles(capsule.mesh, kSides);
-  return capsule;
-}
-
 void add_round_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
   const auto last = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
   for (std::uint32_t side = 0; side < sides; ++side) {
@@ -201,17 +175,6 @@ void add_round_triangles(bake::SourceMesh& mesh, std::uint32_t sides) {
       mesh.triangles.push_back({low + side, low + sides + next, low + sides + side});
     }
   }
-}
-
-PrimitiveMesh ellipsoid_mesh(const Vector3& size) {
-  PrimitiveMesh ellipsoid = sphere_mesh(0.5);
-  ellipsoid.excess *= *std::max_element(size.begin(), size.end());
-  for (Vector3& vertex : ellipsoid.mesh.vertices) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      vertex[i] *= size[i];
-    }
-  }
-  return ellipsoid;
 }
 
 PrimitiveMesh sphere_mesh(double radius) {

@@ -20,10 +20,6 @@ PrimitiveMesh box_mesh(const Vector3& size);
 PrimitiveMesh cylinder_mesh(double radius, double length);
 /// An icosahedron cut twice, 320 triangles: 1.9 % wider.
 PrimitiveMesh sphere_mesh(double radius);
-/// Along z, `length` without the round ends. 480 triangles: 2.1 % wider.
-PrimitiveMesh capsule_mesh(double radius, double length);
-/// `size`: from side to side. The sphere's mesh, scaled.
-PrimitiveMesh ellipsoid_mesh(const Vector3& size);
 
 /// Adds the triangles of a closed surface round z. Its vertices exist: the lowest point, rings of
 /// `sides` vertices, the lowest first, and the highest point.

@@ -1,4 +1,4 @@
-// Reads a URDF, MJCF or SDF, with its meshes and its SRDF, into a Model.
+// Reads a URDF, with its meshes and its SRDF, into a Model.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The contents of a robot's file: a URDF, or another form in a URDF's terms.
+// The contents of a URDF.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "bake/mesh.hpp"
 #include "robot/kinematics.hpp"
 #include "text/messages.hpp"
 
@@ -14,15 +13,13 @@ namespace flashbvh::tool {
 
 /// Lengths are in metres, angles in radians; all numbers are finite.
 struct UrdfGeometry {
-  enum class Shape : std::uint8_t { box, cylinder, sphere, capsule, ellipsoid, mesh, triangles };
+  enum class Shape : std::uint8_t { box, cylinder, sphere, mesh };
 
   Shape shape = Shape::box;
-  Vector3 size{};        ///< a box's or an ellipsoid's, from side to side; a mesh's scale
-  double radius = 0;     ///< of a cylinder, sphere or capsule
-  double length = 0;     ///< along z: a cylinder's, or a capsule's without its round ends
-  std::string mesh{};    ///< path as in the file; for triangles a name
-  double precision = 0;  ///< bound on the reader's displacement of a vertex of `triangles`
-  bake::SourceMesh triangles{};
+  Vector3 size{};      ///< a box's, from side to side; a mesh's scale
+  double radius = 0;   ///< of a cylinder or sphere
+  double length = 0;   ///< of a cylinder, along z
+  std::string mesh{};  ///< path as in the file
 };
 
 struct UrdfCollision {
