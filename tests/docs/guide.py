@@ -1,4 +1,4 @@
-"""guide.py WORK FLASHBVH: runs the guide's commands in order, and finds each status in the guide."""
+"""guide.py WORK FLASHBVH: runs the guide's commands in order."""
 import os
 import re
 import shutil
@@ -35,9 +35,6 @@ def main(work, flashbvh):
     for line in "^ *0 .* 0$", "^any pose: at most", "^go$", "^stay$":
         if not re.search(line, log, re.M):
             sys.exit(f"{log}no '{line}'")
-    for status in re.findall("FLASHBVH_STATUS_([A-Z_]+) =", (ROOT / "lib/include/flashbvh/plain/status.h").read_text()):
-        if not re.search(rf"^\|[^|]*`{status.lower()}`[^|]*\|", GUIDE, re.M):
-            sys.exit(f"the guide does not say what to do about {status.lower()}")
     for file in map(Path, ("pairs.txt", "report.html")):
         if not file.exists() or not file.stat().st_size:
             sys.exit(f"{log}no {file}")
