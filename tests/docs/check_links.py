@@ -13,7 +13,7 @@ LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 PATH = re.compile(r"`((?:\./)?(?:lib|ports|tools|tests|proofs|firmware_examples|\.github)/[A-Za-z0-9_./\-]+)(?::\d+)?`")
 # The end of a source's path. Texts about other projects, and what earlier versions had, name other files.
 SOURCE = re.compile(r"`([A-Za-z0-9_./\-]+\.(?:cpp|hpp|inc|py|v|g|smt2|csv))(?::\d+)?`")
-FOREIGN = re.compile(r"/(changelog|packages|guide)\.md$")
+FOREIGN = re.compile(r"/(changelog|guide)\.md$")
 # A reference may name several sections.
 SECTION = re.compile(r'`([A-Za-z0-9_./\-]+\.md)`[,:]? (?:section )?((?:"[^"]+"(?:, | and )?)+)')
 
