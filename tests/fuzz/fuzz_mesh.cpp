@@ -1,6 +1,6 @@
 // Arbitrary bytes as a mesh file: a mesh, or a message of one line, in bounded time and memory.
 //
-// The input is a line that names the format (stl, obj, off, ply), then the file.
+// The input is a line that names the format (stl, obj, ply), then the file.
 #include <algorithm>
 
 #include "fuzz/fuzz.hpp"

@@ -1,9 +1,7 @@
 // DAE and glTF: what assimp would misread is refused by its name.
-#include <cstdio>
 #include <fstream>
 
 #include "mesh/any_format.hpp"
-#include "mesh/solid.hpp"
 #include "support/test.hpp"
 
 using tool::FileMesh;
@@ -57,26 +55,20 @@ std::string refusal_of(const std::string& text, const std::string& extension,
                  text);
 }
 
-/// The text with `part` replaced, which must be in it.
-std::string with(std::string text, const std::string& part, const std::string& by) {
-  REQUIRE(text.find(part) != std::string::npos);
-  return text.replace(text.find(part), part.size(), by);
-}
-
 }  // namespace
 
 TEST_CASE("a glTF is in metres, its mirrored nodes are no inside out solids") {
   const FileMesh mesh = read(kGltf, "gltf");
   CHECK(mesh.unit == Unit::m);
-  CHECK(6 * volume(mesh) == Approx(1));
+  CHECK(volume6(mesh) == Approx(1));
   const FileMesh mirrored =
       read(with(kGltf, R"("mesh":0)", R"("mesh":0,"scale":[-2,1,1])"), "gltf");
-  CHECK(6 * volume(mirrored) == Approx(2));
+  CHECK(volume6(mirrored) == Approx(2));
   CHECK(mirrored.mesh.vertices[1][0] == -2);
   const FileMesh turned_back = read(
       with(kGltf, R"("mesh":0)", R"("children":[1],"scale":[-1,1,1]},{"mesh":0,"scale":[1,-1,1])"),
       "gltf");
-  CHECK(6 * volume(turned_back) == Approx(1));
+  CHECK(volume6(turned_back) == Approx(1));
 }
 
 TEST_CASE("glTF: what moves no vertex may be required") {
@@ -132,9 +124,9 @@ TEST_CASE("glTF: a triangle with a corner at no vertex is not left out in silenc
 
 TEST_CASE("a DAE's unit applies, its mirrored nodes are no inside out solids") {
   const double inch = 0.0254 * 0.0254 * 0.0254;
-  CHECK(6 * volume(read(kCollada, "dae")) == Approx(inch));
+  CHECK(volume6(read(kCollada, "dae")) == Approx(inch));
   const std::string mirrored = with(kCollada, "<scale>1 1 1", "<scale>-1 1 1");
-  CHECK(6 * volume(read(mirrored, "dae")) == Approx(inch));
+  CHECK(volume6(read(mirrored, "dae")) == Approx(inch));
 }
 
 TEST_CASE("DAE: what is not read is refused by its name") {

@@ -24,11 +24,7 @@ bool reads_as(const TextFormat& format, const std::string& word, double wanted) 
 const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string kFix = "; export the mesh again";
 
-/// The triangle, with one part of its header or body replaced.
-std::string ply_with(const std::string& what, const std::string& by) {
-  std::string text = kPlyHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  return text.replace(text.find(what), what.size(), by);
-}
+const std::string kPly = kPlyHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 /// `said`: the message between "file" and the advice to export the mesh again.
 struct BadPly {
@@ -67,13 +63,6 @@ const BadPly kBadPlies[] = {
     {"1 0 0", "1 nan 0", ": vertex 1 of 3: 'nan' is no finite double"},
     {"3 0 1 2\n", "3 0 1 2\n7\n", ": has more than its header announces"},
 };
-
-/// Polygons of an OFF with ten points.
-const std::array<std::array<std::string, 2>, 3> kBadOffs = {{
-    {"3 0 1 .5", ": a corner at vertex '.5', but there are 10 vertices" + kFix},
-    {"2 0 1", ": a polygon of '2' corners; it must have three or more"},
-    {"9223372036854775807 0 1", ": a polygon of 9223372036854775807 corners names only 2" + kFix},
-}};
 
 std::string facet(int z) {
   const std::string height = " " + std::to_string(z) + "\n";
@@ -163,9 +152,8 @@ TEST_CASE("byte order marks before a text, blank lines, NULs and Ctrl-Z behind i
   for (const TextFormat& format : kTextFormats) {
     CAPTURE(format.name);
     const std::string plain = format.before + "0.1 0.2 0.3\n" + format.after;
-    const bool pads = format.read != tool::read_off;
-    for (const std::string& changed : {"\xEF\xBB\xBF" + plain, plain + "\n \n",
-                                       pads ? plain + pad : plain, pads ? plain + "\x1A" : plain}) {
+    for (const std::string& changed :
+         {"\xEF\xBB\xBF" + plain, plain + "\n \n", plain + pad, plain + "\x1A"}) {
       CHECK(format.read(changed, "file").mesh.triangles.size() == 1);
     }
   }
@@ -223,6 +211,26 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a text that is cut anywhere is refused, or read with a warning at its last number") {
+  for (const TextFormat& format : kTextFormats) {
+    const std::string whole = format.before + "1 2 3\n" + format.after;
+    CHECK(format.read(whole, "file").warnings.empty());
+    const std::size_t last = whole.find_last_of("0123456789");
+    for (std::size_t size = 1; size < (format.read == tool::read_stl ? whole.size() - 8 : last);
+         ++size) {
+      CAPTURE(format.name, size);
+      CHECK(refusal(format.read, whole.substr(0, size)) != "");
+    }
+  }
+  CHECK(tool::read_obj(kVertices + "f 1 2 3", "file").warnings ==
+        Names{"the last line has no end: the file may be truncated"});
+}
+
+TEST_CASE("OBJ: points and lines are left out, which is said") {
+  CHECK(tool::read_obj(kVertices + "l 1 2\np 1\nf 1 2 3\n", "file").warnings ==
+        Names{"2 points or lines left out"});
+}
+
 TEST_CASE("OBJ: a line that adds what another file holds is refused") {
   for (const std::string line : {"call part.obj", "csh make_part"}) {
     CHECK(refusal(tool::read_obj, kVertices + line + "\nf 1 2 3\n").find("file:4: '") == 0);
@@ -230,20 +238,18 @@ TEST_CASE("OBJ: a line that adds what another file holds is refused") {
 }
 
 TEST_CASE("PLY: what is malformed") {
-  CHECK(refusal(tool::read_ply, ply_with("ply", "ply")) == "");
-  CHECK(refusal(tool::read_ply, ply_with("double x", "int x")) == "");
+  CHECK(refusal(tool::read_ply, kPly) == "");
+  CHECK(refusal(tool::read_ply, with(kPly, "double x", "int x")) == "");
   for (const auto& [what, by, said] : kBadPlies) {
     CAPTURE(what, by);
-    CHECK(refusal(tool::read_ply, ply_with(what, by)) == "file" + said + kFix);
+    CHECK(refusal(tool::read_ply, with(kPly, what, by)) == "file" + said + kFix);
   }
-  std::string ints = ply_with("double x", "int x");
-  ints.replace(ints.find("1 0 0"), 1, "1.5");
-  CHECK(refusal(tool::read_ply, ints) == "file: vertex 1 of 3: '1.5' is no int" + kFix);
-  CHECK(
-      refusal(tool::read_ply, ply_with("element face 1",
-                                       "element tristrips 2\nproperty list int int vertex_indices\n"
-                                       "element face 1")) ==
-      "file: has triangle strips ('tristrips'); export the mesh as polygons");
+  CHECK(refusal(tool::read_ply, with(with(kPly, "double x", "int x"), "1 0 0", "1.5 0 0")) ==
+        "file: vertex 1 of 3: '1.5' is no int" + kFix);
+  CHECK(refusal(tool::read_ply, with(kPly, "element face 1",
+                                     "element tristrips 2\nproperty list int int vertex_indices\n"
+                                     "element face 1")) ==
+        "file: has triangle strips ('tristrips'); export the mesh as polygons");
 }
 
 TEST_CASE("OBJ: a corner is an integer") {
@@ -253,16 +259,6 @@ TEST_CASE("OBJ: a corner is an integer") {
           "file:4: a corner at vertex '" + corner + "', but there are 3 vertices so far" + kFix);
   }
   CHECK(refusal(tool::read_obj, kVertices + "f 1 2 +3\n") == "");
-}
-
-TEST_CASE("OFF: polygons of any number of corners, at vertices that are there") {
-  const std::string before =
-      "OFF\n10 1 0\n0 0 0\n4 0 0\n5 1 0\n5 2 0\n4 3 0\n3 4 0\n2 5 0\n1 5 0\n0 4 0\n-1 3 0\n";
-  const auto file = tool::read_off(before + "10 0 1 2 3 4 5 6 7 8 9\n", "file");
-  CHECK(file.mesh.triangles.size() == 8);
-  for (const auto& [polygon, said] : kBadOffs) {
-    CHECK(refusal(tool::read_off, before + polygon + "\n") == "file:13" + said);
-  }
 }
 
 TEST_CASE("ASCII STL: a body is a solid, by its name as it is written; empty ones are none") {
@@ -288,10 +284,12 @@ TEST_CASE("OBJ: a body is what the last o or g names, and goes on where it is na
       "file");
   CHECK(file.bodies == Names{"", "base plate", "arm   left"});
   CHECK(file.body_of == Numbers{0, 1, 2, 1, 0});
+  // A # inside the name begins no comment.
+  CHECK(
+      tool::read_obj("o wheel#1 # left\nv 0 0 0 # corner\nv 1 0 0\nv 0 1 0\nf 1 2 3#4\n#\n", "file")
+          .bodies == Names{"wheel#1"});
 }
 
-TEST_CASE("PLY and OFF: one body without a name") {
-  CHECK(tool::read_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file").bodies == Names{""});
-  CHECK(tool::read_ply(test::kPlyHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file").bodies ==
-        Names{""});
+TEST_CASE("PLY: one body without a name") {
+  CHECK(tool::read_ply(kPly, "file").bodies == Names{""});
 }

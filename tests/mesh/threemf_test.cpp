@@ -2,7 +2,6 @@
 #include <fstream>
 
 #include "mesh/any_format.hpp"
-#include "mesh/solid.hpp"
 #include "mesh/zip.hpp"
 #include "support/test.hpp"
 
@@ -49,11 +48,6 @@ std::string refusal_of(const std::string& root, const Parts& others = {}) {
                  "");
 }
 
-std::string with(std::string text, const std::string& part, const std::string& by) {
-  REQUIRE(text.find(part) != std::string::npos);
-  return text.replace(text.find(part), part.size(), by);
-}
-
 }  // namespace
 
 TEST_CASE("a 3MF carries its unit, millimetres unless it says another") {
@@ -72,8 +66,8 @@ TEST_CASE("a 3MF carries its unit, millimetres unless it says another") {
 TEST_CASE("items and components place objects, mirrored ones are no inside out solids") {
   const FileMesh item = read(placed("0 1 0\n-1 0 0 0\t0 1 10 20 30"));
   CHECK(item.mesh.vertices[2] == tool::Position{10, 21, 30});
-  CHECK(6 * volume(item) == Approx(1));
-  CHECK(6 * volume(read(placed("-2 0 0 0 1 0 0 0 1 0 0 0"))) == Approx(2));
+  CHECK(volume6(item) == Approx(1));
+  CHECK(volume6(read(placed("-2 0 0 0 1 0 0 0 1 0 0 0"))) == Approx(2));
   const std::string objects = "<object id=\"1\">" + kMesh +
                               "</object><object id=\"2\"><components><component objectid=\"1\" "
                               "transform=\"1 0 0 0 1 0 0 0 -1 0 0 5\"/></components></object>";
@@ -83,7 +77,7 @@ TEST_CASE("items and components place objects, mirrored ones are no inside out s
                  "<item objectid=\"1\"/>"));
   CHECK(component.mesh.vertices[0] == tool::Position{7, 0, 5});
   CHECK(component.mesh.vertices[1] == tool::Position{7, 1, 5});
-  CHECK(6 * volume(component) == Approx(2));
+  CHECK(volume6(component) == Approx(2));
   CHECK(component.bodies == std::vector<std::string>{"Object_1", "Object_1"});
 }
 

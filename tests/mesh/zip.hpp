@@ -1,18 +1,15 @@
 // Packages of 3MF.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "mesh/any_format.hpp"
+
 namespace flashbvh::test {
 
 using Parts = std::vector<std::pair<std::string, std::string>>;
-
-inline std::string little_endian(std::uint32_t number, int count) {
-  return std::string(reinterpret_cast<const char*>(&number), static_cast<std::size_t>(count));
-}
 
 inline std::uint32_t crc(const std::string& bytes) {
   std::uint32_t sum = ~0u;
@@ -31,19 +28,17 @@ inline std::string zip_of(const Parts& parts) {
   std::string directory;
   for (const auto& [name, text] : parts) {
     const auto size = static_cast<std::uint32_t>(text.size());
-    const std::string facts = little_endian(20, 2) + little_endian(0, 4) + little_endian(0x21, 4) +
-                              little_endian(crc(text), 4) + little_endian(size, 4) +
-                              little_endian(size, 4) +
-                              little_endian(static_cast<std::uint32_t>(name.size()), 4);
-    directory += "PK\1\2" + little_endian(20, 2) + facts + little_endian(0, 4) +
-                 little_endian(0, 4) + little_endian(0, 2) +
-                 little_endian(static_cast<std::uint32_t>(bytes.size()), 4) + name;
+    const std::string facts = bytes_of(std::uint16_t{20}) + bytes_of(0u) + bytes_of(0x21u) +
+                              bytes_of(crc(text)) + bytes_of(size) + bytes_of(size) +
+                              bytes_of(static_cast<std::uint32_t>(name.size()));
+    directory += "PK\1\2" + bytes_of(std::uint16_t{20}) + facts + std::string(10, '\0') +
+                 bytes_of(static_cast<std::uint32_t>(bytes.size())) + name;
     bytes += "PK\3\4" + facts + name + text;
   }
-  const auto count = static_cast<std::uint32_t>(parts.size());
-  return bytes + directory + "PK\5\6" + little_endian(0, 4) + little_endian(count, 2) +
-         little_endian(count, 2) + little_endian(static_cast<std::uint32_t>(directory.size()), 4) +
-         little_endian(static_cast<std::uint32_t>(bytes.size()), 4) + little_endian(0, 2);
+  const std::string count = bytes_of(static_cast<std::uint16_t>(parts.size()));
+  return bytes + directory + "PK\5\6" + bytes_of(0u) + count + count +
+         bytes_of(static_cast<std::uint32_t>(directory.size())) +
+         bytes_of(static_cast<std::uint32_t>(bytes.size())) + bytes_of(std::uint16_t{0});
 }
 
 inline const std::string kSpace = "http://schemas.microsoft.com/3dmanufacturing/";

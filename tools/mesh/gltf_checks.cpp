@@ -11,27 +11,31 @@ namespace {
 
 using Gltf = nlohmann::json;
 
-/// The beginnings of the names of extensions that move no vertex and make no triangle, and of those
-/// that Checks checks.
-constexpr std::array<std::string_view, 19> kUnderstood = {"KHR_materials_",
-                                                          "KHR_texture_",
-                                                          "EXT_texture_",
-                                                          "MSFT_texture_",
-                                                          "MSFT_packing_",
-                                                          "KHR_lights_",
-                                                          "EXT_lights_",
-                                                          "KHR_xmp",
-                                                          "KHR_audio",
-                                                          "KHR_animation_pointer",
-                                                          "KHR_interactivity",
-                                                          "KHR_draco_mesh_compression",
-                                                          "KHR_mesh_quantization",
-                                                          "EXT_structural_metadata",
-                                                          "EXT_mesh_features",
-                                                          "EXT_mesh_manifold",
-                                                          "FB_ngon_encoding",
-                                                          "CESIUM_primitive_outline",
-                                                          "VRM"};
+/// The beginnings of the names of extensions of glTF and 3MF that move no vertex and make no
+/// triangle, and of those that a reader checks.
+constexpr std::array<std::string_view, 22> kUnderstood = {
+    "KHR_materials_",
+    "KHR_texture_",
+    "EXT_texture_",
+    "MSFT_texture_",
+    "MSFT_packing_",
+    "KHR_lights_",
+    "EXT_lights_",
+    "KHR_xmp",
+    "KHR_audio",
+    "KHR_animation_pointer",
+    "KHR_interactivity",
+    "KHR_draco_mesh_compression",
+    "KHR_mesh_quantization",
+    "EXT_structural_metadata",
+    "EXT_mesh_features",
+    "EXT_mesh_manifold",
+    "FB_ngon_encoding",
+    "CESIUM_primitive_outline",
+    "VRM",
+    "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
+    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"};
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
@@ -40,12 +44,6 @@ constexpr int kByte = 5121;
 constexpr int kShort = 5123;
 constexpr int kInt = 5125;
 constexpr int kFloat = 5126;
-
-bool is_understood(std::string_view extension) {
-  return std::any_of(kUnderstood.begin(), kUnderstood.end(), [&](std::string_view known) {
-    return extension.substr(0, known.size()) == known;
-  });
-}
 
 /// The JSON of a .glb, or the whole file.
 std::string_view json_of(std::string_view bytes) {
@@ -249,6 +247,12 @@ class Checks {
 };
 
 }  // namespace
+
+bool is_understood(std::string_view extension) {
+  return std::any_of(kUnderstood.begin(), kUnderstood.end(), [&](std::string_view known) {
+    return extension.substr(0, known.size()) == known;
+  });
+}
 
 GltfContents check_gltf(std::string_view bytes, const std::string& file) {
   return Checks(bytes, file).contents();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "mesh/limited_import.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -16,47 +17,31 @@ struct Format {
   FileMesh (*read)(std::string_view, const std::string&);
 };
 
+FileMesh refuse_off(std::string_view, const std::string& file) {
+  throw UserError(file, "is OFF, which is not read; convert it to STL, OBJ or PLY");
+}
+
 constexpr std::array<Format, 8> kFormats = {{{"stl", read_stl},
                                              {"obj", read_obj},
                                              {"ply", read_ply},
-                                             {"off", read_off},
+                                             {"off", refuse_off},
                                              {"dae", read_with_assimp},
                                              {"gltf", read_with_assimp},
                                              {"glb", read_with_assimp},
                                              {"3mf", read_3mf}}};
-
-/// A format that is not read, and the remedy.
-struct Refusal {
-  std::string_view extension;
-  const char* what;
-};
-
-constexpr const char* kSolid = "is a model of CAD, not a mesh; export it as STL or 3MF from CAD";
-constexpr const char* kRobot = "is a robot, not a mesh; bake its meshes one by one";
-
-constexpr std::array<Refusal, 22> kRefusals = {
-    {{"step", kSolid},    {"stp", kSolid},    {"stpz", kSolid},  {"iges", kSolid},
-     {"igs", kSolid},     {"brep", kSolid},   {"fcstd", kSolid}, {"f3d", kSolid},
-     {"sldprt", kSolid},  {"sldasm", kSolid}, {"ipt", kSolid},   {"iam", kSolid},
-     {"catpart", kSolid}, {"prt", kSolid},    {"x_t", kSolid},   {"x_b", kSolid},
-     {"3dm", kSolid},     {"scad", kSolid},   {"urdf", kRobot},  {"xacro", kRobot},
-     {"sdf", kRobot},     {"srdf", kRobot}}};
-
-/// Other formats of meshes and scenes that are not read: their names are refused as meshes.
-constexpr std::array<std::string_view, 12> kUnread = {
-    "blend", "fbx", "3ds", "wrl", "x3d", "amf", "usd", "usda", "usdc", "usdz", "dxf", "lwo"};
 
 std::string lower_extension(const std::string& path) {
   const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   return extension.empty() ? extension : extension.substr(1);
 }
 
-/// Null if no entry has this extension.
-template <class Table>
-const typename Table::value_type* find(const Table& table, const std::string& extension) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const auto& known) { return known.extension == extension; });
-  return found == table.end() ? nullptr : &*found;
+/// Null if no format has this extension.
+const Format* format_of(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  const auto* const found =
+      std::find_if(kFormats.begin(), kFormats.end(),
+                   [&](const Format& known) { return known.extension == extension; });
+  return found == kFormats.end() ? nullptr : found;
 }
 
 InputMesh input_of(bake::SourceMesh mesh, const std::string& path, const FileMesh& file,
@@ -78,28 +63,23 @@ FileMesh import_with(const Units& units, const std::string& path, Warnings& warn
 
 }  // namespace
 
-const char* const kMeshFormats = "STL, OBJ, PLY, OFF, DAE, glTF, GLB, 3MF";
+const char* const kMeshFormats = "STL, OBJ, PLY, DAE, glTF, GLB, 3MF";
 
 bool is_mesh_name(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  return find(kFormats, extension) != nullptr || find(kRefusals, extension) != nullptr ||
-         std::find(kUnread.begin(), kUnread.end(), extension) != kUnread.end();
+  return format_of(path) != nullptr;
 }
 
 FileMesh import_mesh(const std::string& path, Warnings& warnings) {
   const std::string bytes = read_file(path);
-  const std::string extension = lower_extension(path);
-  if (const Refusal* const refusal = find(kRefusals, extension)) {
-    throw UserError(path, refusal->what);
-  }
-  const Format* const format = find(kFormats, extension);
+  const Format* const format = format_of(path);
   if (format == nullptr) {
     throw UserError(path, "is no mesh by its extension; convert it to one of ", kMeshFormats);
   }
   if (format->read == read_with_assimp) {
     refuse_other_contents(bytes, path);
   }
-  FileMesh mesh = format->read(bytes, path);
+  FileMesh mesh =
+      limited_import([&] { return format->read(bytes, path); }, path, limits_of_file(bytes.size()));
   for (const std::string& warning : mesh.warnings) {
     warnings.add(path, warning);
   }

@@ -15,12 +15,12 @@ namespace flashbvh::tool {
 /// The formats that are read, for messages.
 extern const char* const kMeshFormats;
 
-/// True if the extension is that of a format of meshes or robots, whether or not it is read.
+/// True if the extension is that of a format of meshes.
 bool is_mesh_name(const std::string& path);
 
 /// Reads a mesh file. Keeps all triangles in the file's order, also those without area and repeated
 /// ones. Cuts polygons into triangles in place. Joins equal vertices, in order of first use. Omits
-/// points and lines with a warning; OFF and PLY refuse polygons of fewer than three corners.
+/// points and lines with a warning; PLY refuses polygons of fewer than three corners.
 /// UserError if the file is missing, empty, truncated, not a mesh, without triangles, or has a
 /// coordinate that is not finite.
 FileMesh import_mesh(const std::string& path, Warnings& warnings);

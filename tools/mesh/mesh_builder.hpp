@@ -1,6 +1,6 @@
 // The readers of mesh files, and the builder of their meshes.
 //
-// STL, OBJ, PLY, OFF and 3MF are read here: strictly, in double precision. Numbers of a text are
+// STL, OBJ, PLY and 3MF are read here: strictly, in double precision. Numbers of a text are
 // rounded to the nearest double; binary numbers are read unchanged. assimp reads DAE and glTF. It
 // repairs faults and reports them in its log alone, and its coordinates are 32-bit floats: what it
 // would misread is refused before.
@@ -99,8 +99,6 @@ std::string_view without_padding(std::string_view text);
 FileMesh read_stl(std::string_view bytes, const std::string& file);
 /// The last `o` or `g` line names the body.
 FileMesh read_obj(std::string_view bytes, const std::string& file);
-/// One body.
-FileMesh read_off(std::string_view bytes, const std::string& file);
 /// ASCII and binary. One body.
 FileMesh read_ply(std::string_view bytes, const std::string& file);
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -47,6 +45,13 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
   return flat;
 }
 
+using Triangle2 = std::array<Corner2, 3>;
+
+bool is_inside(const Corner2& at, const Triangle2& triangle) {
+  return turn(triangle[0], triangle[1], at) >= 0 && turn(triangle[1], triangle[2], at) >= 0 &&
+         turn(triangle[2], triangle[0], at) >= 0;
+}
+
 /// The rest of a polygon while ears are cut off. The next ear is the first corner in order that is
 /// an ear; the polygon's first corner is tested last.
 ///
@@ -54,8 +59,7 @@ std::vector<Corner2> projected(const std::vector<Corner3>& corners) {
 /// in its triangle is removed. Corners are never added.
 class EarCutter {
  public:
-  explicit EarCutter(const std::vector<Corner2>& flat)
-      : flat_(flat), tree_(flat), waiting_(flat.size()) {
+  explicit EarCutter(const std::vector<Corner2>& flat) : flat_(flat), waiting_(flat.size()) {
     const auto count = static_cast<std::uint32_t>(flat.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       next_.push_back((i + 1) % count);
@@ -93,12 +97,27 @@ class EarCutter {
     if (!(turn(triangle[0], triangle[1], triangle[2]) > 0)) {
       return false;
     }
-    const std::uint32_t inside = tree_.any_inside(triangle);
+    const std::uint32_t inside = any_inside(triangle);
     if (inside == flat_.size()) {
       return true;
     }
     waiting_[inside].push_back(corner);
     return false;
+  }
+
+  /// A remaining corner in the triangle or on its rim, but not at one of its own corners; the
+  /// number of corners if there is none.
+  std::uint32_t any_inside(const Triangle2& triangle) const {
+    std::uint32_t corner = head_;
+    do {
+      const Corner2& at = flat_[corner];
+      const bool is_own = at == triangle[0] || at == triangle[1] || at == triangle[2];
+      if (!is_own && is_inside(at, triangle)) {
+        return corner;
+      }
+      corner = next_[corner];
+    } while (corner != head_);
+    return static_cast<std::uint32_t>(flat_.size());
   }
 
   void remove(std::uint32_t corner) {
@@ -107,7 +126,6 @@ class EarCutter {
     next_[before] = next;
     before_[next] = before;
     head_ = corner == head_ ? next : head_;
-    tree_.remove(corner);
     for (const std::uint32_t other : waiting_[corner]) {
       if (next_[before_[other]] == other) {  // still there
         to_test_.insert(other);
@@ -118,26 +136,12 @@ class EarCutter {
   }
 
   const std::vector<Corner2>& flat_;
-  CornerTree tree_;
   std::uint32_t head_ = 0;           ///< the first remaining corner
   std::vector<std::uint32_t> next_;  ///< of remaining corners
   std::vector<std::uint32_t> before_;
   std::set<std::uint32_t> to_test_;                  ///< may be ears; other corners are none
   std::vector<std::vector<std::uint32_t>> waiting_;  ///< [corner]: those in whose triangles it lay
 };
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// The largest turn from the edge p q to a point of the box.
-double largest_turn(const Corner2& p, const Corner2& q, const Corner2& low, const Corner2& high) {
-  return turn(p, q, {q[1] > p[1] ? low[0] : high[0], q[0] > p[0] ? high[1] : low[1]});
-}
-
-bool may_reach(const Triangle2& triangle, const Corner2& low, const Corner2& high) {
-  return largest_turn(triangle[0], triangle[1], low, high) >= 0 &&
-         largest_turn(triangle[1], triangle[2], low, high) >= 0 &&
-         largest_turn(triangle[2], triangle[0], low, high) >= 0;
-}
 
 }  // namespace
 
@@ -153,81 +157,6 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<Corner3>
   }
   triangles.push_back(cutter.last());
   return triangles;
-}
-
-CornerTree::CornerTree(const std::vector<Corner2>& corners)
-    : count_(static_cast<std::uint32_t>(corners.size())), corner_(count_), leaf_(count_) {
-  while (leaves_ < count_) {
-    leaves_ *= 2;
-  }
-  std::iota(corner_.begin(), corner_.end(), 0u);
-  split(corners, 0, leaves_);
-  boxes_.assign(2 * std::size_t{leaves_}, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
-  for (std::uint32_t i = 0; i < count_; ++i) {
-    leaf_[corner_[i]] = i;
-    boxes_[leaves_ + i] = {corners[corner_[i]], corners[corner_[i]]};
-  }
-  for (std::size_t node = leaves_ - 1; node > 0; --node) {
-    join_children(node);
-  }
-}
-
-/// Halves the leaves from `first` on that have corners, across the longer side.
-void CornerTree::split(const std::vector<Corner2>& corners, std::uint32_t first,
-                       std::uint32_t width) {
-  const std::uint32_t middle = first + width / 2;
-  if (width > 1 && middle < count_) {
-    const auto begin = corner_.begin() + first;
-    const auto end = corner_.begin() + std::min(first + width, count_);
-    std::array<double, 2> lengths{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const auto [low, high] = std::minmax_element(
-          begin, end, [&](auto p, auto q) { return corners[p][axis] < corners[q][axis]; });
-      lengths[axis] = corners[*high][axis] - corners[*low][axis];
-    }
-    const std::size_t axis = lengths[1] > lengths[0] ? 1 : 0;
-    std::nth_element(begin, corner_.begin() + middle, end,
-                     [&](auto p, auto q) { return corners[p][axis] < corners[q][axis]; });
-    split(corners, middle, width / 2);
-  }
-  if (width > 1) {
-    split(corners, first, width / 2);
-  }
-}
-
-void CornerTree::remove(std::uint32_t corner) {
-  std::size_t node = std::size_t{leaves_} + leaf_[corner];
-  boxes_[node] = {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-  for (node /= 2; node > 0; node /= 2) {
-    join_children(node);
-  }
-}
-
-std::uint32_t CornerTree::any_inside(const Triangle2& triangle) {
-  return search(triangle, 1);
-}
-
-std::uint32_t CornerTree::search(const Triangle2& triangle, std::size_t node) {
-  ++visits_;
-  const auto& [low, high] = boxes_[node];
-  if (low[0] > high[0] || !may_reach(triangle, low, high)) {
-    return count_;
-  }
-  if (node >= leaves_) {
-    const bool is_own = low == triangle[0] || low == triangle[1] || low == triangle[2];
-    return is_own ? count_ : corner_[node - leaves_];
-  }
-  const std::uint32_t found = search(triangle, 2 * node);
-  return found != count_ ? found : search(triangle, 2 * node + 1);
-}
-
-void CornerTree::join_children(std::size_t node) {
-  const Box& left = boxes_[2 * node];
-  const Box& right = boxes_[2 * node + 1];
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    boxes_[node].low[axis] = std::min(left.low[axis], right.low[axis]);
-    boxes_[node].high[axis] = std::max(left.high[axis], right.high[axis]);
-  }
 }
 
 }  // namespace flashbvh::tool

@@ -1,4 +1,4 @@
-// What assimp 5 misreads in silence is refused before it reads a scene, by its name.
+// What a reader would misread in silence is refused by its name.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,10 @@
 #include <vector>
 
 namespace flashbvh::tool {
+
+/// True for an extension of glTF, or of 3MF by its namespace, that does not change the geometry,
+/// or that its reader checks.
+bool is_understood(std::string_view extension);
 
 struct GltfContents {
   std::uint64_t triangles = 0;  ///< of the scene's nodes

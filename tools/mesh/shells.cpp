@@ -1,8 +1,8 @@
 // Shells of a closed surface that are inside out. A cavity is inside out, too, and lies within
 // another shell.
 #include <algorithm>
-#include <numeric>
 
+#include "bake/surface.hpp"
 #include "mesh/defects.hpp"
 
 namespace flashbvh::tool {
@@ -13,27 +13,14 @@ constexpr std::size_t kMostPoints = 3000;
 
 using Point3 = std::array<double, 3>;
 
-/// The root of a vertex in a forest whose trees are shells.
-std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t vertex) {
-  while (parents[vertex] != vertex) {
-    parents[vertex] = parents[parents[vertex]];
-    vertex = parents[vertex];
-  }
-  return vertex;
-}
-
-/// The triangles of each shell; each shell under the number of one of its vertices, others empty.
-std::vector<TriangleIds> shells_of(const bake::LatticeMesh& mesh, const TriangleIds& duplicates) {
-  std::vector<std::uint32_t> parents(mesh.vertices.size());
-  std::iota(parents.begin(), parents.end(), 0u);
-  for (const auto& corners : mesh.triangles) {
-    parents[root_of(parents, corners[1])] = root_of(parents, corners[0]);
-    parents[root_of(parents, corners[2])] = root_of(parents, corners[0]);
-  }
+/// The triangles of each shell; each shell under the number of its first vertex, others empty.
+std::vector<TriangleIds> triangles_of_shells(const bake::LatticeMesh& mesh,
+                                             const TriangleIds& duplicates) {
+  const std::vector<std::uint32_t> first = bake::shells_of(mesh.triangles, mesh.vertices.size());
   std::vector<TriangleIds> shells(mesh.vertices.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     if (!std::binary_search(duplicates.begin(), duplicates.end(), i)) {
-      shells[root_of(parents, mesh.triangles[i][0])].push_back(i);
+      shells[first[mesh.triangles[i][0]]].push_back(i);
     }
   }
   return shells;
@@ -109,7 +96,7 @@ std::vector<Point3> points_of(const bake::LatticeMesh& mesh, const TriangleIds& 
 }  // namespace
 
 std::size_t shells_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates) {
-  const std::vector<TriangleIds> shells = shells_of(mesh, duplicates);
+  const std::vector<TriangleIds> shells = triangles_of_shells(mesh, duplicates);
   std::vector<const TriangleIds*> inverted;
   for (const TriangleIds& shell : shells) {
     if (volume_of(mesh, shell) < 0) {

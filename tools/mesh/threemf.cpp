@@ -1,5 +1,4 @@
-// 3MF: a zip of parts, the model and those that it refers to. Runs in a separate process: a small
-// zip may hold much.
+// 3MF: a zip of parts, the model and those that it refers to.
 #include <minizip/unzip.h>
 
 #include <algorithm>
@@ -9,8 +8,11 @@
 #include <set>
 #include <utility>
 
-#include "mesh/guarded_import.hpp"
+#include "mesh/limited_import.hpp"
 #include "mesh/placement.hpp"
+#include "mesh/scene_checks.hpp"
+#include "mesh/units.hpp"
+#include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/xml_tags.hpp"
 
@@ -18,10 +20,6 @@ namespace flashbvh::tool {
 namespace {
 
 constexpr const char* kSpace = "http://schemas.microsoft.com/3dmanufacturing/";
-
-/// The namespaces that a model may require, behind kSpace: no other geometry is in the first two.
-constexpr std::array<std::string_view, 3> kSpaces = {"material/2015/02", "trianglesets/2021/07",
-                                                     "production/2015/06"};
 
 /// What elements may hold.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPartTypes = {
@@ -34,14 +32,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPartType
      {"vertices", "vertex"},
      {"components", "component"},
      {"build", "item"}}};
-
-/// By the names of 3MF.
-constexpr std::array<std::pair<std::string_view, Unit>, 6> kUnits3mf = {{{"micron", Unit::um},
-                                                                         {"millimeter", Unit::mm},
-                                                                         {"centimeter", Unit::cm},
-                                                                         {"meter", Unit::m},
-                                                                         {"inch", Unit::inch},
-                                                                         {"foot", Unit::foot}}};
 
 /// What Cura's metadata say of objects that are no solids.
 constexpr std::array<std::string_view, 4> kCuraKinds = {
@@ -123,7 +113,7 @@ class Reader {
       add(item, kIdentity, 0);
     }
     FileMesh mesh = builder_.finish();
-    mesh.unit = *unit_;
+    mesh.unit = unit_;
     return mesh;
   }
 
@@ -225,21 +215,18 @@ class Reader {
 
   void read_model(const XmlTag& model, const std::string& part) {
     const std::string_view name = model.attribute("unit").value_or("millimeter");
-    const auto* const unit = std::find_if(kUnits3mf.begin(), kUnits3mf.end(),
-                                          [&](const auto& known) { return known.first == name; });
-    if (unit == kUnits3mf.end() || (unit_ && *unit_ != unit->second)) {
+    const Unit unit = unit_of_3mf(name);
+    if (unit == Unit::none || (unit_ != Unit::none && unit_ != unit)) {
       refuse("is in ", tool::quoted(name), " in ", part,
-             unit_ ? ", but elsewhere in another unit" : "", "; export it in millimeter");
+             unit_ != Unit::none ? ", but elsewhere in another unit" : "",
+             "; export it in millimeter");
     }
-    unit_ = unit->second;
-    std::string_view rest = model.attribute("requiredextensions").value_or("");
-    while (!rest.empty()) {
-      const std::string_view prefix = rest.substr(0, rest.find(' '));
-      rest.remove_prefix(std::min(prefix.size() + 1, rest.size()));
-      const std::string space(model.attribute(concat("xmlns:", std::string(prefix))).value_or(""));
-      if (!prefix.empty() &&
-          std::none_of(kSpaces.begin(), kSpaces.end(),
-                       [&](std::string_view known) { return space == concat(kSpace, known); })) {
+    unit_ = unit;
+    for (const std::string_view prefix :
+         words_of(model.attribute("requiredextensions").value_or(""))) {
+      const std::string_view space =
+          model.attribute(concat("xmlns:", std::string(prefix))).value_or("");
+      if (!is_understood(space)) {
         refuse("requires the extension ", tool::quoted(prefix), " (", space,
                "), which is not read; export it without");
       }
@@ -284,7 +271,7 @@ class Reader {
     }
     if (const auto transform = tag.attribute("transform")) {
       std::vector<double> numbers;
-      for (const std::string& word : words_of(*transform)) {
+      for (const std::string_view word : words_of(*transform)) {
         numbers.push_back(number_of(word, file_ + ", transform"));
       }
       if (numbers.size() != 12) {
@@ -295,21 +282,6 @@ class Reader {
       }
     }
     return made;
-  }
-
-  static std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words(1);
-    for (const char c : text) {
-      if (std::string_view(" \t\r\n").find(c) == std::string_view::npos) {
-        words.back() += c;
-      } else if (!words.back().empty()) {
-        words.emplace_back();
-      }
-    }
-    if (words.back().empty()) {
-      words.pop_back();
-    }
-    return words;
   }
 
   void add(const Placed& at, const Placement& outer, std::size_t level) {
@@ -349,7 +321,7 @@ class Reader {
   const std::string& file_;
   Package package_;
   std::string root_;
-  std::optional<Unit> unit_;
+  Unit unit_ = Unit::none;
   std::set<std::string> parts_;
   std::map<std::pair<std::string, std::string>, Object> objects_;  ///< by part and id
   std::vector<Placed> items_;
@@ -359,11 +331,11 @@ class Reader {
 
 }  // namespace
 
-FileMesh read_3mf(std::string_view bytes, const std::string& file) {
+FileMesh read_3mf(std::string_view, const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw UserError(file, "is a pipe, from which this format can't be read; name a file");
   }
-  return guarded_import([&] { return Reader(file).read(); }, file, limits_of_file(bytes.size()));
+  return Reader(file).read();
 }
 
 }  // namespace flashbvh::tool

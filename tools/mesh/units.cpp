@@ -1,6 +1,5 @@
 #include "mesh/units.hpp"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <numeric>
@@ -15,23 +14,33 @@ namespace {
 struct Measure {
   std::string_view name;
   std::uint64_t nanometres;
+  std::string_view name_in_3mf = {};
 };
 
 /// In the order of flashbvh::Unit, from nm on.
 constexpr std::array<Measure, kUnitCount - 1> kUnits = {{{"nm", 1},
-                                                         {"um", 1'000},
-                                                         {"mm", 1'000'000},
-                                                         {"cm", 10'000'000},
-                                                         {"m", 1'000'000'000},
+                                                         {"um", 1'000, "micron"},
+                                                         {"mm", 1'000'000, "millimeter"},
+                                                         {"cm", 10'000'000, "centimeter"},
+                                                         {"m", 1'000'000'000, "meter"},
                                                          {"mil", 25'400},
-                                                         {"in", 25'400'000},
-                                                         {"ft", 304'800'000}}};
+                                                         {"in", 25'400'000, "inch"},
+                                                         {"ft", 304'800'000, "foot"}}};
 
-/// In nanometres; 0 if there is no such unit.
+/// Unit::none if no unit has this name.
+Unit unit_of(std::string_view name, std::string_view Measure::*member) {
+  for (std::size_t i = 0; i < kUnits.size(); ++i) {
+    if (!name.empty() && kUnits[i].*member == name) {
+      return static_cast<Unit>(i + 1);
+    }
+  }
+  return Unit::none;
+}
+
+/// 0 if there is no such unit.
 std::uint64_t nanometres_in(std::string_view name) {
-  const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
-                                 [&](const Measure& known) { return known.name == name; });
-  return unit == kUnits.end() ? 0 : unit->nanometres;
+  const Unit unit = unit_of(name, &Measure::name);
+  return unit == Unit::none ? 0 : kUnits[static_cast<std::size_t>(unit) - 1].nanometres;
 }
 
 /// "part.stl" also names meshes/part.stl.
@@ -124,16 +133,15 @@ void Units::convert(bake::SourceMesh& mesh, const std::string& file, Unit says) 
 }
 
 Unit Units::unit() const {
-  for (std::size_t i = 0; i < kUnits.size(); ++i) {
-    if (kUnits[i].name == common_) {
-      return static_cast<Unit>(i + 1);
-    }
-  }
-  return Unit::none;
+  return unit_of(common_, &Measure::name);
 }
 
 std::string unit_name(Unit unit) {
   return unit == Unit::none ? "" : std::string(kUnits[static_cast<std::size_t>(unit) - 1].name);
+}
+
+Unit unit_of_3mf(std::string_view name) {
+  return unit_of(name, &Measure::name_in_3mf);
 }
 
 double Units::converted(double length, const std::string& file, Unit says) const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bake/mesh.hpp"
@@ -49,5 +50,7 @@ class Units {
 
 /// The unit's name as in --unit; empty for none.
 std::string unit_name(Unit unit);
+/// By its name in 3MF; Unit::none if there is none.
+Unit unit_of_3mf(std::string_view name);
 
 }  // namespace flashbvh::tool

@@ -1,5 +1,5 @@
-// Formats that assimp reads: the meshes of a scene's nodes, placed by the nodes. Runs in a separate
-// process: damaged files make assimp abort, read out of bounds, and take all memory.
+// Formats that assimp reads: the meshes of a scene's nodes, placed by the nodes. Damaged files make
+// assimp abort, read out of bounds, and take all memory.
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
@@ -10,9 +10,9 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <vector>
 
-#include "mesh/guarded_import.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/scene_checks.hpp"
@@ -121,9 +121,10 @@ FileMesh read_scene(const std::string& file) {
   const aiScene* const scene = importer.ReadFile(file, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     const std::string said = one_line(importer.GetErrorString());
-    throw UserError(file, "can't be read: ",
-                    said == "std::bad_alloc" ? "takes more memory than there is" : said,
-                    "; export the mesh again");
+    if (said == "std::bad_alloc") {
+      throw std::bad_alloc();
+    }
+    throw UserError(file, "can't be read: ", said, "; export the mesh again");
   }
   return SceneReader(*scene, file).read();
 }
@@ -159,8 +160,7 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw UserError(file, "is a pipe, from which this format can't be read; name a file");
   }
-  return guarded_import([&] { return read_checked(bytes, file); }, file,
-                        limits_of_file(bytes.size()));
+  return read_checked(bytes, file);
 }
 
 }  // namespace flashbvh::tool

@@ -20,7 +20,7 @@ class Mesh:
 
     @classmethod
     def from_file(cls, path: Path, *, scale: float = 1.0, cell: Optional[float] = None) -> Mesh:
-        """Reads a mesh file: STL, OBJ, PLY, OFF, DAE, glTF, GLB or 3MF.
+        """Reads a mesh file: STL, OBJ, PLY, DAE, glTF, GLB or 3MF.
 
         The last four carry a unit, which `bake` must be given, unless a scale converts them.
         scale: factor of all coordinates. cell: size of a lattice cell for `bake`, in the scaled unit.
