@@ -1,6 +1,5 @@
 #include "cli/commands.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -8,27 +7,11 @@
 #include "flashbvh/image.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
-#include "text/nearest.hpp"
 
 namespace flashbvh::tool {
 
 void add_example(CLI::App& command, const std::string& line, const std::string& what) {
   command.footer(concat("Example:\n  flashbvh ", line, "  # ", what));
-}
-
-std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    names.push_back(command->get_name());
-  }
-  return names;
-}
-
-std::string unknown_command(const CLI::App& app, const std::string& name) {
-  const std::vector<std::string> names = command_names(app);
-  return std::find(names.begin(), names.end(), name) != names.end()
-             ? ""
-             : concat("there is no command '", name, "'", nearest_hint(name, names));
 }
 
 void check_output(const std::string& output, const std::vector<std::string>& inputs) {

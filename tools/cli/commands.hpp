@@ -35,11 +35,6 @@ void add_float_flag(CLI::App& command, PosedImages& to);
 /// `what` it prints or makes, in a few words.
 void add_example(CLI::App& command, const std::string& line, const std::string& what);
 
-std::vector<std::string> command_names(const CLI::App& app);
-
-/// "there is no command 'bak'; the nearest is 'bake'"; empty if the command exists.
-std::string unknown_command(const CLI::App& app, const std::string& name);
-
 /// `type`: the value's name in the help, such as "FILE".
 template <class Value>
 CLI::Option* add_option(CLI::App& command, const char* name, Value& to, const char* type,
@@ -107,8 +102,6 @@ void add_bench(CLI::App& app);
 void add_robot(CLI::App& app);
 void add_guard(CLI::App& app);
 void add_audit(CLI::App& app);
-/// Must come last: its help covers the commands added before.
-void add_help(CLI::App& app);
 
 /// Declares a command that calls run(arguments), which returns an ExitCode or nothing; the options
 /// fill the arguments.

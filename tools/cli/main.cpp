@@ -1,6 +1,5 @@
 // flashbvh: bakes meshes and robots; inspects, checks, exports and queries their images.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -8,7 +7,6 @@
 #include "cli/commands.hpp"
 #include "flashbvh/version.hpp"
 #include "text/messages.hpp"
-#include "text/nearest.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -24,30 +22,11 @@ int fail(const std::string& message) {
   return kBadInput;
 }
 
-/// "there is no option '--formt'; the nearest is '--format'", for the first argument that looks
-/// like an option but is none of the command's; empty if there is no such argument.
-std::string unknown_option(const CLI::App& command) {
-  const auto rest = command.remaining();
-  const auto first = std::find_if(rest.begin(), rest.end(),
-                                  [](const std::string& argument) { return argument[0] == '-'; });
-  if (first == rest.end() || *first == "--") {  // positional arguments follow
-    return "";
-  }
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
-  }
-  const std::string given = first->substr(0, first->find('='));
-  const std::string name = given.substr(std::min(given.find_first_not_of('-'), given.size()));
-  return "there is no option '" + given + "'" + nearest_hint(name, names, "--");
-}
-
 /// Prints the error of a command line, and the command that shows the help.
 int fail(const CLI::ParseError& error, const CLI::App& app) {
   const auto given = app.get_subcommands();
   const std::string command = given.empty() ? "flashbvh" : "flashbvh " + given[0]->get_name();
-  const std::string unknown = unknown_option(given.empty() ? app : *given[0]);
-  return fail((unknown.empty() ? error.what() : unknown) + "; see " + command + " --help");
+  return fail(concat(error.what(), "; see ", command, " --help"));
 }
 
 int run(int argc, char** argv) {
@@ -70,17 +49,7 @@ int run(int argc, char** argv) {
   add_robot(app);
   add_guard(app);
   add_audit(app);
-  add_help(app);
-  add_example(app, "help bake", "prints the options of bake, and an example");
-  if (argc < 2) {
-    return fail("a command is missing; see flashbvh --help");
-  }
-  if (argv[1][0] != '-') {
-    const std::string wrong = unknown_command(app, argv[1]);
-    if (!wrong.empty()) {
-      return fail(wrong + "; see flashbvh --help");
-    }
-  }
+  add_example(app, "bake --help", "prints the options of bake, and an example");
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {

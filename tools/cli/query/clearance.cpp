@@ -1,17 +1,10 @@
 // flashbvh clearance: runs the firmware's distance queries on the desktop.
-#include <iomanip>
-#include <iostream>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/json.hpp"
-#include "evaluate/poses.hpp"
-#include "evaluate/queries.hpp"
-#include "image/image_file.hpp"
-#include "mesh/units.hpp"
+#include "cli/query/scene.hpp"
 #include "text/files.hpp"
-#include "text/messages.hpp"
-#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -19,14 +12,13 @@ namespace {
 struct ClearanceArguments : PosedImages {
   std::string pairs;
   std::optional<double> within;
-  bool cold = false;
   bool json = false;
 };
 
-void print_json(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
-                double cell, const std::string& unit) {
+Json json_of(std::size_t pose, bool is_within, const ClearanceAnswer& found, double cell,
+             const std::string& unit) {
   Json line = {{"pose", pose}, {"unit", unit}};
-  if (arguments.within) {
+  if (is_within) {
     line["within"] = !found.nearest.empty();
   } else if (!found.in_range) {
     line.update({{"distance", nullptr}, {"lower", unit_length(found.lower, cell)}});
@@ -35,7 +27,7 @@ void print_json(std::size_t pose, const ClearanceArguments& arguments, const Cle
   }
   if (!found.nearest.empty()) {
     const NearestPair& pair = found.nearest[0];
-    if (!arguments.within) {  // else this is any near pair's distance, not the meshes'
+    if (!is_within) {  // else this is any near pair's distance, not the meshes'
       line.update({{"distance", pair.distance * cell},
                    {"lower", unit_length(pair.points.lower, cell)},
                    {"upper", unit_length(pair.points.upper, cell)}});
@@ -47,52 +39,37 @@ void print_json(std::size_t pose, const ClearanceArguments& arguments, const Cle
   line.update({{"visits", found.visits},
                {"triangle_pairs", found.triangle_pairs},
                {"status", found.in_range ? "ok" : "out_of_range"}});
-  print_object(line);
+  return line;
 }
 
-void print_heading(const std::string& names, bool is_within) {
-  std::cout << names << (is_within ? ", within" : ", distance") << "\n"
-            << "  pose  " << std::setw(12) << (is_within ? "within" : "distance")
-            << "     triangles             visits  triangle pairs\n";
+std::string distance_text(const Json& line) {
+  const std::string unit = line["unit"];
+  return line.contains("within")      ? (line["within"] ? "yes" : "no")
+         : line["distance"].is_null() ? ">= " + length_text(line["lower"], unit)
+                                      : length_text(line["distance"], unit);
 }
 
-void print_row(std::size_t pose, const ClearanceArguments& arguments, const ClearanceAnswer& found,
-               double cell, const std::string& unit) {
-  std::cout << std::setw(6) << pose << "  " << std::setw(12);
-  if (arguments.within) {
-    std::cout << (found.nearest.empty() ? "no" : "yes");
-  } else {
-    const std::string length = found.in_range
-                                   ? significant(found.nearest[0].distance * cell, 6)
-                                   : ">= " + significant(unit_length(found.lower, cell), 6);
-    std::cout << length + (unit.empty() ? "" : " " + unit);
-  }
-  if (found.nearest.empty()) {
-    std::cout << std::setw(17) << (found.in_range ? "" : "out of range");
-  } else {
-    std::cout << std::setw(8) << found.nearest[0].triangles.a << " " << std::setw(8)
-              << found.nearest[0].triangles.b;
-  }
-  std::cout << std::setw(16) << found.visits << std::setw(16) << found.triangle_pairs << "\n";
+std::string triangles_text(const Json& line) {
+  const Json triangles = line.value("triangles", Json());
+  return triangles.is_array()     ? concat(triangles[0].dump(), " ", triangles[1].dump())
+         : line["status"] == "ok" ? ""
+                                  : "out of range";
 }
 
-std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const ImageFile& a,
-                                     const ImageFile& b) {
+std::vector<ClearanceAnswer> answers_of(const ClearanceArguments& arguments, const Scene& scene) {
   std::vector<ClearanceAnswer> found;
   Witness<std::uint32_t> hint;
+  const double cell = scene.a.cell();
   const FineLength reach =
-      arguments.within ? fine_length(*arguments.within, a.cell(), kMaxDistance) : FineLength{0};
-  for (const Pose& pose : read_lattice_poses(arguments.poses, a.cell(), arguments.floats)) {
-    if (arguments.cold) {
-      hint = {};
-    }
-    found.push_back(arguments.within
-                        ? within_distance(a.tree(), b.tree(), pose, reach, !arguments.pairs.empty())
-                        : clearance(a.tree(), b.tree(), pose, hint));
+      arguments.within ? fine_length(*arguments.within, cell, kMaxDistance) : FineLength{0};
+  for (const Pose& pose : scene.poses(arguments)) {
+    found.push_back(arguments.within ? within_distance(scene.a.tree(), scene.b.tree(), pose, reach,
+                                                       !arguments.pairs.empty())
+                                     : clearance(scene.a.tree(), scene.b.tree(), pose, hint));
     if (found.back().status == Status::distance_out_of_range) {
       throw UserError(arguments.poses, "pose ", found.size() - 1,
                       " puts B so far off that --within is not decidable; use less than ",
-                      significant(1e6 * a.cell(), 6));
+                      significant(1e6 * cell, 6));
     }
     if (found.back().status != Status::done) {
       throw UserError(arguments.poses, "pose ", found.size() - 1,
@@ -104,32 +81,29 @@ std::vector<ClearanceAnswer> answers(const ClearanceArguments& arguments, const 
 
 void query_distances(const ClearanceArguments& arguments) {
   check_output(arguments.pairs, {arguments.poses});
-  const ImageFile a(arguments.a);
-  const ImageFile b(arguments.b);
-  check_has_clearance(a);
-  check_partners(a, b);
-  const std::vector<ClearanceAnswer> found = answers(arguments, a, b);
+  const Scene scene(arguments);
+  check_has_clearance(scene.a);
+  Json lines = Json::array();
   std::string pairs;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    for (const NearestPair& pair : found[i].nearest) {
-      pairs += concat(i, " ", pair.triangles.a, " ", pair.triangles.b, "\n");
+  for (const ClearanceAnswer& found : answers_of(arguments, scene)) {
+    for (const NearestPair& pair : found.nearest) {
+      pairs += concat(lines.size(), " ", pair.triangles.a, " ", pair.triangles.b, "\n");
     }
+    lines.push_back(
+        json_of(lines.size(), arguments.within.has_value(), found, scene.a.cell(), scene.unit()));
   }
   FileSet files;
   if (!arguments.pairs.empty()) {
     files.add(arguments.pairs, std::move(pairs));
   }
+  const char* const what = arguments.within ? "within" : "distance";
   files.write([&] {
-    if (!arguments.json) {
-      print_heading(a.name() + " and " + b.name(), arguments.within.has_value());
-    }
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (arguments.json) {
-        print_json(i, arguments, found[i], a.cell(), unit_name(a.unit()));
-      } else {
-        print_row(i, arguments, found[i], a.cell(), unit_name(a.unit()));
-      }
-    }
+    print_answers(arguments.json, lines, concat(scene.names(), ", ", what),
+                  {number_column("pose", "pose"),
+                   {what, distance_text, true},
+                   {"triangles", triangles_text, true},
+                   number_column("visits", "visits"),
+                   number_column("triangle pairs", "triangle_pairs")});
     flush_output();
   });
 }
@@ -147,14 +121,9 @@ void add_clearance(CLI::App& app) {
       add_option(command, "--within", a.within, "LENGTH",
                  "Print whether any points are at most this far apart, in the images' unit, "
                  "and of which triangles");
-  CLI::Option* const pairs =
-      add_option(command, "--pairs", a.pairs, "FILE",
-                 "Write `pose a b` for each pair of triangles within that distance, sorted");
-  pairs->needs(within);
-  command
-      .add_flag("--cold", a.cold,
-                "Begin each pose without a hint, not with what was nearest before")
-      ->excludes(within);
+  add_option(command, "--pairs", a.pairs, "FILE",
+             "Write `pose a b` for each pair of triangles within that distance, sorted")
+      ->needs(within);
   add_float_flag(command, a);
   add_json(command, a.json, "One JSON object a pose");
   add_example(command, "clearance baked/plate.fbvh baked/peg.fbvh --poses poses.txt",

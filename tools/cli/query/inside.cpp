@@ -1,15 +1,6 @@
 // flashbvh inside: runs the firmware's point-in-solid query on the desktop.
-#include <iomanip>
-#include <iostream>
-
-#include "cli/commands.hpp"
-#include "cli/json.hpp"
-#include "evaluate/poses.hpp"
-#include "evaluate/queries.hpp"
+#include "cli/query/scene.hpp"
 #include "flashbvh/solid.hpp"
-#include "image/image_file.hpp"
-#include "text/files.hpp"
-#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -26,9 +17,8 @@ const char* side_name(PointSide side) {
 
 void query_points(const InsideArguments& arguments) {
   const ImageFile image(arguments.image);
-  const std::vector<Point> points = read_lattice_points(arguments.points, image.cell());
-  std::vector<PointAnswer> answers;
-  for (const Point& point : points) {
+  Json lines = Json::array();
+  for (const Point& point : read_lattice_points(arguments.points, image.cell())) {
     const auto answer =
         query_post_mesh<PointAnswer>(image, [&](const auto& mesh) { return inside(mesh, point); });
     if (answer.status == Status::not_closed) {
@@ -36,21 +26,14 @@ void query_points(const InsideArguments& arguments) {
                       "is no closed surface and has no inside; `flashbvh check` says where it is "
                       "open");
     }
-    answers.push_back(answer);
+    lines.push_back({{"point", lines.size()},
+                     {"where", side_name(answer.side)},
+                     {"visits", answer.visits},
+                     {"status", "ok"}});
   }
-  if (!arguments.json) {
-    std::cout << image.name() << "\n point  where         visits\n";
-  }
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    const char* const side = side_name(answers[i].side);
-    if (arguments.json) {
-      print_object(
-          {{"point", i}, {"where", side}, {"visits", answers[i].visits}, {"status", "ok"}});
-    } else {
-      std::cout << std::setw(6) << i << "  " << std::left << std::setw(9) << side << std::right
-                << std::setw(11) << answers[i].visits << "\n";
-    }
-  }
+  print_answers(arguments.json, lines, image.name(),
+                {number_column("point", "point"), word_column("where", "where"),
+                 number_column("visits", "visits")});
   flush_output();
 }
 

@@ -1,25 +1,14 @@
 // flashbvh motion: runs the firmware's certificate, on the desktop, that two bodies are apart at
 // every moment between two poses.
-#include <algorithm>
-#include <iomanip>
 #include <iostream>
 
-#include "cli/commands.hpp"
-#include "cli/json.hpp"
+#include "cli/query/scene.hpp"
 #include "evaluate/motions.hpp"
-#include "evaluate/poses.hpp"
-#include "evaluate/queries.hpp"
-#include "image/image_file.hpp"
-#include "mesh/units.hpp"
-#include "text/messages.hpp"
-#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-struct MotionArguments {
-  std::string a;
-  std::string b;
+struct MotionArguments : PosedImages {
   std::string from;
   std::string to;
   std::string moves;
@@ -28,88 +17,65 @@ struct MotionArguments {
   bool json = false;
 };
 
-/// The contacts of a motion between two images.
-struct FoundMotion {
-  const ImageFile& a;
-  const BodyMotion& motion;
-  std::vector<FoundContact> parts;
-
-  /// How near the bodies come where they are close, in the unit.
-  double at_most(const FoundContact& part) const {
-    return part.close_distance / double{kFineOne} * a.cell();
+Json json_of(const FoundContact& part, const BodyMotion& motion, const Scene& scene) {
+  const double cell = scene.a.cell();
+  Json line = {{"outcome", outcome_name(part.outcome)}, {"unit", scene.unit()}};
+  if (part.outcome != ContactOutcome::free) {
+    line.update({{"from", share_of(part.from)},
+                 {"to", share_of(part.to)},
+                 {"triangles", {part.triangles.a, part.triangles.b}},
+                 {"from_pose", pose_numbers(motion.pose_at(part.from), cell)},
+                 {"to_pose", pose_numbers(motion.pose_at(part.to), cell)}});
   }
-  Json pose_json(std::uint32_t time) const { return pose_numbers(motion.pose_at(time), a.cell()); }
-};
-
-void print_json(const FoundMotion& found) {
-  for (const FoundContact& part : found.parts) {
-    Json line = {{"outcome", outcome_name(part.outcome)}, {"unit", unit_name(found.a.unit())}};
-    if (part.outcome != ContactOutcome::free) {
-      line.update({{"from", share_of(part.from)},
-                   {"to", share_of(part.to)},
-                   {"triangles", {part.triangles.a, part.triangles.b}},
-                   {"from_pose", found.pose_json(part.from)},
-                   {"to_pose", found.pose_json(part.to)}});
-    }
-    if (part.outcome == ContactOutcome::close) {
-      line["distance_at_most"] = found.at_most(part);
-    }
-    print_object(line);
+  if (part.outcome == ContactOutcome::close) {
+    line["distance_at_most"] = part.close_distance / double{kFineOne} * cell;
   }
+  return line;
 }
 
-/// Prints "contact   0.331123   0.331456       12       7   1.5 0 3.25".
-void print_part(const FoundMotion& found, const FoundContact& part) {
-  const auto there = pose_numbers(found.motion.pose_at(part.to), found.a.cell());
-  std::cout << "  " << std::left << std::setw(8) << outcome_name(part.outcome) << std::right
-            << std::setw(12) << significant(share_of(part.from), 9) << std::setw(13)
-            << significant(share_of(part.to), 9) << std::setw(9) << part.triangles.a << " "
-            << std::setw(8) << part.triangles.b << "  ";
-  for (std::size_t i = 9; i < there.size(); ++i) {
-    std::cout << " " << significant(there[i], 6);
+/// The worst outcome of all parts; the last may be free.
+std::string outcome_of(const Json& parts) {
+  const std::string last = parts.back()["outcome"];
+  return last == "free" && parts.size() > 1 ? "close" : last;
+}
+
+/// "1.5 0 3.25".
+std::string origin_text(const Json& part) {
+  const Json& pose = part["to_pose"];
+  return joined(
+      std::vector<double>{pose[9], pose[10], pose[11]},
+      [](double along) { return significant(along, 6); }, " ");
+}
+
+void print_parts(Json parts, const Scene& scene, double within) {
+  const std::string outcome = outcome_of(parts);
+  std::cout << scene.names()
+            << (within == 0 ? ""
+                            : ", within " + shortest(within) +
+                                  (scene.unit().empty() ? "" : " " + scene.unit()))
+            << ": " << outcome;
+  if (outcome == "close") {
+    std::cout << ", at most " << length_text(parts[0]["distance_at_most"], scene.unit())
+              << " apart";
   }
   std::cout << "\n";
-}
-
-/// The worst outcome of all parts; the last may be `free`.
-ContactOutcome outcome_of(const std::vector<FoundContact>& parts) {
-  const ContactOutcome last = parts.back().outcome;
-  return last == ContactOutcome::free && parts.size() > 1 ? ContactOutcome::close : last;
-}
-
-void print_table(const FoundMotion& found, const std::string& names, double within) {
-  const std::string unit = unit_name(found.a.unit());
-  const ContactOutcome outcome = outcome_of(found.parts);
-  std::cout << names;
-  if (within != 0) {
-    std::cout << ", within " << shortest(within) << (unit.empty() ? "" : " " + unit);
+  if (parts.back()["outcome"] == "free") {
+    parts.erase(parts.size() - 1);
   }
-  std::cout << ": " << outcome_name(outcome);
-  if (outcome == ContactOutcome::close) {
-    std::cout << ", at most " << significant(found.at_most(found.parts.front()), 6)
-              << (unit.empty() ? "" : " " + unit) << " apart";
-  }
-  std::cout << "\n";
-  if (outcome == ContactOutcome::free) {
-    return;
-  }
-  std::cout << "                  from           to     triangles      B's origin at `to`\n";
-  for (const FoundContact& part : found.parts) {
-    if (part.outcome != ContactOutcome::free) {
-      print_part(found, part);
-    }
-  }
+  print_table(parts, {word_column("", "outcome"),
+                      number_column("from", "from", 9),
+                      number_column("to", "to", 9),
+                      word_column("triangles", "triangles"),
+                      {"B's origin at `to`", origin_text}});
 }
 
 ExitCode certify_motion(const MotionArguments& arguments) {
   if (arguments.to.empty() == arguments.moves.empty()) {
     throw CLI::RequiredError("--to or --moves");
   }
-  const ImageFile a(arguments.a);
-  const ImageFile b(arguments.b);
-  check_has_clearance(a);
-  check_partners(a, b);
-  const double cell = a.cell();
+  const Scene scene(arguments);
+  check_has_clearance(scene.a);
+  const double cell = scene.a.cell();
   const FineLength within = fine_length(arguments.within, cell, kMaxMotionDistance);
   const Pose from = read_pose_argument(arguments.from, cell, "--from");
   std::vector<Move> moves;
@@ -120,13 +86,17 @@ ExitCode certify_motion(const MotionArguments& arguments) {
       moves.empty() ? BodyMotion::between(from, read_pose_argument(arguments.to, cell, "--to"))
                     : BodyMotion(from, moves.data(), static_cast<std::uint32_t>(moves.size()));
   const std::string place = moves.empty() ? "--to" : arguments.moves;
-  const FoundMotion found = {a, motion, first_contacts(a, b, motion, within, arguments.all, place)};
-  if (arguments.json) {
-    print_json(found);
-  } else {
-    print_table(found, a.name() + " and " + b.name(), arguments.within);
+  Json parts = Json::array();
+  for (const FoundContact& part :
+       first_contacts(scene.a, scene.b, motion, within, arguments.all, place)) {
+    parts.push_back(json_of(part, motion, scene));
   }
-  return outcome_of(found.parts) == ContactOutcome::free ? kSuccess : kCheckFailed;
+  if (arguments.json) {
+    print_answers(true, parts, "", {});
+  } else {
+    print_parts(parts, scene, arguments.within);
+  }
+  return outcome_of(parts) == "free" ? kSuccess : kCheckFailed;
 }
 
 }  // namespace

@@ -1,19 +1,9 @@
 // flashbvh ray: runs the firmware's ray queries on the desktop.
 #include <algorithm>
-#include <iomanip>
-#include <iostream>
 #include <optional>
 
-#include "cli/commands.hpp"
-#include "cli/json.hpp"
-#include "evaluate/poses.hpp"
-#include "evaluate/queries.hpp"
+#include "cli/query/scene.hpp"
 #include "flashbvh/ray.hpp"
-#include "image/image_file.hpp"
-#include "mesh/units.hpp"
-#include "text/files.hpp"
-#include "text/messages.hpp"
-#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -78,10 +68,10 @@ Json hit_json(const Segment& segment, const Hit& hit, double cell) {
                                   : "edge"}};
 }
 
-void print_json(std::size_t number, const RayArguments& arguments, const Found& found, double cell,
-                const std::string& unit) {
+Json json_of(std::size_t number, bool all, const Found& found, double cell,
+             const std::string& unit) {
   Json line = {{"ray", number}, {"unit", unit}, {"hit", !found.hits.empty()}};
-  if (arguments.all) {
+  if (all) {
     line["hits"] = Json::array();
     for (const Hit& hit : found.hits) {
       line["hits"].push_back(hit_json(found.segment, hit, cell));
@@ -94,45 +84,41 @@ void print_json(std::size_t number, const RayArguments& arguments, const Found& 
     line["crossings"] = *found.outwards;
   }
   line["status"] = "ok";
-  print_object(line);
+  return line;
 }
 
-void print_rows(std::size_t number, const Found& found, double cell) {
-  if (found.hits.empty()) {
-    std::cout << std::setw(6) << number << "          none\n";
+/// A row for each hit, and for each ray that has none.
+Json rows_of(const Json& lines) {
+  Json rows = Json::array();
+  for (const Json& line : lines) {
+    const Json none = {{"distance", "none"}, {"triangle", ""}};
+    for (const Json& hit : line.value("hits", Json::array({line["hit"] ? line : none}))) {
+      rows.push_back(hit);
+      rows.back().update({{"ray", line["ray"]}, {"visits", line["visits"]}});
+    }
   }
-  for (const Hit& hit : found.hits) {
-    const auto distance = unit_length(distance_along(found.segment, hit.along), cell);
-    std::cout << std::setw(6) << number << "  " << std::setw(12) << significant(distance, 6)
-              << std::setw(11) << hit.triangle << std::setw(11) << found.visits << "\n";
-  }
+  return rows;
 }
 
 void query_rays(const RayArguments& arguments) {
   const ImageFile image(arguments.image);
-  std::vector<Found> answers;
+  const std::string unit = unit_name(image.unit());
+  Json lines = Json::array();
   for (const Segment& segment : read_lattice_rays(arguments.rays, image.cell())) {
-    answers.push_back(query_post_mesh<Found>(
-        image, [&](const auto& mesh) { return cast(mesh, segment, arguments.all); }));
-    if (answers.back().status != Status::done) {
-      throw UserError(arguments.rays, "ray ", answers.size() - 1,
+    const auto found = query_post_mesh<Found>(
+        image, [&](const auto& mesh) { return cast(mesh, segment, arguments.all); });
+    if (found.status != Status::done) {
+      throw UserError(arguments.rays, "ray ", lines.size(),
                       " ends too far off: ", kMaxRayCoordinate, " cells, ",
                       significant(kMaxRayCoordinate * image.cell(), 6),
                       ", from the middle of the mesh's box is the most");
     }
+    lines.push_back(json_of(lines.size(), arguments.all, found, image.cell(), unit));
   }
-  const std::string unit = unit_name(image.unit());
-  if (!arguments.json) {
-    std::cout << image.name() << (unit.empty() ? "" : ", distances in " + unit)
-              << "\n   ray      distance   triangle     visits\n";
-  }
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    if (arguments.json) {
-      print_json(i, arguments, answers[i], image.cell(), unit);
-    } else {
-      print_rows(i, answers[i], image.cell());
-    }
-  }
+  print_answers(arguments.json, arguments.json ? lines : rows_of(lines),
+                image.name() + (unit.empty() ? "" : ", distances in " + unit),
+                {number_column("ray", "ray"), number_column("distance", "distance"),
+                 number_column("triangle", "triangle"), number_column("visits", "visits")});
   flush_output();
 }
 
