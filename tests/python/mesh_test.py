@@ -97,12 +97,11 @@ class QueryTest(Scene):
         np.testing.assert_array_equal(flashbvh.first_pair(self.a, self.b, self.poses[0]), found[0])
 
     def test_distance_as_the_program(self):
-        for is_motion, options in ((False, ["--cold"]), (True, [])):
-            found = flashbvh.distance(self.a, self.b, self.poses, is_motion=is_motion)
-            lines = self.posed("clearance", *options)
-            for rows, name in ((found.distance, "lower"), (found.upper, "upper"), (found.point_a, "point_a"),
-                               (found.point_b, "point_b"), (found.triangles, "triangles")):
-                np.testing.assert_array_equal(rows, [line[name] for line in lines], name)
+        found = flashbvh.distance(self.a, self.b, self.poses, is_motion=True)
+        lines = self.posed("clearance")
+        for rows, name in ((found.distance, "lower"), (found.upper, "upper"), (found.point_a, "point_a"),
+                           (found.point_b, "point_b"), (found.triangles, "triangles")):
+            np.testing.assert_array_equal(rows, [line[name] for line in lines], name)
         apart = found.distance > 0
         between = np.linalg.norm(found.point_b - found.point_a, axis=1)
         np.testing.assert_allclose(between[apart], found.distance[apart], atol=self.a.cell / 64)
