@@ -10,7 +10,6 @@
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/robot_float.hpp"
-#include "flashbvh/robot/self_test.hpp"
 #include "flashbvh/robot/workcell.hpp"
 #include "support/c_pose.hpp"
 #include "support/random.hpp"
@@ -227,11 +226,6 @@ TEST_CASE("a guard in C answers as in C++, also after its state was stored, or d
     }
   }
   CHECK(verdicts == 0x1F);
-}
-
-TEST_CASE("the guard's known answers come out on this core") {
-  CHECK(test_known_guard() == Status::done);
-  CHECK(flashbvh_test_known_guard() == FLASHBVH_STATUS_DONE);
 }
 
 TEST_CASE("certified motions in C are those of C++") {

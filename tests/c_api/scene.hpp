@@ -54,7 +54,6 @@ std::vector<Row> pose_rows();
 std::vector<Row> distance_rows();
 std::vector<Row> shape_rows();
 std::vector<Row> motion_rows();
-std::vector<Row> self_test_rows();
 
 /// A bit for each status, and for each outcome of a first contact, that both languages returned.
 extern std::uint64_t seen_statuses;

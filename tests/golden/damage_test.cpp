@@ -72,6 +72,21 @@ TEST_CASE("every flipped bit of a small golden image is refused") {
   }
 }
 
+TEST_CASE("two flipped bits of a golden image are refused") {
+  Random random(test_seed());
+  std::vector<unsigned char> bytes = bytes_of(kKeptImages[0]);
+  const auto bits = static_cast<std::uint32_t>(8 * bytes.size());
+  for (int i = 0; i < 100'000; ++i) {
+    const std::uint32_t first = random.below(bits);
+    const std::uint32_t second = (first + 1 + random.below(bits - 1)) % bits;
+    flip(bytes, first);
+    flip(bytes, second);
+    REQUIRE_FALSE(opens(bytes.data(), bytes.size()));
+    flip(bytes, second);
+    flip(bytes, first);
+  }
+}
+
 TEST_CASE("every flipped bit of a small golden image with a checksum that matches is harmless") {
   const std::vector<Pose> poses = representative_poses();
   std::size_t opened = 0;

@@ -24,13 +24,8 @@ struct KeptImage {
   std::size_t size;
 };
 
-/// tests/golden/*.fbvh, by name, and answers.txt, embedded in the program: boards have no files.
+/// tests/golden/*.fbvh, by name, embedded in the program.
 extern const KeptImage kKeptImages[];
 extern const std::size_t kKeptImageCount;
-extern const char* const kKeptAnswers;
-
-/// The text of answers.txt: counts and pairs of triangles of every query by every traversal between
-/// any two images of one kind, translated and rotated.
-std::string answers_of(const KeptImage* images, std::size_t count);
 
 }  // namespace flashbvh::test

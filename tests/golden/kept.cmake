@@ -5,7 +5,7 @@ file(GLOB kept CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.fbvh)
 add_custom_command(OUTPUT ${embedded}
   COMMAND ${CMAKE_COMMAND} -DFOLDER=${CMAKE_CURRENT_LIST_DIR} -DOUT=${embedded}
     -P ${CMAKE_CURRENT_LIST_DIR}/embed.cmake
-  DEPENDS ${CMAKE_CURRENT_LIST_DIR}/embed.cmake ${CMAKE_CURRENT_LIST_DIR}/answers.txt ${kept}
+  DEPENDS ${CMAKE_CURRENT_LIST_DIR}/embed.cmake ${kept}
   VERBATIM)
 include(${CMAKE_CURRENT_LIST_DIR}/../../tools/rooms.cmake)
 flashbvh_need_room(bake)
@@ -14,6 +14,3 @@ add_library(flashbvh_kept_images STATIC EXCLUDE_FROM_ALL ${embedded} ${CMAKE_CUR
 target_include_directories(flashbvh_kept_images PUBLIC ${CMAKE_CURRENT_LIST_DIR}/..)
 target_link_libraries(flashbvh_kept_images PUBLIC flashbvh_bake flashbvh_test_queries)
 flashbvh_warnings(flashbvh_kept_images)
-if(CMAKE_CROSSCOMPILING)
-  target_compile_options(flashbvh_kept_images PRIVATE -O1)
-endif()

@@ -8,7 +8,6 @@
 
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
-#include "robot/known_robot.hpp"
 #include "safety/flips.hpp"
 #include "support/print.hpp"
 
@@ -19,8 +18,13 @@ namespace {
 
 using State = GuardStateOf<2, 1, 2>;
 
+/// A revolute and a prismatic joint, and a pair of links that they move.
+alignas(4) constexpr unsigned char kTwoLinks[] = {
+#include "two_links.inc"
+};
+
 Mesh meshes[2];
-Robot robot = view_robot_unchecked(detail::kKnownRobot, meshes);
+Robot robot = view_robot_unchecked(kTwoLinks, meshes);
 State state;
 State stored;
 

@@ -27,7 +27,6 @@
 #include "flashbvh/plain/core_costs.h"
 #include "flashbvh/plain/core_cycles.h"
 #include "flashbvh/plain/language.h"
-#include "flashbvh/plain/memory_region.h"
 #include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"
 #include "flashbvh/plain/status.h"
@@ -304,35 +303,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a
                                                           const flashbvh_mesh* b,
                                                           const flashbvh_pose* pose,
                                                           flashbvh_visitor* visit, void* context);
-
-/* Self-tests of firmware: self_test.hpp. */
-
-/** test_known_pairs(). DONE or SELF_TEST_FAILED, as from all tests. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_pairs(void);
-/** test_known_distances(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_distances(void);
-/** test_known_rays(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_rays(void);
-
-/** region_of(). */
-void flashbvh_region_of(const void* begin, size_t size, flashbvh_memory_region* region);
-
-/** sealed_regions(): FLASHBVH_SEALED_REGIONS regions. */
-const flashbvh_memory_region* flashbvh_sealed_regions(void);
-
-/** RegionTest. */
-FLASHBVH_OPAQUE(flashbvh_region_test, 3, 16, void*);
-
-/** `regions`: `count` regions, which must outlive the test. */
-void flashbvh_region_test_init(flashbvh_region_test* test, const flashbvh_memory_region* regions,
-                               uint32_t count);
-
-/** RegionTest::run(): `bytes` more at most; SIZE_MAX: all. SUSPENDED; DONE; SELF_TEST_FAILED. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_region_test_run(flashbvh_region_test* test,
-                                                            size_t bytes);
-
-/** RegionTest::region(): the number of the region that is being checked, or that has failed. */
-uint32_t flashbvh_region_test_region(const flashbvh_region_test* test);
 
 #ifdef __cplusplus
 }

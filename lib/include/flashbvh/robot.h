@@ -162,9 +162,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_explain(flashbvh_guard* guard,
                                                           int32_t* changes,
                                                           flashbvh_pair_detail* detail);
 
-/** test_known_guard(), in robot/self_test.hpp. DONE or SELF_TEST_FAILED. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_test_known_guard(void);
-
 /* Certified motions: robot/motion.hpp ---------------------------------------------------------- */
 
 /** MotionQuery of one motion at a time. Its cursor is in the state. */

@@ -192,8 +192,8 @@ class Guard {
   /// stored, sealed state is copied into the place of a sealed guard's state, verify() checks that
   /// copy.
   ///
-  /// Does not read the views' arrays: RegionTest (self_test.hpp) checks images in flash and a
-  /// workcell's memory. On a Cortex-M4F at -O2 both take about 4 instructions a word, 1,500 for a
+  /// Does not read the views' arrays: RegionTest (memory_region.hpp) checks images in flash and
+  /// a workcell's memory. On a Cortex-M4F at -O2 both take about 4 instructions a word, 1,500 for a
   /// KUKA KR5 of 6 joints; 96 bytes of stack.
   Status verify() const;
 

@@ -1,6 +1,6 @@
 // Checks constant memory in slices.
+#include "flashbvh/memory_region.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
-#include "flashbvh/self_test.hpp"
 
 namespace flashbvh {
 
