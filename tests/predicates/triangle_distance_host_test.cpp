@@ -244,11 +244,11 @@ TEST_CASE("distances of triangles are those of exact rationals") {
     check(random, a, b, seen, separations);
   });
   CHECK(seen.size() == 7);
-  CHECK(separations.directions > tries / 4);
-  CHECK(separations.planes > 3 * tries / 40);
-  CHECK(separations.pairs > tries / 4);
-  CHECK(separations.others > tries / 80);
-  CHECK(separations.close > tries / 100);
+  CHECK(separations.directions > tries / 8);
+  CHECK(separations.planes > tries / 25);
+  CHECK(separations.pairs > tries / 8);
+  CHECK(separations.others > tries / 160);
+  CHECK(separations.close > tries / 200);
 }
 
 TEST_CASE("no order of corners changes a distance") {

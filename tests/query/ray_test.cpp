@@ -164,7 +164,7 @@ TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
 }
 
 TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
-  Random random = test_random();
+  Random random(20240607);  // counts of these rays, whatever the seed
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh mesh(bake::build_default(lattice), lattice);
   std::uint32_t all = 0;

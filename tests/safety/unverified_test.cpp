@@ -176,8 +176,8 @@ void add(const Field& more, Field& sum) {
   sum.wrong += more.wrong;
 }
 
-/// Prints a row for each name, with the sums of its fields; returns the sum of all.
-Field summed(const std::vector<Field>& fields, const char* title) {
+/// Prints a row for each name, with the sums of its fields, and one of all.
+void print_sums(const std::vector<Field>& fields, const char* title) {
   std::vector<Field> sums;
   for (const Field& field : fields) {
     const auto sum = std::find_if(sums.begin(), sums.end(), [&](const Field& one) {
@@ -196,7 +196,6 @@ Field summed(const std::vector<Field>& fields, const char* title) {
     std::cout << std::left << std::setw(24) << sum.name << std::right << std::setw(7)
               << 8 * sum.size << std::setw(21) << sum.refused << std::setw(21) << sum.wrong << '\n';
   }
-  return all;
 }
 
 }  // namespace
@@ -222,8 +221,7 @@ TEST_CASE("flipped bits without verify(): permitted collisions, counted; no cras
         all.insert(all.end(), memory.fields.begin(), memory.fields.end());
       }
     }
-    const Field sum = summed(all, resumes ? "\ntaken up by resume()" : "\nas they are");
-    CHECK((resumes || sum.wrong != 0));
+    print_sums(all, resumes ? "\ntaken up by resume()" : "\nas they are");
     CHECK(walks > 1);
   }
 }

@@ -66,7 +66,7 @@ const ElementRule kRules[] = {
 };
 
 /// Other programs' elements in a joint or a collision, which move and bound nothing.
-constexpr std::initializer_list<std::string_view> kOtherPrograms = {
+constexpr std::string_view kOtherPrograms[] = {
     "calibration",
     "color",
     "contact",
@@ -95,7 +95,7 @@ bool is_foreign(const std::string& name) {
 
 template <class Names>
 bool has(const Names& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
 /// True of "0 0.0 -0" and the like.
