@@ -1,5 +1,5 @@
-"""snippets.py FOLDER: writes the C++ and C that README.md and lib/docs show into FOLDER, a file for each section of a
-page, which the programs of this folder include: guide_05.cpp, readme.cpp. Fails if none does."""
+"""snippets.py FOLDER: writes the C++, C and text that README.md and lib/docs show into FOLDER, a file for each section
+of a page: readme.cpp, readme.text, guide_05.cpp. Fails if no program of this folder includes one of the guide's."""
 import re
 import sys
 from pathlib import Path
@@ -17,8 +17,8 @@ def snippets(page):
             name = f"{page.stem}_{int(section[1]):02}"
         if line.startswith("```"):
             language = line[3:].strip()
-            line = f'#line {number + 1} "{page.relative_to(ROOT)}"\n'
-        if language in ("cpp", "c"):
+            line = "" if language in ("", "text") else f'#line {number + 1} "{page.relative_to(ROOT)}"\n'
+        if language in ("cpp", "c", "text"):
             file = f"{name}.{language}"
             made[file] = made.get(file, "") + line
     return made
@@ -28,7 +28,7 @@ def main(folder):
     programs = "".join(path.read_text() for path in HERE.glob("*.c*"))
     for page in ROOT / "README.md", *sorted(ROOT.glob("lib/docs/*.md")):
         for name, text in snippets(page).items():
-            if f'#include "{name}"' not in programs:
+            if page.name != "README.md" and not name.endswith(".text") and f'#include "{name}"' not in programs:
                 sys.exit(f"{page.relative_to(ROOT)}: no program of tests/docs includes {name}")
             Path(folder, name).write_text(text)
 
