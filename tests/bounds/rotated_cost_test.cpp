@@ -17,9 +17,7 @@ using namespace flashbvh::test;
 
 namespace {
 
-#if defined(__ARM_FEATURE_MVE)
-constexpr double kMostPerVisit = 70;
-#elif defined(__ARM_FEATURE_DSP)
+#if defined(__ARM_FEATURE_DSP)
 constexpr double kMostPerVisit = 90;
 #elif defined(__riscv)
 constexpr double kMostPerVisit = 150;

@@ -38,13 +38,13 @@ namespace flashbvh {
 /// in Pose::rigid(), with its tolerance and its rounding to 2^-22.
 inline Pose pose_of(const float (&rotation)[3][3], const float (&translation)[3],
                     float cells_per_unit) {
-  return detail::make_pose(rotation, translation, cells_per_unit);
+  return detail::pose_of_parts(rotation, translation, cells_per_unit);
 }
 
 /// Returns a pose from 12 numbers row by row: three of the rotation and one of the translation a
 /// row.
 inline Pose pose_of(const float (&matrix)[3][4], float cells_per_unit) {
-  return detail::make_pose(matrix, cells_per_unit);
+  return detail::pose_of_parts(matrix, cells_per_unit);
 }
 
 /// Returns a pose from a unit quaternion. `not_a_rotation`: its squared length differs from 1 by
@@ -53,7 +53,7 @@ inline Pose pose_of(const UnitQuaternion& rotation, const float (&translation)[3
                     float cells_per_unit) {
   int32_t entries[3][3] = {};
   detail::set_rotation(rotation, entries);
-  return detail::make_pose(entries, translation, cells_per_unit);
+  return detail::pose_of_parts(entries, translation, cells_per_unit);
 }
 
 /// Returns NAME_CELLS_PER_UNIT of a mesh without its header, such as an image: the nearest float,

@@ -8,16 +8,7 @@
 #include "flashbvh/plain/points.h"
 #include "flashbvh/status.hpp"
 
-/// On x86-64, SSE2 vectors make poses (lib/src/lattice/pose_sse2.hpp).
-#if defined(__SSE2__) && defined(__x86_64__) && !defined(FLASHBVH_PORTABLE)
-#define FLASHBVH_POSE_SSE2 1
-#endif
-
 namespace flashbvh {
-
-namespace detail {
-struct PoseOfLanes;
-}
 
 /// 1 in the fixed point of a rotation: 30 fraction bits.
 constexpr int32_t kRotationOne = 1 << 30;
@@ -96,7 +87,6 @@ class Pose {
 
  private:
   using Entries = int32_t[3][3];  ///< with kRotationBits fraction bits
-  friend struct detail::PoseOfLanes;
 
   constexpr Pose(int32_t x, int32_t y, int32_t z)
       : none_(),

@@ -2,11 +2,6 @@
 
 #include "flashbvh/detail/arch/packed_multiply.hpp"
 
-#if defined(FLASHBVH_ROTATED_EXCHANGED)
-#include "box_rotated_mve.hpp"
-#define FLASHBVH_ROTATE_BOX flashbvh_rotate_and_compare
-#else
-
 #if defined(FLASHBVH_ROTATE_SSE2)
 #include "box_rotated_sse2.hpp"
 #elif defined(__thumb__) && __ARM_ARCH_PROFILE == 'M' && !defined(FLASHBVH_PORTABLE)
@@ -98,16 +93,9 @@ uint32_t RotatedBoxTest::gap(const PackedBox& a, const PackedBox& b) {
   return rotate_both(a_, b_, a, b);
 }
 
-}  // namespace flashbvh::detail
-
-#define FLASHBVH_ROTATE_BOX rotate_and_compare
-#endif
-
-namespace flashbvh::detail {
-
 void RotatedBoxTest::keep(RotatedBox& kept, const PackedBox& box) {
   if (kept.source != &box) {
-    (void)FLASHBVH_ROTATE_BOX(kept, box, box);
+    (void)rotate_and_compare(kept, box, box);
   }
 }
 
@@ -117,12 +105,7 @@ PackedTriple RotatedBoxTest::window(const RotatedBox& kept, const PackedBox& box
   }
   constexpr uint32_t zero = 2 * kBoundBias;  // the sum of two equal bounds
   constexpr uint32_t zeros = join_halves(zero, zero);
-#if defined(FLASHBVH_ROTATED_EXCHANGED)
-  return {{subtract_halves(zeros, kept.bounds.upper_xy),
-           subtract_halves(zeros, kept.bounds.lower_xy), subtract_halves(zeros, kept.bounds.z)}};
-#else
   return detail::window({{zeros, zeros, zeros}}, kept.bounds);
-#endif
 }
 
 }  // namespace flashbvh::detail

@@ -16,23 +16,12 @@ struct RowLanes {
   __m128i z;
 };
 
-/// Loads the vectors that pose_sse2.hpp stored. A load that spans two stores would wait until both
-/// have left the core, which takes longer than separating two objects.
 inline RowLanes row_lanes(const SplitMatrix& matrix) {
-  static_assert(sizeof(matrix.row) == 9 * sizeof(uint32_t), "words without gaps");
-  const uint32_t* const words = &matrix.row[0].positive_xy;
-  const auto load = [words](int at) {
-    return _mm_castsi128_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(words + at)));
+  const auto lanes = [&matrix](uint32_t SplitRow::*word) {
+    const auto of = [&](int i) { return static_cast<int>(matrix.row[i].*word); };
+    return _mm_set_epi32(0, of(2), of(1), of(0));
   };
-  const __m128 first = load(0);   // the first row, and the second row's first word
-  const __m128 second = load(4);  // the second row's other words, and two of the third row
-  const __m128 last = _mm_castsi128_ps(_mm_cvtsi32_si128(static_cast<int>(words[8])));
-  const __m128 negative = _mm_shuffle_ps(first, second, _MM_SHUFFLE(3, 0, 1, 1));
-  const __m128 z = _mm_shuffle_ps(first, second, _MM_SHUFFLE(1, 1, 2, 2));
-  const auto lanes = [](__m128 v) { return _mm_castps_si128(v); };
-  return {lanes(_mm_shuffle_ps(first, second, _MM_SHUFFLE(2, 2, 3, 0))),
-          lanes(_mm_shuffle_ps(negative, negative, _MM_SHUFFLE(3, 3, 2, 0))),
-          lanes(_mm_shuffle_ps(z, last, _MM_SHUFFLE(0, 0, 2, 0)))};
+  return {lanes(&SplitRow::positive_xy), lanes(&SplitRow::negative_xy), lanes(&SplitRow::z)};
 }
 
 inline BoxTestLanes start_lanes(const BoxTestStart* starts) {

@@ -1,10 +1,6 @@
 // Makes, checks, composes and inverts poses, in integers with 64-bit products.
 #include "flashbvh/pose.hpp"
 
-#if defined(FLASHBVH_POSE_SSE2)
-#include "pose_sse2.hpp"
-#endif
-
 namespace flashbvh {
 namespace {
 
@@ -96,35 +92,12 @@ inline bool is_identity(const Entries& r) {
           r[1][2] | r[2][0] | r[2][1]) == 0;
 }
 
-}  // namespace
-
-#if defined(FLASHBVH_POSE_SSE2)
-
-static_assert(detail::PoseOfLanes::kMaxDeviation == kMaxEntryDefect, "one tolerance");
-
-Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
-                 const int16_t (&fraction)[3]) {
-  using namespace detail;
-  const auto given = [&](int i) {
-    return lanes_of(rotation[i][0], rotation[i][1], rotation[i][2]);
-  };
-  const MatrixLanes rows = {kept_lanes(given(0)), kept_lanes(given(1)), kept_lanes(given(2))};
-  Pose pose(cells[0], cells[1], cells[2]);
-  pose.fraction_[0] = fraction[0];
-  pose.fraction_[1] = fraction[1];
-  pose.fraction_[2] = fraction[2];
-  if (!PoseOfLanes::rotate(pose, rows, _mm_setzero_si128())) {
-    pose.refuse(Status::not_a_rotation);
-  }
-  return pose;
-}
-
-#else
-
 /// Rounds a given entry to kKeptBits in 32-bit arithmetic; halves go up.
 constexpr int32_t kept_of(int32_t given) {
   return ((given >> (kGivenBits - kKeptBits - 1)) + 1) >> 1;
 }
+
+}  // namespace
 
 Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
                  const int16_t (&fraction)[3]) {
@@ -140,8 +113,6 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3],
   return pose;
 }
 
-#endif
-
 Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
   return rigid(rotation, cells, {0, 0, 0});
 }
@@ -155,10 +126,6 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
   if (!rotated_) {
     return;
   }
-#if defined(FLASHBVH_POSE_SSE2)
-  const auto row = [&](int i) { return detail::lanes_of(r[i][0], r[i][1], r[i][2]); };
-  detail::store({row(0), row(1), row(2)}, _mm_cvtsi32_si128(static_cast<int>(defect)), matrix_);
-#else
   matrix_.defect = static_cast<uint16_t>(defect);
   for (int i = 0; i < 3; ++i) {
     int32_t coarse[3];
@@ -168,7 +135,6 @@ Pose Pose::rigid(const int32_t (&rotation)[3][3], const int32_t (&cells)[3]) {
     }
     matrix_.rows.row[i] = detail::SplitRow::of(coarse[0], coarse[1], coarse[2]);
   }
-#endif
 }
 
 [[gnu::noinline]] void Pose::get_rotation(Entries& r) const {

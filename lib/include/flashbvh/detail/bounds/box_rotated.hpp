@@ -24,11 +24,6 @@
 #include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
 
-#if defined(__ARM_FEATURE_MVE) && !defined(FLASHBVH_PORTABLE)
-// Bounds are kept with upper and lower exchanged, as they are added to a box's bounds.
-#define FLASHBVH_ROTATED_EXCHANGED 1
-#endif
-
 namespace flashbvh::detail {
 
 #if defined(__SSE2__) && !defined(FLASHBVH_PORTABLE)
@@ -84,8 +79,7 @@ class RotatedBoxTest {
 
   /// False only if no transformed triangle of a subtree with box `b` intersects one of a subtree
   /// with box `a`. Answers depend on the boxes alone, not on earlier calls. But a box is identified
-  /// by its address, and must not change while this lives. The boxes must lie in nodes: with Helium
-  /// the four bytes after a box are read, too.
+  /// by its address, and must not change while this lives.
   bool operator()(const PackedBox& a, const PackedBox& b) { return gap(a, b) == 0; }
 
   /// Lower limits for the packed words of a box of B, to overlap `a` on B's lattice. window_of_b():
@@ -94,21 +88,12 @@ class RotatedBoxTest {
   PackedTriple window_of_a(const PackedBox& a) const { return window(a_, a); }
   PackedTriple window_of_b(const PackedBox& b) const { return window(b_, b); }
   /// The boxes of the last pair that overlapped, each on the other's lattice.
-  PackedBox seen_a() const { return seen(a_.bounds); }
-  PackedBox seen_b() const { return seen(b_.bounds); }
+  const PackedBox& seen_a() const { return a_.bounds; }
+  const PackedBox& seen_b() const { return b_.bounds; }
   void keep_a(const PackedBox& a) { keep(a_, a); }
   void keep_b(const PackedBox& b) { keep(b_, b); }
 
  private:
-  static PackedBox seen(const PackedBox& bounds) {
-#if defined(FLASHBVH_ROTATED_EXCHANGED)
-    // Kept bounds may exceed the lattice; elsewhere bounds are clamped to its end.
-    const auto within = [](uint32_t both) { return both - subtract_halves(both, 0x7FFF7FFFu); };
-    return {within(bounds.lower_xy), within(bounds.upper_xy), within(swap_halves(bounds.z))};
-#else
-    return bounds;
-#endif
-  }
   static PackedTriple window(const RotatedBox& kept, const PackedBox& box);
   static void keep(RotatedBox& kept, const PackedBox& box);
 

@@ -157,25 +157,6 @@ inline Pose pose_of_parts(const float (&matrix)[3][4], float cells_per_unit) {
   return pose_of_parts(entries, translation, cells_per_unit);
 }
 
-#if defined(FLASHBVH_POSE_SSE2)
-// pose_of_parts() with vectors: lib/src/lattice/pose_float.cpp.
-Pose pose_of_sse2(const int32_t (&rotation)[3][3], const float (&translation)[3],
-                  float cells_per_unit);
-Pose pose_of_sse2(const float (&rotation)[3][3], const float (&translation)[3],
-                  float cells_per_unit);
-Pose pose_of_sse2(const float (&matrix)[3][4], float cells_per_unit);
-#endif
-
-/// pose_of_parts() in the form for this core.
-template <class... From>
-inline Pose make_pose(const From&... from) {
-#if defined(FLASHBVH_POSE_SSE2)
-  return pose_of_sse2(from...);
-#else
-  return pose_of_parts(from...);
-#endif
-}
-
 /// The product of two numbers in the fixed point of a rotation, rounded down.
 inline int64_t rotation_product(int64_t u, int64_t v) {
   return (u * v) >> 30;

@@ -6,7 +6,6 @@
 
 #include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/detail/query/intersection.hpp"
-#include "flashbvh/detail/query/leaf_triangles.hpp"
 #include "flashbvh/detail/query/triangle_test.hpp"
 #include "flashbvh/detail/walk/leaf_pairs.hpp"
 #include "flashbvh/detail/walk/leaf_planes.hpp"
@@ -106,10 +105,8 @@ class QueryRun : protected Predicate {
   }
 
   /// Traversals with a stack can't go back to a pair, so their batch is one pair.
-  using BatchTypes =
-      Batches<LeafPairs<Mesh, Traversal::kStackless ? Predicate::kBatch : 1, Predicate::kPairWork>,
-              Mesh, kTestsAllAlike<Predicate>>;
-  using Batch = typename BatchTypes::Batch;
+  using Batch =
+      LeafPairs<Mesh, Traversal::kStackless ? Predicate::kBatch : 1, Predicate::kPairWork>;
   using Shapes = typename Predicate::template Shapes<Mesh>;
   using Kept = KeptShapes<Shapes, Predicate::kKeepsShapes>;
   using Test = TriangleTest<Predicate, Mesh, Predicate::kIntersects>;
@@ -299,20 +296,7 @@ class QueryRun : protected Predicate {
       if (untested == 0) {
         return false;
       }
-      bool answer = false;
-      bool is_at_once = false;
-      if constexpr (BatchTypes::kAtOnce) {
-        // In leaves paid for in part, some pairs are free of charge: test_leaves() decides which.
-        is_at_once = kept == 0 && batch.at_once.has(transform_, leaf_a_, leaf_b_);
-        if (is_at_once) {
-          untested_ = static_cast<uint16_t>(untested);
-          answer = batch.at_once.next_answer(leaf_a_, leaf_b_, untested_);
-        }
-      }
-      if (!is_at_once) {
-        answer = test_leaves(test, batch, kept, untested);
-      }
-      if (answer) {
+      if (test_leaves(test, batch, kept, untested)) {
         if (batch.has_current()) {
           count(batch.walked_to_current());
         }

@@ -8,7 +8,6 @@
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
-#include "flashbvh/detail/query/leaf_triangles.hpp"
 #include "flashbvh/detail/query/triangle_test.hpp"
 #include "flashbvh/detail/walk/walk.hpp"
 
@@ -26,10 +25,6 @@ struct SelfPredicate : Base {
   SelfPredicate() = default;
   explicit SelfPredicate(const Base& base) : Base(base) {}
 };
-
-/// Triangles that share a vertex are not tested.
-template <class Base>
-inline constexpr bool kTestsAllAlike<SelfPredicate<Base>> = false;
 
 /// Selects the pairs of triangles that count.
 template <class Mesh>
