@@ -2,7 +2,6 @@
  * the tool would hit the plate at its target. Each tick computes one slice of the answer, so ticks
  * stay short for any meshes. */
 #include <flashbvh/flashbvh.h>
-#include <flashbvh/solid.h>
 
 #include "peg.fbvh.h"
 #include "plate.fbvh.h"
@@ -29,6 +28,7 @@ static const target wholly_inside = {"35 mm down", -35, false};
 typedef struct check {
   flashbvh_pose pose;
   flashbvh_query query; /* points at the pose: a check must not be moved in memory */
+  flashbvh_status status;
 } check;
 
 typedef enum verdict { VERDICT_PENDING, VERDICT_FREE, VERDICT_COLLIDES } verdict;
@@ -44,20 +44,15 @@ static void check_start(check* c, const target* to) {
   const float translation[3] = {0, 0, to->height};
   /* Errors of both calls appear in the status of each run, too. */
   flashbvh_pose_of_matrix(about_y, translation, flashbvh_mesh_cells_per_unit(&plate), &c->pose);
-  flashbvh_query_start(&c->query, &plate, &tool, &c->pose);
+  c->status = flashbvh_query_start(&c->query, &plate, &tool, &c->pose);
 }
 
-/** Prints the contact of the pair that ended the last run, in the plate's frame. */
+/** Prints where the pair that ended the last run touches, in the plate's frame. */
 static void print_contact(const check* c) {
   flashbvh_contact contact;
-  int64_t nanometres[3];
   flashbvh_query_last_contact(&c->query, &contact);
-  flashbvh_in_millionths(&contact.ends[0], &plate, nanometres);
-  port_put("first contact at");
-  for (int i = 0; i < 3; ++i) {
-    port_put(" ");
-    port_put_number((long)(nanometres[i] / 1000));
-  }
+  port_put("first contact at height ");
+  port_put_number((long)(1000 * flashbvh_length_in_unit(contact.ends[0].z, &plate)));
   port_put(" um\n");
 }
 
@@ -66,15 +61,15 @@ static void print_contact(const check* c) {
 static verdict check_tick(check* c) {
   flashbvh_pair found[1];
   bool inside = true;
-  flashbvh_status status = flashbvh_query_status(&c->query);
-  if (status == FLASHBVH_STATUS_DONE) { /* no triangles intersect */
-    status = flashbvh_one_is_inside(&plate, &tool, &c->pose, &inside);
-    return status == FLASHBVH_STATUS_DONE && !inside ? VERDICT_FREE : VERDICT_COLLIDES;
+  if (c->status == FLASHBVH_STATUS_DONE) { /* no triangles intersect */
+    c->status = flashbvh_one_is_inside(&plate, &tool, &c->pose, &inside);
+    return c->status == FLASHBVH_STATUS_DONE && !inside ? VERDICT_FREE : VERDICT_COLLIDES;
   }
-  status = flashbvh_query_run(&c->query, work_per_tick, found, 1).status;
+  c->status = flashbvh_query_run(&c->query, work_per_tick, found, 1).status;
   /* FULL means that a pair was found. All others are errors, which are no permission to move on. */
-  return status == FLASHBVH_STATUS_SUSPENDED || status == FLASHBVH_STATUS_DONE ? VERDICT_PENDING
-                                                                               : VERDICT_COLLIDES;
+  return c->status == FLASHBVH_STATUS_SUSPENDED || c->status == FLASHBVH_STATUS_DONE
+             ? VERDICT_PENDING
+             : VERDICT_COLLIDES;
 }
 
 /** The control loop: runs until the tool is at the target or must not go there. */
@@ -92,7 +87,7 @@ static verdict control_loop(const target* to) {
   port_put(answer == VERDICT_FREE ? ": free after " : ": collides after ");
   port_put_number(ticks);
   port_put(" ticks\n");
-  if (answer == VERDICT_COLLIDES && flashbvh_query_stats(&ahead.query).triangle_pairs != 0) {
+  if (ahead.status == FLASHBVH_STATUS_FULL) {
     print_contact(&ahead);
   }
   return answer;

@@ -8,25 +8,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "flashbvh/clearance.h"
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
-#include "flashbvh/deformable.h"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/first_contact.hpp"
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/float.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/ray.h"
 #include "flashbvh/robot/guard.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/workcell.hpp"
 #include "flashbvh/self.hpp"
-#include "flashbvh/shape.h"
-#include "flashbvh/solid.h"
 #include "flashbvh/solid.hpp"
 #include "reference/leaf.hpp"
 #include "reference/stack_traversals.hpp"
@@ -102,13 +97,11 @@ struct Arguments {
   flashbvh::Contact contact;
   flashbvh_contact c_contact;
   int64_t millionths;
-  float lengths[3];
   flashbvh::QueryCursor<uint16_t> position;
   flashbvh::Clearance<uint16_t> clearance;
   flashbvh_cursor c_cursor;
   flashbvh_witness c_witness;
   flashbvh_clearance c_clearance;
-  flashbvh_nearest_points c_nearest;
   flashbvh_box_shape c_box;
 
   template <class Status>
@@ -134,10 +127,6 @@ struct Arguments {
   }
 
   flashbvh_pair* c_found() { return reinterpret_cast<flashbvh_pair*>(found); }
-  flashbvh_triangle* c_transformed() { return reinterpret_cast<flashbvh_triangle*>(transformed); }
-  const flashbvh_triangle* c_triangles() const {
-    return reinterpret_cast<const flashbvh_triangle*>(triangles);
-  }
   flashbvh_pose* c_made() { return &as<flashbvh_pose>(made_pose); }
 };
 

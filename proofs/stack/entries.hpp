@@ -57,23 +57,6 @@ template <class Call>
   in.answer = yes ? 1 : 0;
 }
 
-/// All runs in C of a started query.
-template <class Run, class QueryType>
-[[gnu::always_inline]] inline void run_all(Arguments& in, const Run& run, QueryType& query) {
-  RunResult step;
-  do {
-    step = run(&query, UINT32_MAX, in.c_found(), in.capacity);
-    in.ends(step.status);
-    in.answer += step.count;
-  } while (step.count == in.capacity);
-}
-
-/// A visitor that uses no stack.
-inline bool count_visit(flashbvh_pair /*pair*/, void* context) {
-  ++*static_cast<uint32_t*>(context);
-  return true;
-}
-
 /// No hint, and some hints far from the nearest pair, which the walk then finds.
 constexpr uint16_t kSeeds = 5;
 template <class W>
@@ -97,13 +80,8 @@ W pair_of(uint16_t i) {
       in.query, [&] { return WithinQuery(*in.a, *in.b, *in.pose, {}, within({in.distance})); });
 }
 [[gnu::noinline]] inline void start_clearance(Arguments& in, const flashbvh_witness* seed) {
-  const flashbvh_clearance_options options = {seed, 0};
   in.ends(flashbvh_clearance_start(&as<flashbvh_clearance_query>(in.query), in.c_a, in.c_b,
-                                   in.c_pose, &options));
-}
-[[gnu::noinline]] inline void start_within(Arguments& in) {
-  in.ends(flashbvh_within_start(&as<flashbvh_within_query>(in.query), in.c_a, in.c_b, in.c_pose,
-                                {in.distance}));
+                                   in.c_pose, seed));
 }
 
 /// Queries a deformable mesh against itself.

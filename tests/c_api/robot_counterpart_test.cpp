@@ -11,7 +11,6 @@
 #include "flashbvh/robot/motion.hpp"
 #include "flashbvh/robot/robot_float.hpp"
 #include "flashbvh/robot/workcell.hpp"
-#include "support/c_pose.hpp"
 #include "support/random.hpp"
 #include "support/same_view.hpp"
 
@@ -21,7 +20,6 @@ using namespace flashbvh::test;
 namespace {
 
 constexpr uint32_t kVariables = 4;
-constexpr uint32_t kJoints = c_arm_JOINT_COUNT;
 constexpr flashbvh_workcell_room kRoom = {6, 8, 11, 16};
 using Memory = WorkcellOf<6, 8, 11, 16>;
 using State = GuardStateOf<6, 11, 41>;
@@ -35,11 +33,13 @@ template <class Element>
 bool same(const Element* p, const Element* q, uint32_t count) {
   return memcmp(p, q, count * sizeof *p) == 0;
 }
-bool same(const Frame& p, const Frame& q) {
-  return same(&p, &q, 1);
-}
 bool same(const GuardAnswer& c, const GuardAnswer& answer) {
   return same(&c, &answer, 1);
+}
+bool same(const NearestPoints& c, const NearestPoints& known) {
+  return same(&c.point_a, &known.point_a, 1) && same(&c.point_b, &known.point_b, 1) &&
+         same(&c.direction, &known.direction, 1) && c.lower == known.lower &&
+         c.upper == known.upper;
 }
 bool same(const MotionAnswer& c, const MotionAnswer& answer) {
   return c.status == answer.status && c.outcome == answer.outcome && c.pair == answer.pair &&
@@ -83,11 +83,7 @@ void check_explained(flashbvh_guard& c, Guard& guard, uint16_t pair) {
   REQUIRE(found.variable == known.variable);
   if (known.status == Status::done) {
     REQUIRE(same(changes, c_changes, kVariables));
-    REQUIRE(same(&found.nearest.point_a, &known.nearest.point_a, 1));
-    REQUIRE(same(&found.nearest.point_b, &known.nearest.point_b, 1));
-    REQUIRE(same(&found.nearest.direction, &known.nearest.direction, 1));
-    REQUIRE(found.nearest.lower == known.nearest.lower);
-    REQUIRE(found.nearest.upper == known.nearest.upper);
+    REQUIRE(same(found.nearest, known.nearest));
     REQUIRE(same(&found.triangles, &known.triangles, 1));
     REQUIRE(found.witness.a == known.witness.a);
     REQUIRE(found.witness.b == known.witness.b);
@@ -127,68 +123,41 @@ TEST_CASE("an image opens in C as in C++, and is viewed as it opens") {
   flashbvh_robot seen;
   flashbvh_view_robot_unchecked(c_arm_robot_image, seen_meshes, &seen);
   CHECK(same_view(seen, robot));
-  CHECK(strcmp(flashbvh_robot_name(c_arm_robot_image), "c_arm") == 0);
   for (uint32_t i = 0; i < robot.joint_count; ++i) {
     CHECK(flashbvh_joint_name(c_arm_robot_image, i) == joint_name(c_arm_robot_image, i));
   }
   for (uint32_t i = 0; i < robot.link_count; ++i) {
     CHECK(flashbvh_link_name(c_arm_robot_image, i) == link_name(c_arm_robot_image, i));
   }
-  CHECK(strcmp(flashbvh_mount_name(c_arm_robot_image, c_arm_mount_base), "base") == 0);
-  CHECK(flashbvh_mount_count(c_arm_robot_image) == mount_count(c_arm_robot_image));
-  CHECK(flashbvh_mounts(c_arm_robot_image) == mounts(c_arm_robot_image));
-  CHECK(flashbvh_unguarded_count(c_arm_robot_image) == c_arm_UNGUARDED_COUNT);
-  CHECK(flashbvh_unguarded_pairs(c_arm_robot_image) == unguarded_pairs(c_arm_robot_image));
+  uint32_t mount_number = 0;
+  uint32_t unguarded = 99;
+  CHECK(flashbvh_mounts(c_arm_robot_image, nullptr) == mounts(c_arm_robot_image));
+  CHECK(flashbvh_mounts(c_arm_robot_image, &mount_number) == mounts(c_arm_robot_image));
+  CHECK(mount_number == mount_count(c_arm_robot_image));
+  CHECK(flashbvh_unguarded_pairs(c_arm_robot_image, &unguarded) ==
+        unguarded_pairs(c_arm_robot_image));
+  CHECK(unguarded == c_arm_UNGUARDED_COUNT);
 }
 
-TEST_CASE("kinematics in C are those of C++") {
+TEST_CASE("floats become equal values and frames in C and C++") {
   Random random(test_seed() + 40);
   Values at;
   for (int round = 0; round < 60; ++round) {
     at.move_on(random);
     JointCoordinate values[kVariables];
-    JointCoordinate wanted[kJoints] = {};
-    JointCoordinate found[kJoints] = {};
     flashbvh_set_values(&robot, at.floats, values);
     REQUIRE(same(values, at.values, kVariables));
-    const Status status = set_coordinates(robot, values, wanted);
-    REQUIRE(same(flashbvh_set_coordinates(&robot, values, found), status));
-    const float length = at.floats[round % 4] / 8;
-    CHECK(flashbvh_angle_coordinate(-length) == angle_coordinate(-length));
-    CHECK(flashbvh_slide_coordinate(length, 512) == slide_coordinate(length, 512));
-    if (status != Status::done) {
-      continue;
-    }
-    REQUIRE(same(found, wanted, kJoints));
-    Frame frames[kJoints];
-    Frame c_frames[kJoints];
-    set_frames(robot, wanted, frames);
-    flashbvh_set_frames(&robot, found, c_frames);
-    REQUIRE(same(frames, c_frames, kJoints));
     const float rows[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
-    const float q[4] = {0.8f, 0, 0.6f, 0};
-    const float metres[3] = {length, -0.2f, round % 9 == 0 ? 1e6f : 0.3f};
+    const float metres[3] = {at.floats[round % 4] / 8, -0.2f, round % 9 == 0 ? 1e6f : 0.3f};
     Frame turned;
     Frame c_turned;
     REQUIRE(same(flashbvh_set_frame_of_matrix(&robot, rows[0], metres, &c_turned),
                  set_frame(robot, rows, metres, turned)));
-    REQUIRE(same(turned, c_turned));
-    const Status placed = set_frame(robot, UnitQuaternion{q[0], q[1], q[2], q[3]}, metres, turned);
-    REQUIRE(same(flashbvh_set_frame_of_quaternion(&robot, q, metres, &c_turned), placed));
-    REQUIRE(same(turned, c_turned));
-    if (placed != Status::done) {
-      continue;
-    }
-    flashbvh_frame_composed(&c_turned, &frames[3], &c_turned);
-    REQUIRE(same(c_turned, composed(turned, frames[3])));
-    flashbvh_pose pose;
-    const Pose relative = relative_pose(frames[0], c_turned);
-    REQUIRE(same(flashbvh_relative_pose(&frames[0], &c_turned, &pose), relative.status()));
-    REQUIRE(test::same(pose, relative));
+    REQUIRE(same(&turned, &c_turned, 1));
   }
 }
 
-TEST_CASE("a guard in C answers as in C++, also after its state was stored, or damaged") {
+TEST_CASE("a guard in C answers as in C++, also after its state was damaged") {
   Random random(test_seed() + 41);
   Values at;
   flashbvh_guard c;
@@ -200,15 +169,11 @@ TEST_CASE("a guard in C answers as in C++, also after its state was stored, or d
   Guard guard(robot, &state, sizeof state);
   check_explained(c, guard, 0);  // before the first period
   const GuardAnswer first = guard.prime(at.values);
-  REQUIRE(same(flashbvh_guard_prime(&c, at.values), first));
+  REQUIRE(same(flashbvh_guard_update(&c, at.values, UINT32_MAX), first));
   for (int period = 0; period < 400; ++period) {
     verdicts |= check_period(c, guard, at, random);
     if (random.below(20) == 0) {
       memcpy(static_cast<void*>(&state), &c_state, sizeof state);  // C++ continues from C's state
-      const uint32_t damage = random.below(2);
-      reinterpret_cast<uint32_t*>(&state)[1] ^= damage;
-      reinterpret_cast<uint32_t*>(&c_state)[1] ^= damage;
-      REQUIRE(same(flashbvh_guard_resume(&c), guard.resume()));
     }
     if (random.below(20) == 0) {
       guard.seal();
@@ -219,10 +184,6 @@ TEST_CASE("a guard in C answers as in C++, also after its state was stored, or d
       reinterpret_cast<char*>(&c_state)[random.below(c_arm_GUARD_STATE_SIZE)] ^= 16;
       REQUIRE(flashbvh_guard_verify(&c) == FLASHBVH_STATUS_GUARD_STATE_INVALID);
       memcpy(static_cast<void*>(&c_state), &state, sizeof state);
-    }
-    if (random.below(50) == 0) {
-      guard.forget();
-      flashbvh_guard_forget(&c);
     }
   }
   CHECK(verdicts == 0x1F);
@@ -251,12 +212,7 @@ TEST_CASE("certified motions in C are those of C++") {
       REQUIRE(same(flashbvh_motion_run(&c, work), answer));
     } while (answer.status == Status::suspended);
     if (answer.status == Status::done) {
-      JointCoordinate values[kVariables];
-      JointCoordinate c_values[kVariables];
       outcomes |= 1u << static_cast<uint32_t>(answer.outcome);
-      motion.set_values(answer.numerator, answer.level, values);
-      flashbvh_motion_set_values(&c, answer.numerator, answer.level, c_values);
-      REQUIRE(same(values, c_values, kVariables));
     }
   }
   CHECK((outcomes & 3) == 3);
@@ -349,9 +305,8 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
     CHECK(same(flashbvh_guard_init(&guard, &robot, state_bytes + offset,
                                    c_arm_GUARD_STATE_SIZE - guard_less),
                invalid));
-    CHECK(flashbvh_guard_prime(&guard, values).status == invalid);
     CHECK(flashbvh_guard_update(&guard, values, 1).verdict == Verdict::refused);
-    CHECK(same(flashbvh_guard_resume(&guard), invalid));
+    CHECK(flashbvh_guard_go_on(&guard, 1).status == invalid);
     CHECK(same(
         flashbvh_motion_init(&motion, &robot, state_bytes + offset, c_arm_MOTION_STATE_SIZE - less),
         invalid));

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <vector>
 
-#include "flashbvh/clearance.h"
 #include "flashbvh/clearance.hpp"
 #include "support/c_pose.hpp"
 #include "support/random.hpp"
@@ -38,22 +37,18 @@ struct Scene {
   /// A budget that suspends a query, or none.
   std::uint32_t any_work() { return random.below(4) == 0 ? UINT32_MAX : 1 + random.below(60); }
   /// A random point near the meshes, in cells.
-  Point any_point() { return {random.between(-40, 40), random.between(-40, 40), any_height()}; }
-  std::int32_t any_height() { return random.between(-40, 40); }
-  Triangle any_triangle() { return {{any_point(), any_point(), any_point()}}; }
+  Point any_point();
 };
 
-/// A C function and its C++ counterpart on one scene; `agree` allocates nothing.
+/// C functions and their C++ counterparts on one scene; `agree` allocates nothing.
 struct Row {
   const char* name;
   bool (*agree)(Scene& scene);
 };
 
-std::vector<Row> query_rows();
-std::vector<Row> pose_rows();
+std::vector<Row> pair_rows();
 std::vector<Row> distance_rows();
-std::vector<Row> shape_rows();
-std::vector<Row> motion_rows();
+std::vector<Row> body_rows();
 
 /// A bit for each status, and for each outcome of a first contact, that both languages returned.
 extern std::uint64_t seen_statuses;
@@ -67,6 +62,10 @@ inline bool same(const RunResult& c, const RunResult& step) {
   return same(static_cast<flashbvh_status>(c.status), step.status) && c.count == step.count &&
          c.work == step.work;
 }
+/// A call that decides: `yes` is what it wrote.
+inline bool same(flashbvh_status c, bool yes, const Answer& answer) {
+  return same(c, answer.status) && yes == answer.yes;
+}
 /// For types without padding.
 template <class Plain>
 bool same(const Plain& p, const Plain& q) {
@@ -77,32 +76,11 @@ template <class Plain>
 bool same(const Plain* p, const Plain* q, std::size_t count) {
   return std::memcmp(p, q, count * sizeof *p) == 0;
 }
-inline bool same(const NearestPoints& p, const NearestPoints& q) {
-  return same(p.point_a, q.point_a) && same(p.point_b, q.point_b) &&
-         same(p.direction, q.direction) && p.lower == q.lower && p.upper == q.upper;
-}
 inline bool same(const Contact& p, const Contact& q) {
   return same(p.ends, q.ends) && same(p.normal_a, q.normal_a) && same(p.normal_b, q.normal_b) &&
          p.kind == q.kind;
 }
-inline bool same(flashbvh_witness c, const Witness<std::uint16_t>& witness) {
-  return c.a == witness.a && c.b == witness.b;
-}
 bool same(const flashbvh_clearance& c, const Clearance<std::uint16_t>& known);
-
-constexpr std::uint32_t kMostKept = 8;
-
-/// The last pairs that a visitor received, until there were `most`.
-struct Kept {
-  std::uint32_t most;
-  std::uint32_t count;
-  flashbvh_pair pairs[kMostKept];
-};
-inline bool keep(flashbvh_pair pair, void* context) {
-  Kept& kept = *static_cast<Kept*>(context);
-  kept.pairs[kept.count % kMostKept] = pair;
-  return ++kept.count < kept.most;
-}
 
 /// Overwrites a query's bytes, like a loss of power.
 template <class Struct>

@@ -12,11 +12,8 @@ import tempfile
 # Results that may be dropped, since the error stays in the object: in a pose or a motion, with which each query then
 # ends; in a query, a guard or a workcell, whose later calls report it.
 STICKY = {"flashbvh_" + name for name in (
-    "pose_composed", "pose_inverse", "pose_of_matrix", "pose_of_quaternion", "pose_relative",
-    "pose_rigid", "pose_translated", "relative_pose",
-    "body_motion_between", "body_motion_of_moves", "body_motion_pose", "first_contact_start",
-    "query_start", "within_start", "clearance_start", "self_query_start", "self_within_start",
-    "guard_init", "motion_init", "motion_start", "workcell_init")}
+    "pose_relative", "pose_of_matrix", "pose_rigid", "body_motion_between", "first_contact_start", "query_start",
+    "clearance_start", "guard_init", "motion_init", "motion_start", "workcell_init")}
 # A query's state, which no function returns.
 MEMORY = {"MotionCore", "MotionStateOf"}
 CARRIED_FIELDS = {"status", "verdict", "outcome"}
@@ -134,7 +131,7 @@ def main():
     seen_in_c, _ = check(c, in_c, wrong.append)
     print(f"{seen} functions of C++ and {seen_in_c} of C return a status, {len(carriers)} types and "
           f"{len(in_c)} carry one")
-    if seen < 40 or seen_in_c < 40 or not {"GuardAnswer", "PairDetail"} <= carriers:
+    if seen < 40 or seen_in_c < 30 or not {"GuardAnswer", "PairDetail"} <= carriers:
         wrong.append("too few were found: this script no longer reads the tree")
     print("\n".join(wrong))
     sys.exit(1 if wrong else 0)

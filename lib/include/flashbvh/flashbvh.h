@@ -1,22 +1,28 @@
-/* flashbvh for C: finds the triangles of two baked meshes that intersect.
+/* flashbvh for C: pairs of triangles, contacts, distances, rays and motions of baked meshes, in
+ * fixed memory. robot.h has robots.
  *
- * A C99 interface to the C++ library, with equal meshes, queries, statuses and answers in equal
- * order. Each comment names the C++ counterpart, whose header has the details. Only C++ has meshes
- * with 32-bit indices. No call allocates or keeps memory. So any number
- * of queries may run at once, in interrupts too, if no two calls write to one object.
+ * A C99 interface to what a firmware needs of the C++ library, with equal meshes, queries, statuses
+ * and answers in equal order. Each comment names the C++ counterpart, whose header has the details.
+ * No call allocates or keeps memory. So any number of queries may run at once, in interrupts too,
+ * if no two calls write to one object.
  *
  * Unless stated otherwise, lengths are in cells: the unit of the lattice that all meshes of one
- * `flashbvh bake` share.
+ * `flashbvh bake` share. Distances are in 1/256 cell; flashbvh_fine_length_rounded_up() and
+ * flashbvh_length_in_unit() convert them.
  *
  * Pointers. The caller owns every object. The target of a pointer in an object must outlive the
  * object, at one address: an image its mesh, two meshes and a pose their query. Null pointers are
  * the caller's error and not checked, unless a comment allows them. An object must not be used
  * before the call that makes it. Objects may be copied by assignment, queries too: a copy runs on
- * its own.
+ * its own. Shapes and deformable meshes point into themselves and must not be copied or moved.
  *
- * Stack on Cortex-M3 and M4 at -O2, in bytes (proofs/stack proves it): opening an image at most
- * 480, a run 592, a query in one call 736, a contact 496, the triangles of a pair 416, a pose 416,
- * a point in the unit 112. */
+ * An error is never a permission: after it, `yes` is true and other results are not valid.
+ * NOT_OPEN: a mesh was not opened; each call that takes meshes returns it.
+ *
+ * Stack on Cortex-M3 to M55 at -O2, in bytes (proofs/stack proves it): opening an image at most
+ * 480, a run 592, pairs in one call 736, a contact 496, a pose 416; a distance's run 880, its
+ * result 1,040, a distance in one call 1,216; a point inside 416, one body inside another 720; a
+ * ray's hit 832, a segment of floats 352, a shape 352, a refit 256. */
 #ifndef FLASHBVH_FLASHBVH_H
 #define FLASHBVH_FLASHBVH_H
 
@@ -25,8 +31,8 @@
 
 #include "flashbvh/plain/byte_order.h"
 #include "flashbvh/plain/core_costs.h"
-#include "flashbvh/plain/core_cycles.h"
 #include "flashbvh/plain/language.h"
+#include "flashbvh/plain/motion_parts.h"
 #include "flashbvh/plain/points.h"
 #include "flashbvh/plain/results.h"
 #include "flashbvh/plain/status.h"
@@ -49,13 +55,7 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_open(const void* image, size_t size,
 /** view_unchecked(), for an image that `flashbvh bake` has written into the firmware's C. */
 void flashbvh_view_unchecked(const void* image, flashbvh_mesh* mesh);
 
-/** Mesh::triangle_count. */
-uint32_t flashbvh_mesh_triangles(const flashbvh_mesh* mesh);
-
-/** Mesh::cell_bits: the cell's length in the unit, as the bits of an IEEE binary64. */
-uint64_t flashbvh_mesh_cell(const flashbvh_mesh* mesh);
-
-/** cells_per_unit(), for poses in the unit. */
+/** cells_per_unit(), for poses and lengths in the unit. */
 float flashbvh_mesh_cells_per_unit(const flashbvh_mesh* mesh);
 
 /** The unit of the lengths in a mesh's file. */
@@ -74,15 +74,12 @@ typedef enum flashbvh_unit {
 /** Mesh::unit; NONE if `bake` got no unit. */
 flashbvh_unit flashbvh_mesh_unit(const flashbvh_mesh* mesh);
 
-/** Mesh::origin. */
-void flashbvh_mesh_origin(const flashbvh_mesh* mesh, int32_t origin[3]);
-
 /** Mesh::is_closed. */
 bool flashbvh_mesh_is_closed(const flashbvh_mesh* mesh);
 
 /* Poses: pose.hpp and float.hpp ---------------------------------------------------------------- */
 
-/** 1 in the fixed point of a rotation: 30 fraction bits. */
+/** 1 in the fixed point of a rotation or a direction: 30 fraction bits. */
 #define FLASHBVH_ROTATION_ONE (INT32_C(1) << 30)
 
 /** A full turn as an angle. */
@@ -100,9 +97,6 @@ typedef struct flashbvh_pose {
   } opaque;
 } flashbvh_pose;
 
-/** Pose::translated(), in cells. TRANSLATION_OUT_OF_RANGE. */
-flashbvh_status flashbvh_pose_translated(int32_t x, int32_t y, int32_t z, flashbvh_pose* pose);
-
 /** Pose::rigid(): `rotation` row by row; `fraction` in 1/65,536 cell, or null for zeros.
  * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE. */
 flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cells[3],
@@ -112,30 +106,12 @@ flashbvh_status flashbvh_pose_rigid(const int32_t rotation[9], const int32_t cel
 flashbvh_status flashbvh_pose_of_matrix(const float rotation[9], const float translation[3],
                                         float cells_per_unit, flashbvh_pose* pose);
 
-/** pose_of(): `rotation` is w, x, y, z. */
-flashbvh_status flashbvh_pose_of_quaternion(const float rotation[4], const float translation[3],
-                                            float cells_per_unit, flashbvh_pose* pose);
-
-/** Pose::composed(). `pose` may be either argument. */
-flashbvh_status flashbvh_pose_composed(const flashbvh_pose* outer, const flashbvh_pose* inner,
-                                       flashbvh_pose* pose);
-
-/** Pose::inverse(). `inverse` may be `pose`. */
-flashbvh_status flashbvh_pose_inverse(const flashbvh_pose* pose, flashbvh_pose* inverse);
-
-/** Pose::relative(). `pose` may be either argument. */
+/** Pose::relative(): B's pose in A's frame, of both poses in the world. `pose` may be either
+ * argument. */
 flashbvh_status flashbvh_pose_relative(const flashbvh_pose* world_a, const flashbvh_pose* world_b,
                                        flashbvh_pose* pose);
 
-/** Pose::status(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_pose_status(const flashbvh_pose* pose);
-
-/** Returns the numbers of a pose whose status is DONE, as for flashbvh_pose_rigid(). Each array may
- * be null. */
-void flashbvh_pose_values(const flashbvh_pose* pose, int32_t rotation[9], int32_t cells[3],
-                          int16_t fraction[3]);
-
-/* Queries: query.hpp --------------------------------------------------------------------------- */
+/* Pairs of triangles: query.hpp, collide.hpp and contact.hpp ----------------------------------- */
 
 /** PairQuery, with all its memory. 128 bytes on a 32-bit core, 152 on a 64-bit one. */
 FLASHBVH_OPAQUE(flashbvh_query, 6, 104, uint32_t);
@@ -145,27 +121,10 @@ FLASHBVH_OPAQUE(flashbvh_query, 6, 104, uint32_t);
 flashbvh_status flashbvh_query_start(flashbvh_query* query, const flashbvh_mesh* a,
                                      const flashbvh_mesh* b, const flashbvh_pose* pose);
 
-/** Query::status(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_query_status(const flashbvh_query* query);
-
 /** Query::run(): does at most `work` (UINT32_MAX: no limit) and writes at most `capacity` pairs.
  * DONE; SUSPENDED: the work is spent; FULL: the array is; or the query's error. */
 FLASHBVH_NODISCARD flashbvh_run_result flashbvh_query_run(flashbvh_query* query, uint32_t work,
                                                           flashbvh_pair* pairs, uint32_t capacity);
-
-/** Receives a pair of triangles that intersect; returns false to stop. `context`: the caller's. */
-typedef bool flashbvh_visitor(flashbvh_pair pair, void* context);
-
-/** Query::run(): passes each pair to `visit`. FULL: it returned false. */
-FLASHBVH_NODISCARD flashbvh_run_result flashbvh_query_visit(flashbvh_query* query, uint32_t work,
-                                                            flashbvh_visitor* visit, void* context);
-
-/** Query::stats(). */
-flashbvh_stats flashbvh_query_stats(const flashbvh_query* query);
-
-/** Query::last_pair(). Valid in a visitor, and after a run that wrote a pair and returned FULL. */
-void flashbvh_query_last_pair(const flashbvh_query* query, flashbvh_triangle* a,
-                              flashbvh_triangle* b);
 
 /** Query::cursor(). Valid between runs. */
 flashbvh_cursor flashbvh_query_cursor(const flashbvh_query* query);
@@ -175,27 +134,19 @@ flashbvh_cursor flashbvh_query_cursor(const flashbvh_query* query);
 FLASHBVH_NODISCARD flashbvh_status flashbvh_query_resume(flashbvh_query* query,
                                                          const flashbvh_cursor* cursor);
 
-/* Contacts: contact.hpp ------------------------------------------------------------------------ */
-
-/** contact_of(), for two triangles that intersect. */
-void flashbvh_contact_of(const flashbvh_triangle* a, const flashbvh_triangle* b,
-                         flashbvh_contact* contact);
-
-/** contact_of_last(). Valid when flashbvh_query_last_pair() is. */
+/** contact_of_last(): of the last pair, valid after a run that wrote a pair and returned FULL. */
 void flashbvh_query_last_contact(const flashbvh_query* query, flashbvh_contact* contact);
 
-/** transform_pair(). Returns false, and writes nothing, if the pose has an error, the cells differ
- * or an id is not in its mesh. */
-FLASHBVH_NODISCARD bool flashbvh_transform_pair(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                                const flashbvh_pose* pose, flashbvh_pair pair,
-                                                flashbvh_triangle* of_a, flashbvh_triangle* of_b);
+/** intersects(), in one call. After an error `yes` is true, since an undecided pair may collide. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects(const flashbvh_mesh* a,
+                                                       const flashbvh_mesh* b,
+                                                       const flashbvh_pose* pose, bool* yes);
 
-/** in_unit(): a point in the mesh's unit, to the nearest floats. */
-void flashbvh_in_unit(const flashbvh_fine_point* point, const flashbvh_mesh* mesh, float at[3]);
-
-/** millionths_of() for each coordinate; saturates at INT64_MAX and -INT64_MAX. */
-void flashbvh_in_millionths(const flashbvh_fine_point* point, const flashbvh_mesh* mesh,
-                            int64_t at[3]);
+/** find_pairs(), in one call. DONE: these are all; FULL: maybe not. */
+FLASHBVH_NODISCARD flashbvh_run_result flashbvh_find_pairs(const flashbvh_mesh* a,
+                                                           const flashbvh_mesh* b,
+                                                           const flashbvh_pose* pose,
+                                                           flashbvh_pair* pairs, uint32_t capacity);
 
 /* Time: time_bound.hpp; lib/docs/bounded_time.md has the proof --------------------------------- */
 
@@ -207,47 +158,16 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_image_tree_size(const void* image, s
 #define FLASHBVH_CONSTANT(core, c_name, ...) extern const flashbvh_run_costs flashbvh_##c_name;
 FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
-/* Defines flashbvh_cortex_m0_cycles to flashbvh_cortex_m4f_cycles. */
-#define FLASHBVH_CONSTANT(core, c_name, ...) \
-  extern const flashbvh_run_cycles flashbvh_##c_name##_cycles;
-FLASHBVH_FOR_EACH_CORE_IN_CYCLES(FLASHBVH_CONSTANT)
-#undef FLASHBVH_CONSTANT
 /* NOLINTEND(readability-identifier-naming) */
 
 /** work_within(): most work with which a run takes at most this many instructions; 0 if none. */
 uint32_t flashbvh_work_within(uint64_t instructions, const flashbvh_run_costs* costs,
                               const flashbvh_tree_size* a, const flashbvh_tree_size* b);
 
-/** most_instructions() of a run; not valid for UINT32_MAX, which is no limit. */
-uint64_t flashbvh_most_instructions(const flashbvh_run_costs* costs, const flashbvh_tree_size* a,
-                                    const flashbvh_tree_size* b, uint32_t work);
+/* Distances: clearance.hpp --------------------------------------------------------------------- */
 
-/** work_within(), in cycles, if a read of flash takes `wait_states`, at most 1000. */
-uint32_t flashbvh_work_within_cycles(uint64_t cycles, const flashbvh_run_cycles* core,
-                                     uint32_t wait_states, const flashbvh_tree_size* a,
-                                     const flashbvh_tree_size* b);
-
-/** most_cycles() of a run; arguments as for flashbvh_work_within_cycles(). */
-uint64_t flashbvh_most_cycles(const flashbvh_run_cycles* core, uint32_t wait_states,
-                              const flashbvh_tree_size* a, const flashbvh_tree_size* b,
-                              uint32_t work);
-
-/** most_work() of a whole query in one run. */
-uint64_t flashbvh_most_work(const flashbvh_tree_size* a, const flashbvh_tree_size* b);
-
-/** largest_step(): a run may overdraw by it, less 1. */
-uint64_t flashbvh_largest_step(const flashbvh_tree_size* a, const flashbvh_tree_size* b);
-
-/* One call for each query: collide.hpp ---------------------------------------------------------
- *
- * Each runs its own query on the stack to the end. It returns DONE, the query's error, or FULL
- * where stated. After an error `yes` is true, since an undecided pair may collide, and counts are
- * 0. */
-
-/** intersects(). */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects(const flashbvh_mesh* a,
-                                                       const flashbvh_mesh* b,
-                                                       const flashbvh_pose* pose, bool* yes);
+/** The largest distance of a query: 2^20 cells. */
+#define FLASHBVH_MAX_DISTANCE (UINT32_C(256) << 20)
 
 /** Witness: two triangles as a hint for later queries. May be stored. */
 typedef struct flashbvh_witness {
@@ -259,50 +179,218 @@ typedef struct flashbvh_witness {
 #define FLASHBVH_NO_WITNESS \
   { UINT16_MAX, UINT16_MAX }
 
-/** intersects() with a hint: the pair that intersected last; at first FLASHBVH_NO_WITNESS.
- * HINT_INVALID: it is no pair of these meshes' triangles. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects_hinted(const flashbvh_mesh* a,
-                                                              const flashbvh_mesh* b,
-                                                              const flashbvh_pose* pose,
-                                                              flashbvh_witness* hint, bool* yes);
+/** Clearance: the distance of two meshes' surfaces, as far as it is known. */
+typedef struct flashbvh_clearance {
+  flashbvh_fine_point point_a; /**< the nearest points of the triangles, in A's frame */
+  flashbvh_fine_point point_b;
+  flashbvh_unit_vector direction; /**< from point_a to point_b; 0 if they intersect */
+  uint32_t lower;                 /**< lower bound of the distance; 0 while SUSPENDED */
+  uint32_t upper;                 /**< upper bound; UINT32_MAX if none is known yet */
+  flashbvh_pair triangles;        /**< by their ids */
+  flashbvh_witness witness;       /**< these triangles as a hint for the next query */
+  flashbvh_status status;         /**< DONE; SUSPENDED: work is left; or an error */
+  bool in_range;                  /**< false: only `lower` and `upper` are valid */
+} flashbvh_clearance;
 
-/** first_pair(); `found` is written only if there is one. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_first_pair(const flashbvh_mesh* a,
-                                                       const flashbvh_mesh* b,
-                                                       const flashbvh_pose* pose, bool* yes,
-                                                       flashbvh_pair* found);
+/** ClearanceQuery, with all its memory. 144 bytes on a 32-bit core, 176 on a 64-bit one. */
+FLASHBVH_OPAQUE(flashbvh_clearance_query, 8, 112, uint32_t);
 
-/** count_pairs(), in `count` of the result. */
-FLASHBVH_NODISCARD flashbvh_run_result flashbvh_count_pairs(const flashbvh_mesh* a,
-                                                            const flashbvh_mesh* b,
-                                                            const flashbvh_pose* pose);
+/** Starts a query of the distance of A and B, which is at `pose` in A's frame. `hint`: a pair that
+ * may be near; may be null. SUSPENDED: there is work to run; DONE: the hint's triangles intersect;
+ * HINT_INVALID; else as flashbvh_query_start(). */
+flashbvh_status flashbvh_clearance_start(flashbvh_clearance_query* query, const flashbvh_mesh* a,
+                                         const flashbvh_mesh* b, const flashbvh_pose* pose,
+                                         const flashbvh_witness* hint);
 
-/** find_pairs(). DONE: these are all; FULL: maybe not. */
-FLASHBVH_NODISCARD flashbvh_run_result flashbvh_find_pairs(const flashbvh_mesh* a,
-                                                           const flashbvh_mesh* b,
-                                                           const flashbvh_pose* pose,
-                                                           flashbvh_pair* pairs, uint32_t capacity);
+/** ClearanceQuery::run_within(): does at most `*work` and leaves the remainder in it; UINT32_MAX
+ * does not change. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_clearance_run(flashbvh_clearance_query* query,
+                                                          uint32_t* work);
 
-/** UnitContact: a pair of triangles that intersect, and their common part. */
-typedef struct flashbvh_unit_contact {
-  flashbvh_normal normal_a;
-  flashbvh_normal normal_b;
-  flashbvh_unit_point ends[2]; /**< of the common part, in A's frame and unit */
-  flashbvh_pair triangles;
-  bool yes; /**< false: no triangles intersect, and no other field is valid */
-} flashbvh_unit_contact;
+/** ClearanceQuery::result(). */
+void flashbvh_clearance_result(const flashbvh_clearance_query* query, flashbvh_clearance* result);
 
-/** first_contact(). After an error `yes` is true and no other field is valid. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_first_contact(const flashbvh_mesh* a,
+/** distance(), in one call; `hint` as for flashbvh_clearance_start(). */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_distance(const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                                     const flashbvh_pose* pose,
+                                                     const flashbvh_witness* hint,
+                                                     flashbvh_clearance* result);
+
+/** closer_than(), in one call. DISTANCE_OUT_OF_RANGE; after an error `yes` is true. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_closer_than(const flashbvh_mesh* a,
+                                                        const flashbvh_mesh* b,
+                                                        const flashbvh_pose* pose,
+                                                        flashbvh_fine_length distance, bool* yes);
+
+/** fine_length_rounded_up(): UINT32_MAX, which every query rejects, if the length is negative, not
+ * a number or too large. */
+flashbvh_fine_length flashbvh_fine_length_rounded_up(float length, float cells_per_unit);
+
+/** length_in_unit(): a distance, or a coordinate of a point, in the mesh's unit, to the nearest
+ * float. `fine`: in 1/256 cell, within +-2^39. */
+float flashbvh_length_in_unit(int64_t fine, const flashbvh_mesh* mesh);
+
+/* Solids: solid.hpp ---------------------------------------------------------------------------- */
+
+/** The side of a closed surface on which a point lies. */
+typedef enum flashbvh_point_side {
+  FLASHBVH_POINT_OUTSIDE = 0,
+  FLASHBVH_POINT_ON_SURFACE = 1,
+  FLASHBVH_POINT_INSIDE = 2
+} flashbvh_point_side;
+
+/** inside(). NOT_CLOSED; after an error `side` is INSIDE. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_inside(const flashbvh_mesh* mesh,
+                                                   const flashbvh_point* point,
+                                                   flashbvh_point_side* side);
+
+/** one_is_inside(), for bodies whose surfaces do not intersect: with it, the pairs' queries decide
+ * about solids. NOT_CLOSED; after an error `yes` is true. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_one_is_inside(const flashbvh_mesh* a,
                                                           const flashbvh_mesh* b,
-                                                          const flashbvh_pose* pose,
-                                                          flashbvh_unit_contact* contact);
+                                                          const flashbvh_pose* pose, bool* yes);
 
-/** for_each_pair(). FULL: `visit` returned false. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_for_each_pair(const flashbvh_mesh* a,
-                                                          const flashbvh_mesh* b,
-                                                          const flashbvh_pose* pose,
-                                                          flashbvh_visitor* visit, void* context);
+/* Rays: ray.hpp and float.hpp ------------------------------------------------------------------ */
+
+/** Largest distance of a ray's ends from the mesh's origin along each axis, in cells. */
+#define FLASHBVH_MAX_RAY_COORDINATE ((INT32_C(1) << 19) - 1)
+
+/** The hint without a triangle. */
+#define FLASHBVH_NO_HINT UINT16_C(0xFFFF)
+
+/** RayHit: a ray's hit. */
+typedef struct flashbvh_hit {
+  int64_t above; /**< fraction of the segment's length: above / below, exact, from 0 to 1 */
+  int64_t below;
+  uint16_t triangle; /**< its id */
+  uint16_t slot;     /**< slot in the mesh's array: a hint for the next ray */
+  int8_t side;       /**< 1: the front is hit; -1: the back; 0: the plane's edge, or no area */
+} flashbvh_hit;
+
+/** nearest_hit(); `*yes`: there is one. `hint`: the slot of a triangle that may be near it, or
+ * FLASHBVH_NO_HINT. RAY_OUT_OF_RANGE, HINT_INVALID: `*yes` is true and `*hit` is not valid. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_nearest_hit(const flashbvh_mesh* mesh,
+                                                        const flashbvh_segment* segment,
+                                                        uint16_t hint, bool* yes,
+                                                        flashbvh_hit* hit);
+
+/** distance_along(): the hit's distance from the ray's start, in 1/256 cell. */
+uint32_t flashbvh_distance_along(const flashbvh_segment* segment, const flashbvh_hit* hit);
+
+/** segment_of(), in the mesh's unit. RAY_OUT_OF_RANGE: `*segment` does not change. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_segment_of(const float origin[3],
+                                                       const float direction[3], float reach,
+                                                       float cells_per_unit,
+                                                       flashbvh_segment* segment);
+
+/* Shapes made at run time: shape.hpp -----------------------------------------------------------
+ *
+ * A shape's `mesh` is a mesh of one leaf, for every call that takes an opened mesh. A sphere is a
+ * segment without length and a distance, a capsule is a segment and a distance:
+ *     flashbvh_closer_than(&part, &capsule.mesh, &pose, radius, &yes)
+ * To move a shape, use a pose, or make it again in place, which ends its queries. Coordinates are
+ * in cells of the shape's own frame. `like`: its cell and unit are taken; it need not outlive the
+ * shape. SHAPE_TOO_LARGE: queries of the shape then end with CELL_MISMATCH. */
+
+/** A segment. 112 bytes on a 32-bit core, 136 on a 64-bit one. */
+typedef struct flashbvh_segment_shape {
+  flashbvh_mesh mesh; /**< for queries */
+  unsigned char opaque[48];
+} flashbvh_segment_shape;
+
+/** A closed box. 232 bytes on a 32-bit core, 256 on a 64-bit one. */
+typedef struct flashbvh_box_shape {
+  flashbvh_mesh mesh; /**< for queries */
+  unsigned char opaque[168];
+} flashbvh_box_shape;
+
+/** SegmentShape, from `p` to `q`. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_segment_shape_make(flashbvh_segment_shape* shape,
+                                                               const flashbvh_mesh* like,
+                                                               const flashbvh_point* p,
+                                                               const flashbvh_point* q);
+
+/** BoxShape: `lower` must not exceed `upper` along any axis. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_box_shape_make(flashbvh_box_shape* shape,
+                                                           const flashbvh_mesh* like,
+                                                           const flashbvh_point* lower,
+                                                           const flashbvh_point* upper);
+
+/* Deformable meshes: deformable.hpp and self.hpp -----------------------------------------------
+ *
+ * A deformable mesh is a baked mesh whose nodes and vertices were copied into the caller's memory.
+ * Move any vertices, refit, and query: each call takes its `mesh`, on either side and at any pose.
+ *
+ *     static flashbvh_node nodes[cloth_NODE_COUNT];
+ *     static flashbvh_vertex vertices[cloth_VERTEX_COUNT];
+ *     flashbvh_deformable_make(&cloth, &baked, nodes, vertices);
+ *     vertices[7].z -= 12;
+ *     status = flashbvh_deformable_refit(&cloth, UINT32_MAX, &vertex);
+ *
+ * A query begun before a refit must not run after it, nor may its cursor be resumed. */
+
+/** Node of a tree; internal. 16 bytes. */
+typedef struct flashbvh_node {
+  uint32_t opaque[4];
+} flashbvh_node;
+
+/** DeformableMesh. Must not move while queries use it. 104 bytes on a 32-bit core, 144 on a 64-bit
+ * one. */
+typedef struct flashbvh_deformable {
+  flashbvh_mesh mesh; /**< for queries; CELL_MISMATCH while a refit is not done */
+  union {
+    unsigned char bytes[3 * sizeof(void*) + 28];
+    uint32_t word;
+    void* pointer;
+  } opaque;
+} flashbvh_deformable;
+
+/** Copies all nodes and vertices of `baked`. These arrays, and the arrays or the image of `baked`,
+ * must outlive the mesh. */
+void flashbvh_deformable_make(flashbvh_deformable* deformable, const flashbvh_mesh* baked,
+                              flashbvh_node* nodes, flashbvh_vertex* vertices);
+
+/** DeformableMesh::refit(); `work`: number of nodes, UINT32_MAX: no limit. DONE; SUSPENDED: call
+ * again. VERTEX_OUT_OF_LATTICE, which alone writes `vertex`: move that vertex back and refit. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_deformable_refit(flashbvh_deformable* deformable,
+                                                             uint32_t work, uint32_t* vertex);
+
+/** intersects_itself(), for any mesh. After an error `yes` is true. */
+FLASHBVH_NODISCARD flashbvh_status flashbvh_intersects_itself(const flashbvh_mesh* mesh, bool* yes);
+
+/* Motions of a body: first_contact.hpp --------------------------------------------------------- */
+
+/** The end of a motion. A time is a binary fraction of the motion; 0 is the start. */
+#define FLASHBVH_MOTION_END (UINT32_C(1) << 30)
+
+/** The largest `within` of a motion, in 1/256 cell. */
+#define FLASHBVH_MAX_MOTION_DISTANCE (UINT32_C(32000) * 256)
+
+/** BodyMotion: constant once made; any number of queries may share it. It stores an error, which
+ * every query on it returns. 188 bytes on a 32-bit core, 192 on a 64-bit one. */
+FLASHBVH_OPAQUE(flashbvh_body_motion, 1, 184, uint32_t);
+
+/** BodyMotion::between(): straight, with the shorter turn. MOTION_OUT_OF_RANGE; the poses'
+ * NOT_A_ROTATION and TRANSLATION_OUT_OF_RANGE. */
+flashbvh_status flashbvh_body_motion_between(const flashbvh_pose* from, const flashbvh_pose* to,
+                                             flashbvh_body_motion* motion);
+
+/** FirstContact, with all its memory. 80 bytes on a 32-bit core, 96 on a 64-bit one. */
+FLASHBVH_OPAQUE(flashbvh_first_contact_query, 3, 68, uint32_t);
+
+/** Starts a query; meshes and motion must outlive it. `within`: bodies this near are in contact; 0:
+ * only bodies that intersect. SUSPENDED: there is work to run. The motion's status;
+ * MOTION_OUT_OF_RANGE, also for far origins; DISTANCE_OUT_OF_RANGE: `within` is beyond
+ * FLASHBVH_MAX_MOTION_DISTANCE. Every run returns the status again, or CELL_MISMATCH. */
+flashbvh_status flashbvh_first_contact_start(flashbvh_first_contact_query* query,
+                                             const flashbvh_mesh* a, const flashbvh_mesh* b,
+                                             const flashbvh_body_motion* motion,
+                                             flashbvh_fine_length within);
+
+/** FirstContact::run(): does at most `work`, overdrawn by one step; UINT32_MAX: no limit. The body
+ * may move if the status is DONE and the outcome FREE. */
+FLASHBVH_NODISCARD flashbvh_first_contact_answer
+flashbvh_first_contact_run(flashbvh_first_contact_query* query, uint32_t work);
 
 #ifdef __cplusplus
 }

@@ -9,12 +9,13 @@
  *     static uint32_t state[FLASHBVH_GUARD_STATE_SIZE(JOINTS, PAIRS, PAIR_JOINTS) / 4];
  *     flashbvh_guard_init(&guard, &robot, state, sizeof state);
  *
- * Values: flashbvh_robot::variable_count of them. Distances and work are as in clearance.h and
- * flashbvh.h. In the target flashbvh::robot. */
+ * Values: flashbvh_robot::variable_count of them. Distances and work are as in
+ * flashbvh.h. NOT_OPEN, from every call of a guard, a motion or a workcell: its robot was not
+ * opened. In the target flashbvh::robot. */
 #ifndef FLASHBVH_ROBOT_H
 #define FLASHBVH_ROBOT_H
 
-#include "flashbvh/clearance.h"
+#include "flashbvh/flashbvh.h"
 #include "flashbvh/plain/robot_parts.h"
 
 #ifdef __cplusplus
@@ -49,50 +50,21 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_open_robot(const void* image, size_t
 /** view_robot_unchecked(), for an image that `flashbvh robot` has written into the firmware's C. */
 void flashbvh_view_robot_unchecked(const void* image, flashbvh_mesh* meshes, flashbvh_robot* robot);
 
-/** robot_name(), joint_name(), link_name(): for people, from an image that was opened or baked. */
-const char* flashbvh_robot_name(const void* image);
+/** joint_name(), link_name(): for people, from an image that was opened or baked. */
 const char* flashbvh_joint_name(const void* image, uint32_t joint);
 const char* flashbvh_link_name(const void* image, uint32_t link);
 
-/** mount_count(), mounts(), mount_name(): the frames for mounting tools. */
-uint32_t flashbvh_mount_count(const void* image);
-const flashbvh_mount* flashbvh_mounts(const void* image);
-const char* flashbvh_mount_name(const void* image, uint32_t mount);
+/** mounts(), mount_count(): the frames for mounting tools. `count` may be null; the robot's header
+ * has the mounts' numbers. */
+const flashbvh_mount* flashbvh_mounts(const void* image, uint32_t* count);
 
-/** unguarded_count(), unguarded_pairs(): the pairs of links that no guard checks. */
-uint32_t flashbvh_unguarded_count(const void* image);
-const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image);
-
-/* Kinematics: robot/kinematics.hpp ------------------------------------------------------------- */
-
-/** set_coordinates(): computes joint_count coordinates from the caller's values. NOT_A_COORDINATE;
- * JOINT_OUT_OF_LIMITS. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_set_coordinates(const flashbvh_robot* robot,
-                                                            const flashbvh_joint_coordinate* values,
-                                                            flashbvh_joint_coordinate* coordinates);
-
-/** set_frames(): computes joint_count frames in the base's frame. */
-void flashbvh_set_frames(const flashbvh_robot* robot, const flashbvh_joint_coordinate* coordinates,
-                         flashbvh_frame* frames);
-
-/** composed(). `frame` may be either argument. A translation beyond 32 bits saturates. */
-void flashbvh_frame_composed(const flashbvh_frame* outer, const flashbvh_frame* inner,
-                             flashbvh_frame* frame);
-
-/** relative_pose(). TRANSLATION_OUT_OF_RANGE: a difference of translations exceeds 32 bits. */
-flashbvh_status flashbvh_relative_pose(const flashbvh_frame* a, const flashbvh_frame* b,
-                                       flashbvh_pose* pose);
+/** unguarded_pairs(), unguarded_count(): the pairs of links that no guard checks. */
+const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image, uint32_t* count);
 
 /* From floats, without float arithmetic: robot/robot_float.hpp --------------------------------- */
 
-/** angle_coordinate(). FLASHBVH_NO_COORDINATE: not a number, or 8 turns or more. */
-flashbvh_joint_coordinate flashbvh_angle_coordinate(float radians);
-
-/** slide_coordinate(): less exact than flashbvh_set_values(). FLASHBVH_NO_COORDINATE: not a number,
- * or 2^19 cells or more. */
-flashbvh_joint_coordinate flashbvh_slide_coordinate(float length, float cells_per_unit);
-
-/** set_values(): radians, and metres for prismatic joints. */
+/** set_values(): radians, and metres for prismatic joints. FLASHBVH_NO_COORDINATE, which each
+ * period and motion refuses: not a number, or 8 turns or 2^19 cells or more. */
 void flashbvh_set_values(const flashbvh_robot* robot, const float* floats,
                          flashbvh_joint_coordinate* values);
 
@@ -101,12 +73,6 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_matrix(const flashbvh_r
                                                                 const float rotation[9],
                                                                 const float metres[3],
                                                                 flashbvh_frame* frame);
-
-/** set_frame(): w, x, y, z, and metres. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_set_frame_of_quaternion(const flashbvh_robot* robot,
-                                                                    const float rotation[4],
-                                                                    const float metres[3],
-                                                                    flashbvh_frame* frame);
 
 /* The guard: robot/guard.hpp ------------------------------------------------------------------- */
 
@@ -131,30 +97,20 @@ FLASHBVH_OPAQUE(flashbvh_guard, 11, 16, void*);
 flashbvh_status flashbvh_guard_init(flashbvh_guard* guard, const flashbvh_robot* robot, void* state,
                                     size_t size);
 
-/** Guard::forget(). */
-void flashbvh_guard_forget(flashbvh_guard* guard);
-
-/** Guard::resume(), after init and copying the state back: discards all certificates with
- * obstacles. GUARD_STATE_INVALID. */
-FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_resume(flashbvh_guard* guard);
-
 /** Guard::seal(). Call it after each period. */
 void flashbvh_guard_seal(flashbvh_guard* guard);
 
 /** Guard::verify(). Call it before the next period. GUARD_STATE_INVALID: memory is damaged. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_verify(const flashbvh_guard* guard);
 
-/** Guard::update(). NOT_A_COORDINATE, JOINT_OUT_OF_LIMITS, JOINT_JUMPED: the verdict is REFUSED,
- * and nothing changes. */
+/** Guard::update(). At start-up, while the robot stands still, with UINT32_MAX as `work`: no limit.
+ * NOT_A_COORDINATE, JOINT_OUT_OF_LIMITS, JOINT_JUMPED: the verdict is REFUSED, and nothing changes.
+ */
 FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_update(
     flashbvh_guard* guard, const flashbvh_joint_coordinate* values, uint32_t work);
 
 /** Guard::go_on(): continues the current period with more work. */
 FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_go_on(flashbvh_guard* guard, uint32_t work);
-
-/** Guard::prime(), at start-up. */
-FLASHBVH_NODISCARD flashbvh_guard_answer
-flashbvh_guard_prime(flashbvh_guard* guard, const flashbvh_joint_coordinate* values);
 
 /** Guard::explain(); `changes` has variable_count entries. GUARD_STATE_INVALID: there was no period
  * yet, or no such pair. */
@@ -183,10 +139,6 @@ flashbvh_status flashbvh_motion_start(flashbvh_motion* motion,
 FLASHBVH_NODISCARD flashbvh_motion_answer flashbvh_motion_run(flashbvh_motion* motion,
                                                               uint32_t work);
 
-/** MotionQuery::set_values(): at numerator / 2^level of the motion; level to 30. */
-void flashbvh_motion_set_values(const flashbvh_motion* motion, uint32_t numerator, uint8_t level,
-                                flashbvh_joint_coordinate* values);
-
 /* Workcells: robot/workcell.hpp ---------------------------------------------------------------- */
 
 /** Workcell: a robot in RAM, to which tools, obstacles and pairs are added. Not copied. */
@@ -200,8 +152,8 @@ FLASHBVH_OPAQUE(flashbvh_workcell, 11, 56, uint64_t);
    8 * 8)
 
 /** Starts with the robot only. Its meshes must outlive the workcell; `memory` is written.
- * WORKCELL_FULL, as from every later call that adds: `size`, in bytes, is too small for the
- * capacity `room`, or `room` for the robot; or `memory` does not start at a multiple of 8. */
+ * NOT_OPEN; WORKCELL_FULL, as from every later call that adds: `size`, in bytes, is too small for
+ * the capacity `room`, or `room` for the robot; or `memory` does not start at a multiple of 8. */
 flashbvh_status flashbvh_workcell_init(flashbvh_workcell* workcell, const flashbvh_robot* robot,
                                        void* memory, size_t size,
                                        const flashbvh_workcell_room* room);
@@ -209,24 +161,23 @@ flashbvh_status flashbvh_workcell_init(flashbvh_workcell* workcell, const flashb
 /** Workcell::robot(): make guards and motions of it after adding. */
 const flashbvh_robot* flashbvh_workcell_robot(const flashbvh_workcell* workcell);
 
-/** Workcell::add(): `link` is written only on DONE. WORKCELL_FULL; CELL_MISMATCH; LINK_INVALID;
- * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE; DISTANCE_OUT_OF_RANGE. The arrays of `mesh` must
- * outlive the workcell. */
+/** Workcell::add(): `link` is written only on DONE. NOT_OPEN: the robot or `mesh`; WORKCELL_FULL;
+ * CELL_MISMATCH; LINK_INVALID; NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE; DISTANCE_OUT_OF_RANGE. The
+ * arrays of `mesh` must outlive the workcell. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_add(flashbvh_workcell* workcell,
                                                          const flashbvh_mesh* mesh,
                                                          const flashbvh_mount* mount,
                                                          uint8_t* link);
 
-/** Workcell::keep_apart(). WORKCELL_FULL; LINK_INVALID;
- * DISTANCE_OUT_OF_RANGE. */
+/** Workcell::keep_apart(). NOT_OPEN; WORKCELL_FULL; LINK_INVALID; DISTANCE_OUT_OF_RANGE. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_keep_apart(flashbvh_workcell* workcell,
                                                                 uint8_t a, uint8_t b,
                                                                 flashbvh_fine_length stop,
                                                                 flashbvh_fine_length warn);
 
-/** Workcell::move(). A guard rejects periods, JOINT_JUMPED, once an obstacle
- * has moved by 2^31 since the last accepted one. LINK_INVALID; DISTANCE_OUT_OF_RANGE;
- * NOT_A_ROTATION; TRANSLATION_OUT_OF_RANGE: the obstacle then stays where it was. */
+/** Workcell::move(). A guard rejects periods, JOINT_JUMPED, once an obstacle has moved by 2^31
+ * since the last accepted one. NOT_OPEN, LINK_INVALID, DISTANCE_OUT_OF_RANGE, NOT_A_ROTATION,
+ * TRANSLATION_OUT_OF_RANGE: the obstacle then stays where it was. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_move(flashbvh_workcell* workcell, uint8_t link,
                                                           const flashbvh_frame* frame,
                                                           flashbvh_fine_length moved);

@@ -1,10 +1,19 @@
-// The C interface to float lengths, rays and contacts; firmware without floats does not link it.
-#include "flashbvh/clearance.h"
+// The C interface to floats; firmware without floats does not link it.
 #include "flashbvh/float.hpp"
-#include "flashbvh/ray.h"
 #include "objects.hpp"
 
 using namespace flashbvh;
+
+float flashbvh_mesh_cells_per_unit(const flashbvh_mesh* mesh) {
+  return cells_per_unit(object_in(mesh).cell_bits);
+}
+
+flashbvh_status flashbvh_pose_of_matrix(const float rotation[9], const float translation[3],
+                                        float cells_per_unit, flashbvh_pose* pose) {
+  return put_pose(
+      pose_of(array_in<float[3][3]>(rotation), array_in<float[3]>(translation), cells_per_unit),
+      pose);
+}
 
 flashbvh_fine_length flashbvh_fine_length_rounded_up(float length, float cells_per_unit) {
   return fine_length_rounded_up(length, cells_per_unit);
@@ -22,12 +31,4 @@ flashbvh_status flashbvh_segment_of(const float origin[3], const float direction
     *segment = made.segment;
   }
   return c_status(made.status);
-}
-
-flashbvh_status flashbvh_first_contact(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                       const flashbvh_pose* pose, flashbvh_unit_contact* contact) {
-  const UnitContact<uint16_t> found = first_contact(object_in(a), object_in(b), object_in(pose));
-  *contact = {
-      found.normal_a, found.normal_b, {found.ends[0], found.ends[1]}, found.triangles, found.yes};
-  return c_status(found.status);
 }

@@ -20,14 +20,6 @@ flashbvh_status flashbvh_guard_init(flashbvh_guard* guard, const flashbvh_robot*
   return c_status(make(guard, *robot, state, size).status());
 }
 
-void flashbvh_guard_forget(flashbvh_guard* guard) {
-  object_in(guard).forget();
-}
-
-flashbvh_status flashbvh_guard_resume(flashbvh_guard* guard) {
-  return c_status(object_in(guard).resume());
-}
-
 flashbvh_guard_answer flashbvh_guard_update(flashbvh_guard* guard,
                                             const flashbvh_joint_coordinate* values,
                                             uint32_t work) {
@@ -36,9 +28,4 @@ flashbvh_guard_answer flashbvh_guard_update(flashbvh_guard* guard,
 
 flashbvh_guard_answer flashbvh_guard_go_on(flashbvh_guard* guard, uint32_t work) {
   return object_in(guard).go_on(work);
-}
-
-flashbvh_guard_answer flashbvh_guard_prime(flashbvh_guard* guard,
-                                           const flashbvh_joint_coordinate* values) {
-  return object_in(guard).prime(values);
 }

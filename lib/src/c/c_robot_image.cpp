@@ -8,6 +8,21 @@ using namespace flashbvh;
 static_assert(sizeof(Mesh) == sizeof(flashbvh_mesh) && alignof(Mesh) == alignof(flashbvh_mesh),
               "an array of flashbvh_mesh holds as many meshes");
 
+static_assert(FLASHBVH_FULL_TURN == kFullTurn && FLASHBVH_NO_COORDINATE == kNoCoordinate &&
+                  FLASHBVH_FRAME_BITS == kFrameBits && FLASHBVH_REACH_BITS == kReachBits &&
+                  FLASHBVH_BASE == kBase,
+              "one meaning of numbers");
+
+namespace {
+
+void put_count(uint32_t number, uint32_t* count) {
+  if (count != nullptr) {
+    *count = number;
+  }
+}
+
+}  // namespace
+
 flashbvh_status flashbvh_open_robot(const void* image, size_t size, flashbvh_mesh* meshes,
                                     uint32_t mesh_capacity, flashbvh_robot* robot) {
   return c_status(open_robot(image, size, &object_in(meshes), mesh_capacity, *robot));
@@ -18,10 +33,6 @@ void flashbvh_view_robot_unchecked(const void* image, flashbvh_mesh* meshes,
   put(robot, [&] { return view_robot_unchecked(image, &object_in(meshes)); });
 }
 
-const char* flashbvh_robot_name(const void* image) {
-  return robot_name(image);
-}
-
 const char* flashbvh_joint_name(const void* image, uint32_t joint) {
   return joint_name(image, joint);
 }
@@ -30,22 +41,12 @@ const char* flashbvh_link_name(const void* image, uint32_t link) {
   return link_name(image, link);
 }
 
-uint32_t flashbvh_mount_count(const void* image) {
-  return mount_count(image);
-}
-
-const flashbvh_mount* flashbvh_mounts(const void* image) {
+const flashbvh_mount* flashbvh_mounts(const void* image, uint32_t* count) {
+  put_count(mount_count(image), count);
   return mounts(image);
 }
 
-const char* flashbvh_mount_name(const void* image, uint32_t mount) {
-  return mount_name(image, mount);
-}
-
-uint32_t flashbvh_unguarded_count(const void* image) {
-  return unguarded_count(image);
-}
-
-const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image) {
+const flashbvh_robot_unguarded* flashbvh_unguarded_pairs(const void* image, uint32_t* count) {
+  put_count(unguarded_count(image), count);
   return unguarded_pairs(image);
 }

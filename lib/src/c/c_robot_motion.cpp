@@ -26,8 +26,3 @@ flashbvh_status flashbvh_motion_start(flashbvh_motion* motion,
 flashbvh_motion_answer flashbvh_motion_run(flashbvh_motion* motion, uint32_t work) {
   return object_in(motion).run(work);
 }
-
-void flashbvh_motion_set_values(const flashbvh_motion* motion, uint32_t numerator, uint8_t level,
-                                flashbvh_joint_coordinate* values) {
-  object_in(motion).set_values(numerator, level, values);
-}

@@ -1,34 +1,20 @@
 // The C interface to shapes.
 //
 // A C struct begins with its shape's mesh, since a Shape begins with its mesh.
-#include "flashbvh/shape.h"
 #include "flashbvh/shape.hpp"
 #include "objects.hpp"
 
 using namespace flashbvh;
 
-FLASHBVH_HOLDS(flashbvh_point_shape, PointShape);
 FLASHBVH_HOLDS(flashbvh_segment_shape, SegmentShape);
-FLASHBVH_HOLDS(flashbvh_triangle_shape, TriangleShape);
 FLASHBVH_HOLDS(flashbvh_box_shape, BoxShape);
 
-static_assert(__is_standard_layout(flashbvh_point_shape), "its mesh is at its address");
-
-flashbvh_status flashbvh_point_shape_make(flashbvh_point_shape* shape, const flashbvh_mesh* like,
-                                          const flashbvh_point* at) {
-  return c_status(make_in_place(shape, object_in(like), *at).status());
-}
+static_assert(__is_standard_layout(flashbvh_segment_shape), "its mesh is at its address");
 
 flashbvh_status flashbvh_segment_shape_make(flashbvh_segment_shape* shape,
                                             const flashbvh_mesh* like, const flashbvh_point* p,
                                             const flashbvh_point* q) {
   return c_status(make_in_place(shape, object_in(like), *p, *q).status());
-}
-
-flashbvh_status flashbvh_triangle_shape_make(flashbvh_triangle_shape* shape,
-                                             const flashbvh_mesh* like,
-                                             const flashbvh_triangle* triangle) {
-  return c_status(make_in_place(shape, object_in(like), *triangle).status());
 }
 
 flashbvh_status flashbvh_box_shape_make(flashbvh_box_shape* shape, const flashbvh_mesh* like,

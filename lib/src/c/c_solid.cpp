@@ -1,5 +1,4 @@
 // The C interface to solids.
-#include "flashbvh/solid.h"
 #include "flashbvh/solid.hpp"
 #include "objects.hpp"
 
@@ -17,9 +16,4 @@ flashbvh_status flashbvh_inside(const flashbvh_mesh* mesh, const flashbvh_point*
 flashbvh_status flashbvh_one_is_inside(const flashbvh_mesh* a, const flashbvh_mesh* b,
                                        const flashbvh_pose* pose, bool* yes) {
   return put_answer(one_is_inside(object_in(a), object_in(b), object_in(pose)), yes);
-}
-
-flashbvh_status flashbvh_solids_intersect(const flashbvh_mesh* a, const flashbvh_mesh* b,
-                                          const flashbvh_pose* pose, bool* yes) {
-  return put_answer(solids_intersect(object_in(a), object_in(b), object_in(pose)), yes);
 }

@@ -20,8 +20,9 @@ typedef enum flashbvh_contact_outcome {
   FLASHBVH_OUTCOME_FREE = 0,    /**< they touch at no moment */
   FLASHBVH_OUTCOME_CONTACT = 1, /**< they touch at `to`, and at no moment before `from` */
   FLASHBVH_OUTCOME_CLOSE = 2    /**< they come near between `from` and `to`, may touch there, and
-                                   touch at no moment before; two cells apart at most, more by
-                                   what close_distance() in first_contact.hpp adds */
+                                   touch at no moment before. They come nearer than `within`, two
+                                   cells, and twice the path's error: 1/128 to 1/14 cell for each
+                                   move, and how far inexact matrices miss the motion's end */
 } flashbvh_contact_outcome;
 
 #ifdef __cplusplus
