@@ -42,8 +42,12 @@ struct NearBound {
   }
 };
 
+/// No coordinates of a triangle differ by more; its box on the other mesh's axes reaches no farther
+/// beyond it than twice that.
+constexpr std::int32_t kTriangleSize = 50;
+
 /// The test under a rotation: the sums start with larger bounds, along B's axes by more than
-/// sqrt(3) times the distance.
+/// sqrt(3) times the distance, and by what boxes on A's axes reach beyond the triangles.
 class GrownBoxTest {
  public:
   GrownBoxTest(const RotatedTransform& transform, std::int32_t distance)
@@ -58,7 +62,7 @@ class GrownBoxTest {
   static RotatedTransform grown(RotatedTransform transform, std::int32_t distance) {
     for (int i = 0; i < 3; ++i) {
       grow(transform.on_a[i], distance);
-      grow(transform.on_b[i], 2 * distance);
+      grow(transform.on_b[i], 2 * distance + 2 * kTriangleSize);
     }
     return transform;
   }
@@ -124,8 +128,8 @@ void check(const Baked& baked_a, const Baked& baked_b, const Pose& pose, std::in
 TEST_CASE("another question, boxes within a distance, is a bound and a test and no other walk") {
   std::uint32_t apart = 0;
   for_rounds(60, [&](Random& random, int round) {
-    const auto mesh_a = random_mesh(random, 1 + random.below(30), 300, 25);
-    const auto mesh_b = random_mesh(random, 1 + random.below(30), 300, 25);
+    const auto mesh_a = random_mesh(random, 1 + random.below(30), 300, kTriangleSize / 2);
+    const auto mesh_b = random_mesh(random, 1 + random.below(30), 300, kTriangleSize / 2);
     const auto a =
         bake::lay_out<std::uint16_t, Layout::post_indexed>(any_tree(random, mesh_a), mesh_a);
     const auto b =

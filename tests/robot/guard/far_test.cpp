@@ -116,7 +116,8 @@ bool is_far(const FixedArm& arm, const Gantry& gantry, const RobotPair& pair,
   const double radius = std::sqrt(3.0) * gantry.half * kFine + 512;  // rounded up, both placed
   const double apart = std::sqrt(squared(between_centres(arm, gantry, pair, period.at_end())));
   const double gap = apart * kFine - 2 * radius;
-  return gap > kMaxGuardDistance && gap - period.travel(arm, pair) > pair.warn + arm.robot().slack;
+  const double travel = 1.02 * period.travel(arm, pair);  // the guard's levers are rounded up
+  return gap > kMaxGuardDistance && gap - travel > pair.warn + arm.robot().slack;
 }
 
 constexpr std::uint32_t kBudgets[] = {1, 17, 100, UINT32_MAX, UINT32_MAX, UINT32_MAX};
