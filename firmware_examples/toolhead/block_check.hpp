@@ -5,7 +5,7 @@
 #include <flashbvh/first_contact.hpp>
 #include <flashbvh/triangle.hpp>
 
-#include "program_text.hpp"
+#include "block.hpp"
 #include "scene.hpp"
 
 /// Bodies nearer than this count as touching: belts stretch, blocks' ends are rounded to 5 um, and

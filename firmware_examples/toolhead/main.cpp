@@ -6,21 +6,12 @@
 // block would touch. A real planner stops at the first refused block; this planner goes on as if
 // the machine had executed it, to report all errors of a program.
 //
-// Firmware has the sample program in flash; on the host, an argument names a file. Prints the
-// refused blocks, then the cost of the checks. Run it by hand with FLASHBVH_ICOUNT to see the
-// instruction counts (ports/README.md). Exits with 1 if a check cost too much, with 2 if a line is
-// not a block.
+// Prints the refused blocks, then the cost of the checks. Run it by hand with FLASHBVH_ICOUNT to
+// see the instruction counts (ports/README.md). Exits with 1 if a check cost too much.
 #include "block_check.hpp"
 #include "insn.hpp"
 #include "stack.hpp"
 #include "text.hpp"
-#if defined(TOOLHEAD_READS_FILE)
-#include <fstream>
-#include <iterator>
-#include <string>
-#else
-extern "C" const char program_begin[], program_end[];
-#endif
 
 namespace {
 
@@ -116,29 +107,14 @@ void plan(unsigned line, const Block& block, Machine& machine, Costs& costs) {
   }
 }
 
-/// Plans all blocks; true if the whole text was read.
-bool plan_all(ProgramText text, Machine& machine, Costs& costs) {
-  Block block = {};
-  while (!text.is_at_end()) {
-    const Block last = block;
-    const bool is_block = text.read(block);
-    if (!is_block || (text.line() > 1 && !block.begins_at_end_of(last))) {
-      port::print("line ", text.line(),
-                  is_block
-                      ? ": begins elsewhere than the last block ended; add a travel\n"
-                      : ": write x y z, x y z in mm and a speed in mm/s, three decimals at most\n");
-      return false;
-    }
-    plan(text.line(), block, machine, costs);
-  }
-  return true;
-}
+}  // namespace
 
-int run(const ProgramText& text) {
+int main() {
   Machine machine;
   Costs costs;
-  if (!plan_all(text, machine, costs)) {
-    return 2;
+  unsigned line = 0;
+  for (const Block& block : kProgram) {
+    plan(++line, block, machine, costs);
   }
   const uint32_t bytes = port::static_bytes() + port::stack_used();
   port::print(machine.queued, " blocks queued, ", costs.blocks - machine.queued,
@@ -152,21 +128,3 @@ int run(const ProgramText& text) {
              ? 0
              : 1;
 }
-
-}  // namespace
-
-#if defined(TOOLHEAD_READS_FILE)
-int main(int count, char** arguments) {
-  std::ifstream file(count == 2 ? arguments[1] : "");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.empty()) {
-    port::print("usage: toolhead PROGRAM; that is no file, or empty\n");
-    return 2;
-  }
-  return run(ProgramText(text.data(), text.data() + text.size()));
-}
-#else
-int main() {
-  return run(ProgramText(program_begin, program_end));
-}
-#endif

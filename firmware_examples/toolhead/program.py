@@ -1,4 +1,4 @@
-"""program.py: prints a printer's program, one block per line: start x y z, end x y z in mm, speed in mm/s.
+"""program.py: prints a printer's program, one block per line: {{start}, {end}, speed}, in micrometres and per second.
 
 It prints a star between finished parts: layers of perimeters and infill, with travels between them. Some
 travels are bad: they come from a slicer that knows neither the clamps nor the gantry.
@@ -12,7 +12,8 @@ at = (125, 10, 60)
 
 def go(x, y, z, speed=FAST):
     global at
-    print(*(f"{value:.2f}" for value in (*at, x, y, z)), speed)
+    start, end = ("{{%s}}" % ", ".join(str(round(100 * value) * 10) for value in place) for place in (at, (x, y, z)))
+    print(f"{{{start}, {end}, {1000 * speed}}},")
     at = x, y, z
 
 
