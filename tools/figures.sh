@@ -5,8 +5,6 @@
 # figures.sh --print [PRESET...]     prints what the tests left in the build folders
 # figures.sh --trees [PRESET]        whole queries on trees of other leaf sizes and arities: the table of
 #                                    lib/docs/decisions.md; default: Cortex-M4F
-# figures.sh --cycles [PRESET...]    measures cycles, by a model of the core (lib/docs/cycles.md), prints them next to
-#                                    instructions, and writes tests/figures/cycles.csv and the pages that show it
 # figures.sh --prepare               makes build/figures, which builds are given to measure a robot:
 #                                    cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 #
@@ -19,8 +17,8 @@ cd "$(dirname "$0")/.."
 
 mode=write
 case ${1:-} in
-  --check | --cycles | --print | --prepare | --trees) mode=${1#--}; shift ;;
-  -*) sed -n '2,14s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  --check | --print | --prepare | --trees) mode=${1#--}; shift ;;
+  -*) sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 case $mode in
   print) urdf= ;;

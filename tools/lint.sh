@@ -1,5 +1,5 @@
 #!/bin/sh
-# lint.sh          clang-tidy on the library, the host program and the plugin that counts cycles.
+# lint.sh          clang-tidy on the library and the host program.
 # lint.sh --deep   Also what takes two thirds of the time and has found little: on the host program the
 #                  analyzer, most of whose steps go into the insides of the standard library,
 #                  performance-unnecessary-value-param and bugprone-stringview-nullptr, and
@@ -10,8 +10,6 @@ cd "$(dirname "$0")/.."
 texts=build/lint
 rm -rf $texts
 mkdir -p $texts
-echo '""' | tee $texts/guard_costs.inc >$texts/guard_cycles.inc  # CMake makes them for tools/robot
-: >$texts/flash.inc  # and for tools/evaluate
 steps=20000
 expensive=-clang-analyzer-*,-performance-unnecessary-value-param
 expensive=$expensive,-bugprone-stringview-nullptr,-bugprone-reserved-identifier
@@ -34,7 +32,6 @@ lint() {
 }
 
 lint lib "" lib/src/*/*.cpp
-lint cycles "" ports/cycles/*.cpp
 # Components whose names do not clash are checked together: the standard library's headers are half of the work.
 # Sources that replace others, where there are no processes, are checked separately.
 instead=tools/mesh/import_here.cpp

@@ -34,15 +34,14 @@ function(flashbvh_add_firmware name)
   set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${FLASHBVH_NO_HEAP})
 endfunction()
 
-# flashbvh_add_firmware_test(name target [ICOUNT | CYCLES [MODEL options]] [ARGUMENTS argument...] [STATUS n]
-#                            [PASS_REGULAR_EXPRESSION regex] [TIMEOUT seconds])
+# flashbvh_add_firmware_test(name target [ICOUNT] [ARGUMENTS argument...] [STATUS n] [PASS_REGULAR_EXPRESSION regex]
+#                            [TIMEOUT seconds])
 #
 # Runs the firmware under QEMU. The test passes if the firmware ends with STATUS (0 unless given) and
-# its output matches the expression, if one is given. ICOUNT makes instruction counts exact. CYCLES
-# counts cycles instead of instructions; MODEL has options for the plugin.
+# its output matches the expression, if one is given. ICOUNT makes instruction counts exact.
 function(flashbvh_add_firmware_test name target)
   cmake_parse_arguments(PARSE_ARGV 2 arg
-    "ICOUNT;CYCLES" "MODEL;STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
+    "ICOUNT" "STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "flashbvh_add_firmware_test(${name}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -61,18 +60,9 @@ function(flashbvh_add_firmware_test name target)
   if(arg_ICOUNT)
     list(APPEND environment FLASHBVH_ICOUNT=${FLASHBVH_ICOUNT_SHIFT})
   endif()
-  set(folder ${CMAKE_CURRENT_BINARY_DIR})
-  if(arg_CYCLES)
-    if(arg_MODEL)
-      string(PREPEND arg_MODEL ",")
-    endif()
-    list(APPEND environment "FLASHBVH_QEMU_OPTIONS=${FLASHBVH_CYCLES}${arg_MODEL}")
-    set(folder ${folder}/cycles/${target})  # for the plugin's result file
-    file(MAKE_DIRECTORY ${folder})
-  endif()
 
   set(test "${FLASHBVH_TEST_PREFIX}/${name}")
-  add_test(NAME ${test} WORKING_DIRECTORY ${folder}
+  add_test(NAME ${test} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
     COMMAND ${CMAKE_COMMAND} ${expectations} -P ${FLASHBVH_EXPECT} --
       ${FLASHBVH_RUN} $<TARGET_FILE:${target}> ${arg_ARGUMENTS})
   # ports/run's own limit comes first, as its message says what happened.

@@ -1,17 +1,12 @@
 #include "insn.hpp"
 
 #include "counter.hpp"
-#include "cycles.hpp"
 #include "semihosting.hpp"
 #include "text.hpp"
 
 namespace port {
 
 uint32_t instructions_of_call(Call function, void* context) {
-  static const bool by_model = counts_cycles();
-  if (by_model) {
-    return cycles_of_call(function, context);
-  }
   constexpr uint32_t kPasses = 100;
   const uint32_t overhead = counted(empty, nullptr);
   const uint32_t loop = counted(known_loop, reinterpret_cast<void*>(uintptr_t{kPasses})) - overhead;

@@ -2,8 +2,7 @@
 //
 // Under `-icount shift=8` (FLASHBVH_ICOUNT=8 ports/run ...) each instruction takes 256 ns of
 // virtual time, at least 2.5 ticks of the core's timer on every board. The rounded quotient is the
-// number of instructions, not cycles: a division and a push of eight registers count 1 each. Under
-// the plugin of ports/cycles these functions count cycles.
+// number of instructions, not cycles: a division and a push of eight registers count 1 each.
 #pragma once
 
 #include <stdint.h>

@@ -15,7 +15,6 @@ from .graph import Graph
 from .instruction import Flow, Refused
 from .longest_path import Paths, Term
 from .loops import Kind, Loops
-from .measure import Instructions
 from .program import Function, Program
 
 
@@ -41,13 +40,10 @@ class Cost:
 
 
 class Costs:
-    """general: without the functions that the table calls special. together: open counts apply to a whole run, not to
-    a call; each turn costs the value in `turns`, wherever it is."""
+    """general: without the functions that the table calls special."""
 
-    def __init__(self, program: Program, loops: Loops, general: bool = False, together: bool = False,
-                 measure: Instructions = Instructions()):
-        self._program, self._loops, self._general, self._measure = program, loops, general, measure
-        self._together = together
+    def __init__(self, program: Program, loops: Loops, general: bool = False):
+        self._program, self._loops, self._general = program, loops, general
         self.known: dict[Function, Cost | None] = {}  # None: in progress
 
     def of(self, pattern: str) -> Cost:
@@ -65,18 +61,9 @@ class Costs:
                     graph.unknown_call(address):
                 raise graph.refuse(address, "not understood")
         called = {address: self._call(function, graph.callees.get(address)) for address in graph.code}
-        paths = Paths(graph, self._measure, called, self._loops.marks(self._program, function, graph.code))
+        paths = Paths(graph, called, self._loops.marks(self._program, function, graph.code))
         self.known[function] = cost = Cost(paths.fixed, paths.terms, paths.cuts)
         return cost
-
-    def turns(self) -> dict[str, int]:
-        """The longest turn of each kind that the table leaves open, over all functions so far."""
-        longest: dict[str, int] = {}
-        for cost in self.known.values():
-            for term in cost.terms if cost else ():
-                if term.turns is None:
-                    longest[term.kind] = max(longest.get(term.kind, 0), term.cost)
-        return longest
 
     def _call(self, caller: Function, callee: Function | None) -> int:
         """The cost of a whole call, or 0 if the table counts it separately."""
@@ -86,7 +73,7 @@ class Costs:
         if self._loops.is_apart(callee, self._general):
             return 0
         left_open = [term.kind for term in cost.terms if term.turns is None]
-        if left_open and not self._together:
+        if left_open:
             raise Refused(f"{callee} has no bound of its own ({left_open}), but {caller} calls it")
         return cost.total
 

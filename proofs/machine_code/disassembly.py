@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 import re
 import subprocess
-from dataclasses import replace
 from typing import Iterator
 
 from .instruction import Flow, Instruction
@@ -29,7 +28,7 @@ def disassemble(path: str, machine: str) -> Iterator[Instruction]:
     for address, code, name, operands in LINE.findall(text):
         found = read(int(address, 16), len(code.replace(" ", "")) // 2, name, operands)
         if found:
-            yield replace(found, mnemonic=name, code=code)
+            yield found
 
 
 def target_of(operands: str) -> int | None:

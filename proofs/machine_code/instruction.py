@@ -22,8 +22,6 @@ class Instruction:
     falls_through: bool = True  # the next instruction may follow
     grows: int | None = 0  # the stack's growth in bytes; None: not a constant
     name: str = ""  # for conditional branches, and "nop"
-    mnemonic: str = ""  # with `code`: in objdump's syntax
-    code: str = ""
 
     @property
     def end(self) -> int:

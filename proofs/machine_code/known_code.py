@@ -10,8 +10,8 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Case:
     name: str
-    what: str  # "path", "together" (with all open turns), "frame" (its size, and the size at each call)
-    # "cycles" or "reads" (of flash) on a Cortex-M4F, or "refused"
+    what: str  # "path", "frame" (its size, and the size at each call)
+    # or "refused"
     code: str
     wanted: str
     table: str = ""
@@ -141,48 +141,4 @@ LOOP_CASES = [
          "cut ^f$ turn - source.c for (i)"),
     Case("turns that a call leaves open", "refused", "bl g; bx lr; g:; /2; 1: nop; bne 1b; bx lr",
          "has no bound of its own", "cut ^g$ turn - source.c for (i)"),
-    Case("turns of a whole run", "together", "nop; bl g; bl g; bx lr; g:; /2; 1: nop; nop; bne 1b; bx lr",
-         "12 = fixed 12, turn 3", "cut ^g$ turn - source.c for (i)"),
-    Case("the longest turn of a whole run", "together",
-         "/2; 1: nop; bne 1b; /5; bl g; bx lr; g:; /2; 1: nop; nop; bne 1b; bx lr",
-         "8 = fixed 8 turn 2, turn 3", "cut ^(f|g)$ turn - source.c for (i)"),
-    Case("turns of a call have a number", "together", "bl g; bx lr; g:; /2; 1: nop; bne 1b; bx lr",
-         "9 = fixed 9", "cut ^g$ turn 3 source.c for (i)"),
-]
-
-# By the table of the M4F. A return takes 4: the longest refill, and a target in two words.
-CYCLES_CASES = [
-    Case("a straight line", "cycles", "movs r0, #1; bx lr", "5 = fixed 5"),
-    Case("only a branch that is taken refills", "cycles", "cmp r0, #0; beq 1f; nop; nop; nop; nop; 1: bx lr",
-         "10 = fixed 10"),
-    Case("a taken branch is longer than what it leaves out", "cycles", "cmp r0, #0; beq 1f; nop; nop; 1: bx lr",
-         "9 = fixed 9"),
-    Case("a branch to the next instruction", "cycles", "cmp r0, #0; beq 1f; 1: bx lr", "9 = fixed 9"),
-    Case("a call, and its return", "cycles", "bl g; bx lr" + LEAF, "13 = fixed 13"),
-    Case("a call in tail position", "cycles", "b.w g" + LEAF, "9 = fixed 9"),
-    Case("an address that was just computed", "cycles", "adds r1, r0, #4; ldrh r2, [r1]; bx lr", "8 = fixed 8"),
-    Case("an address that a branch's target needs", "cycles",
-         "cbz r0, 1f; adds r1, r0, #4; b 1f; nop; 1: ldrh r2, [r1]; bx lr", "12 = fixed 12"),
-    Case("loads that might overlap", "cycles", "ldrb r1, [r0]; ldrb r2, [r0]; bx lr", "8 = fixed 8"),
-    Case("words that lie in two words, unless they are on the stack", "cycles",
-         "ldr r1, [r0]; str r1, [r0]; nop; ldr r1, [sp]; bx lr", "12 = fixed 12"),
-    Case("a load after a store", "cycles", "strb r1, [r0]; ldrb r1, [sp]; bx lr", "9 = fixed 9"),
-    Case("stores by a base that is updated", "cycles", "strb r1, [r0, #4]!; strb r2, [r0]; bx lr", "7 = fixed 7"),
-    Case("a fetch after one of several cycles", "cycles", "ldrb r1, [r0]; add.w r2, r2, r3; add.w r2, r2, r3; bx lr",
-         "9 = fixed 9"),
-    Case("a literal", "cycles", "ldr r1, 1f; bx lr; .balign 4; 1: .word 0", "7 = fixed 7"),
-    Case("a condition that might be folded, and a load that might be skipped", "cycles",
-         "cmp r0, #0; it eq; ldrbeq r1, [r0]; bx lr", "8 = fixed 8"),
-    Case("the longest division", "cycles", "udiv r0, r1, r2; bx lr", "16 = fixed 16"),
-    Case("the stack", "cycles", "push {r4, lr}; pop {r4, pc}", "10 = fixed 10"),
-    Case("a sum that a product needs", "cycles", ".fpu fpv5-d16; vadd.f32 s0, s1, s2; vmul.f32 s3, s0, s1; bx lr",
-         "8 = fixed 8"),
-    Case("turns end with a branch that is taken", "cycles", TURNS, "23 = fixed 9 turn 2*7",
-         "cut ^f$ turn 3 source.c visit"),
-    Case("a barrier", "refused cycles", "dmb; bx lr", "no most cycles of 'dmb', barrier"),
-    Case("an instruction that the M4F has not", "refused cycles", "cinc r0, r1, ne; bx lr", "of 'cinc', alu"),
-    Case("a division of doubles", "refused cycles", ".fpu fpv5-d16; vdiv.f64 d0, d1, d2; bx lr", "of 'vdiv.f64'"),
-    # In eighths of a read: bytes of code, 8 for each loaded word, 8 more if it may span two words, 36 for a jump.
-    Case("code and words are read", "reads", "ldr r1, [r0]; ldrd r2, r3, [r0]; bx lr", "76 = fixed 76"),
-    Case("the stack is not", "reads", "push {r4, lr}; ldr r0, [sp]; pop {r4, pc}", "42 = fixed 42"),
 ]

@@ -1,13 +1,10 @@
 """known_code_test.py arm|riscv COMPILER FLAG...
 
-MOST_CYCLES in the environment: "flashbvh_most_cycles TABLES", for code whose cycles are known.
-
 Checks the longest paths and the frames of known code, and refusals of code without them. COMPILER, with its flags,
 assembles and links all cases at once.
 """
 from __future__ import annotations
 
-import os
 import re
 import subprocess
 import sys
@@ -15,13 +12,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from known_code import CASES, CYCLES_CASES, LOOP_CASES, SOURCE, Case
+from known_code import CASES, LOOP_CASES, SOURCE, Case
 from machine_code.cost import Costs
 from machine_code.frames import frame_of
 from machine_code.graph import Graph
 from machine_code.instruction import Refused
 from machine_code.loops import Loops
-from machine_code.measure import Cycles, FlashReads, Instructions
 from machine_code.program import Program
 
 
@@ -53,17 +49,11 @@ class KnownCode(unittest.TestCase):
         (self.folder / "source.c").write_text(SOURCE)
         architecture, *compiler = sys.argv[1:]
         self.cases = CASES[architecture] + (LOOP_CASES if architecture == "arm" else [])
-        decoder, _, tables = os.environ.get("MOST_CYCLES", "").partition(" ")
-        self.cases += CYCLES_CASES if decoder else []
         (self.folder / "code.s").write_text(assembly(self.cases, architecture == "arm"))
         (self.folder / "layout.ld").write_text("SECTIONS { .text 0x1000 : { KEEP(*(.text)) } }")
         subprocess.run([*compiler, "-g", "-nostdlib", "-T", "layout.ld", "code.s", "-o",
                         "code.elf"], cwd=self.folder, check=True)
         self.program = Program(str(self.folder / "code.elf"))
-        self.measures = {name: measure(self.program, [decoder, f"{tables}/cortex-m4f.csv"]) for name, measure
-                         in (("cycles", Cycles), ("reads", FlashReads)) if decoder}
-        for measure in self.measures.values():
-            self.addCleanup(measure.close)
 
     def found(self, number: int, case: Case) -> str:
         """The longest path and the frame, or the refusal."""
@@ -75,12 +65,8 @@ class KnownCode(unittest.TestCase):
                 graph = Graph(self.program, self.program.matching(root))
                 frame = frame_of(graph)
                 return " ".join(map(str, [frame.size, *frame.held.values()]))
-            together = case.what == "together"
-            costs = Costs(self.program, Loops(str(table), str(self.folder)), together=together,
-                          measure=self.measures.get(case.what.split()[-1], Instructions()))
-            cost = costs.of(root)
-            turns = [f"{kind} {longest}" for kind, longest in costs.turns().items()] if together else []
-            return ", ".join([str(cost), *turns])
+            costs = Costs(self.program, Loops(str(table), str(self.folder)))
+            return str(costs.of(root))
         except Refused as refusal:
             return f"refused: {refusal}"
 

@@ -1,11 +1,11 @@
-"""The most instructions or cycles that a function can take for any input: the longest path of its control-flow graph,
+"""The most instructions that a function can take for any input: the longest path of its control-flow graph,
 calls included.
 
 Loops are cut where an instruction belongs to a source line that the table names (loops.py): every cycle of the graph
 passes a cut. Between two cuts the graph has no cycle, and a longest path is found in topological order. Paths from cut
 to cut form a graph of a few nodes. A path leaves each strongly connected component once; inside, it makes at most as
 many steps from cuts of a kind as the table allows. So, with n(k) steps from kind k and inside(k) the longest of them,
-    what is measured <= fixed + sum over k of n(k) * inside(k)
+    instructions <= fixed + sum over k of n(k) * inside(k)
 where `fixed` is the longest path from the entry to a return that steps from component to component.
 This holds for irreducible loops, too.
 """
@@ -17,7 +17,6 @@ from functools import cache
 from .graph import Graph
 from .instruction import Flow
 from .loops import Kind
-from .measure import Instructions
 
 OUT = -1  # leaves the function, in place of an address
 
@@ -38,15 +37,10 @@ class Paths:
     """The paths of one function. called: the cost of its instructions' calls; marks: the places where the table allows
     a cut."""
 
-    def __init__(self, graph: Graph, measure: Instructions, called: dict[int, int], marks: dict[int, Kind]):
-        self._graph, self._measure, self._called = graph, measure, called
-        self._weight = {address: measure.of(found) + called[address] for address, found in graph.code.items()}
-        for address in graph.callees:
-            if graph.code[address].flow is Flow.CALL:
-                self._weight[address] += measure.jump(graph.code[address])
+    def __init__(self, graph: Graph, called: dict[int, int], marks: dict[int, Kind]):
+        self._graph, self._called = graph, called
+        self._weight = {address: 1 + called[address] for address in graph.code}
         self._successors = graph.successors
-        self._edges = {address: [(to, self._edge(address, to)) for to in after]
-                       for address, after in graph.successors.items()}
         self._exits = {address for address, found in graph.code.items()
                        if found.flow is Flow.LEAVE or
                        found.flow is Flow.JUMP and address in graph.callees}
@@ -59,12 +53,6 @@ class Paths:
         self.fixed = max([steps.pop(OUT, 0)] +
                          [length + self._way_out(cut) for cut, length in steps.items()])
         self.terms = self._turns()
-
-    def _edge(self, address: int, to: int) -> int:
-        """The cost of continuing from one instruction to another one, which may be its target."""
-        found = self._graph.code[address]
-        jumps = to != found.end or to == found.target
-        return self._measure.after(found, self._graph.code[to]) + (self._measure.jump(found) if jumps else 0)
 
     def _sort(self, cuts: dict[int, Kind]) -> tuple[list[int], int | None]:
         """The topological order (Kahn) without edges into cuts; and a remaining instruction, if there is one."""
@@ -102,12 +90,12 @@ class Paths:
             if address not in far:
                 continue
             if address in self._exits:
-                steps[OUT] = max(steps.get(OUT, 0), far[address] + self._measure.jump(self._graph.code[address]))
-            for to, edge in self._edges[address]:
+                steps[OUT] = max(steps.get(OUT, 0), far[address])
+            for to in self._successors[address]:
                 if to in self.cuts:
-                    steps[to] = max(steps.get(to, 0), far[address] + edge)
+                    steps[to] = max(steps.get(to, 0), far[address])
                 else:
-                    far[to] = max(far.get(to, 0), far[address] + edge + self._weight[to])
+                    far[to] = max(far.get(to, 0), far[address] + self._weight[to])
         return steps
 
     def _reached(self, start: int) -> set[int]:

@@ -7,7 +7,6 @@
     apart FUNCTION                      Calls of it cost only the call instruction.
     special FUNCTION                    Like apart, if only the general case is proven.
     root NAME FUNCTION                  A function to prove, under a name.
-    table FILE                          Also reads the table FILE of the same folder.
 
 FUNCTION: a regular expression for names as in the source, with arguments. FILE: a file name in any
 subfolder of the sources; the file must contain TEXT.
@@ -69,8 +68,6 @@ class Loops:
                 self._special.append(function)
             case "root", [name, function]:
                 self.roots[name] = function
-            case "table", [file]:
-                self._read_table(path.with_name(file))
             case _:
                 raise Refused(f"not understood: {line}")
 

@@ -1,18 +1,15 @@
-"""check.py BOUND MEASURED MACHINE PROGRAM [CORE WAIT_STATES OPTIONS]
+"""check.py BOUND MEASURED MACHINE PROGRAM
 
-Runs a firmware of this folder under QEMU and compares its measurements with the bounds that prove.py or guard_prove.py
-wrote to BOUND. Writes to MEASURED and to standard output, for each kind of run, the most instructions, this run's
-bound, and the largest share of its own bound that a run of the kind used:
+Runs the firmware of this folder under QEMU and compares its measurements with the bounds that prove.py wrote to BOUND.
+Writes to MEASURED and to standard output, for each kind of run, the most instructions, this run's bound, and the largest
+share of its own bound that a run of the kind used:
     measured NAME INSTRUCTIONS of BOUND, nearest PART
-period-N: a guard's periods with work N. boxes-KIND-N: runs of work N without a pair of leaves; run-KIND-N: those with
-one. Fails if a run exceeds its bound.
-
-With CORE, the bounds are its cycles with WAIT_STATES, and QEMU's OPTIONS make the firmware count cycles.
+boxes-KIND-N: runs of work N without a pair of leaves; run-KIND-N: those with one. Fails if a run exceeds its bound.
 """
 import sys
 from pathlib import Path
 
-from formula import most_instructions, most_of_itself, most_of_period
+from formula import most_instructions, most_of_itself
 from firmware import run
 from shipped import proven_in
 
@@ -33,10 +30,7 @@ def runs_in(lines, cost):
     """Name, instructions and bound of each run, and its line."""
     for line in lines:
         kind, *words = line.split() or [""]
-        if kind == "run" and words[0] == "period":
-            work, *size, measured = map(int, words[1:])
-            yield f"period-{work}", measured, most_of_period(cost, *size, work), line
-        elif kind == "run":
+        if kind == "run":
             of, (work, _, leaf_pairs, depths, leaf_size, measured) = words[0], map(int, words[1:7])
             formula = most_of_itself if of == "itself" else most_instructions
             # The trees are binary: each has one later sibling per level.
@@ -61,18 +55,12 @@ def report(cost, lines):
     return [*text, f"{held} measured, {len(over)} over the bound"], not over
 
 
-def costs_in(bound, core="", wait_states=0):
-    """The costs of one core; without a name, of the first one."""
-    proven = proven_in(bound)
-    costs = {name: int(value) for name, value in proven[core or next(iter(proven))].items()}
-    return {name: value + int(wait_states) * costs.get(f"reads-{name}", 0) for name, value in costs.items()}
-
-
-def main(bound, measured, machine, program, *model):
+def main(bound, measured, machine, program):
     if not Path(bound).exists():
         sys.exit(f"check.py: no bounds in {bound}: run the test that proves them first")
-    cost = costs_in(Path(bound).read_text(), *model[:2])
-    text, good = report(cost, run(machine, program, 120, *model[2:]).splitlines())
+    (costs,) = proven_in(Path(bound).read_text()).values()
+    cost = {name: int(value) for name, value in costs.items()}
+    text, good = report(cost, run(machine, program, 120).splitlines())
     Path(measured).write_text("".join(f"{line}\n" for line in text))
     print("\n".join(text))
     sys.exit(not good)

@@ -2,7 +2,6 @@
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 PORTS_RUN = Path(__file__).resolve().parents[2] / "ports/run"
@@ -13,9 +12,7 @@ def run(machine, program, timeout, options=""):
     environment = {**os.environ, "FLASHBVH_TIMEOUT": str(timeout)}
     if options:
         environment["FLASHBVH_QEMU_OPTIONS"] = options
-    with tempfile.TemporaryDirectory() as folder:  # for the plugin's output
-        done = subprocess.run([PORTS_RUN, machine, program], stdout=subprocess.PIPE, text=True, env=environment,
-                              cwd=folder)
+    done = subprocess.run([PORTS_RUN, machine, program], stdout=subprocess.PIPE, text=True, env=environment)
     if done.returncode:
         sys.exit(f"{Path(sys.argv[0]).name}: the firmware failed with status {done.returncode}")
     return done.stdout

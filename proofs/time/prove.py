@@ -1,23 +1,18 @@
-"""prove.py OUTPUT CUTS CORE PROGRAM SOURCES [DECODER TABLES CORE...]
+"""prove.py OUTPUT CUTS CORE PROGRAM SOURCES
 
 Finds the worst-case cost of a query's run in the machine code of PROGRAM, the firmware of this folder, and writes it to
 OUTPUT, "bound NAME VALUE" per line: flashbvh::RunCosts (time_bound.hpp), for translations and for rotations. Writes the
 places of cut loops to CUTS: see turns.py. CORE: its name; SOURCES: the folder of loops.txt's files.
-
-With DECODER, flashbvh_most_cycles, the bounds are cycles on each of the last CORES, by their tables in TABLES, and also
-"bound reads-NAME VALUE": reads of flash. Then CUTS is not written. CORE-Fast has a single-cycle multiplier.
 """
 from __future__ import annotations
 
-import re
 import sys
 from pathlib import Path
-from typing import Callable, Iterator
+from typing import Iterator
 
 from machine_code.cost import Cost, Costs
 from machine_code.instruction import Refused
 from machine_code.loops import Loops
-from machine_code.measure import Cycles, FlashReads, Instructions
 from machine_code.program import Program
 
 # Units of work. Programs of this folder and of tests/figures have them, too.
@@ -108,57 +103,22 @@ def cut_lines(program: Program, costs: Costs) -> Iterator[str]:
             yield f"symbol {function.address:x} {function}"
 
 
-Found = tuple[Costs, dict[str, int]]
-
-
-def cycles_lines(program: Program, decoder: list[str], prove: Callable[[Instructions], Found],
-                 cuts: list[str]) -> Iterator[str]:
-    """cuts: the places where turns.py counts."""
-    for measure, prefix in (Cycles(program, decoder), ""), (FlashReads(program, decoder), "reads-"):
-        costs, found = prove(measure)
-        if list(cut_lines(program, costs)) != cuts:
-            raise Refused("loops are cut elsewhere than by the proof of instructions")
-        for name, value in found.items():
-            yield f"bound {prefix}{name} {-(-value // measure.UNIT)}"
-
-
-def write(program: Program, arguments: list[str], prove: Callable[[Instructions], Found]) -> None:
-    """prove: returns the costs and the bounds by a measure."""
-    output, cuts, core, _, _, *model = arguments
-    costs, found = prove(Instructions())
-    lines = []
-    if model:
-        decoder, tables, *cores = model
-        for core in cores:
-            table, fast = re.fullmatch("(.*?)(?:-(fast))?", core.lower().replace("+", "plus")).groups()
-            command = [decoder, f"{tables}/{table}.csv", *([fast] if fast else [])]
-            lines += [f"core {core}", *cycles_lines(program, command, prove, list(cut_lines(program, costs)))]
-    else:
-        lines = [f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()]
-        Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
+def main(output: str, cuts: str, core: str, file: str, sources: str) -> None:
+    for name, text in UNITS:
+        if text not in (Path(sources) / name).read_text():
+            raise Refused(f"no '{text}' in {name}: change this program, formula.py, turns.py and the pages, too")
+    program, loops = Program(file), Loops(str(Path(__file__).with_name("loops.txt")), sources)
+    costs, general = (Costs(program, loops, general=special) for special in (False, True))
+    found = dict(bounds(costs, general, loops.roots))
+    check_itself(costs, loops.roots, found)
+    lines = [f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()]
+    Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
     Path(output).write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
 
 
-def prove(program: Program, loops: Loops, measure: Instructions) -> Found:
-    costs, general = (Costs(program, loops, general=special, measure=measure) for special in (False, True))
-    found = dict(bounds(costs, general, loops.roots))
-    check_itself(costs, loops.roots, found)
-    return costs, found
-
-
-def main(table: str, units: list[tuple[str, str]], prove_by: Callable[[Program, Loops, Instructions], Found]) -> None:
-    """units: the files that have the units of work, and their text there."""
-    _, _, _, file, sources = sys.argv[1:6]
-    try:
-        for name, text in units:
-            if text not in (Path(sources) / name).read_text():
-                raise Refused(f"no '{text}' in {name}: change this program, formula.py, turns.py and the pages, too")
-        program, loops = Program(file), Loops(str(Path(__file__).with_name(table)), sources)
-        write(program, sys.argv[1:], lambda measure: prove_by(program, loops, measure))
-    except Refused as refusal:
-        sys.exit(f"{Path(sys.argv[0]).name}: {refusal}")
-
-
 if __name__ == "__main__":
-    main("loops.txt", UNITS, prove)
+    try:
+        main(*sys.argv[1:])
+    except Refused as refusal:
+        sys.exit(f"prove.py: {refusal}")

@@ -1,5 +1,5 @@
-"""shipped.py BOUND FOLDER [--write]: fails unless the constants of core_costs.h or core_cycles.h in FOLDER equal
-those that prove.py or guard_prove.py wrote to BOUND, which may contain several cores.
+"""shipped.py BOUND FOLDER [--write]: fails unless the constants of core_costs.h in FOLDER equal those that prove.py
+wrote to BOUND, which may contain several cores.
 
 --write: updates the header to the constants of the cores in BOUND.
 """
@@ -8,13 +8,8 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-# The constants of a row, by the macro that has it.
-TABLES = {
-    "FLASHBVH_FOR_EACH_CORE": ("start", "ascent", "later-sibling", "leaf-triangle", "work"),
-    "FLASHBVH_FOR_EACH_GUARD_CORE": ("guard-start", "guard-joint", "guard-turn", "guard-pair", "guard-between",
-                                     "guard-table", "guard-measure", "guard-ascent", "guard-within", "guard-work"),
-}
-CORE = r'  core\(.*"(.*)", .*\)'
+FIELDS = "start", "ascent", "later-sibling", "leaf-triangle", "work"
+ROW = re.compile(r'  core\(.*"(.*)", .*\)')
 
 
 def proven_in(bound):
@@ -28,35 +23,26 @@ def proven_in(bound):
     return proven
 
 
-def row(core, costs, fields):
-    """Cycles come in two groups, the second one with the reads of flash."""
-    lists = [", ".join(costs[name] for name in fields)]
-    if f"reads-{fields[0]}" in costs:
-        lists = [f"{{{values}}}" for values in (*lists, ", ".join(costs[f"reads-{name}"] for name in fields))]
-    return (f"  core({core.replace('-', '').replace('+', 'Plus')}, {core.replace('-', '_').replace('+', 'plus').lower()}, "
-            f"\"{core}\", {', '.join(lists)})")
+def row(core, costs):
+    return (f"  core({core.replace('-', '')}, {core.replace('-', '_').lower()}, \"{core}\", "
+            f"{', '.join(costs[name] for name in FIELDS)})")
 
 
 def main(bound, folder, *options):
+    header = Path(folder, "core_costs.h")
+    text = header.read_text()
+    shipped = {found[1]: found[0] for found in ROW.finditer(text)}
     proven = proven_in(Path(bound).read_text())
-    is_cycles = any(name.startswith("reads-") for costs in proven.values() for name in costs)
-    header = Path(folder, f"core_{'cycles' if is_cycles else 'costs'}.h")
-    text, differing, known = header.read_text(), [], 0
-    for macro, fields in TABLES.items():
-        wanted = {core: row(core, costs, fields) for core, costs in proven.items() if fields[0] in costs}
-        known += len(wanted)
-        head = rf"#define {macro}{'_IN_CYCLES' if is_cycles else ''}\(core\) \\\n"
-        rows = re.search(rf"(?<={head})(?:  core\(.*\n)+", text)[0]
-        shipped = {found[1]: found[0] for found in re.finditer(CORE, rows)}
-        text = text.replace(rows, " \\\n".join({**shipped, **wanted}.values()) + "\n")
-        differing += [(shipped.get(core, ""), row) for core, row in wanted.items() if shipped.get(core) != row]
-    if not known:
+    wanted = {core: row(core, costs) for core, costs in proven.items() if FIELDS[0] in costs}
+    if not wanted:
         sys.exit("shipped.py: nothing proven")
     if options == ("--write",):
-        header.write_text(text)
+        old, new = (" \\\n".join(rows.values()) for rows in (shipped, {**shipped, **wanted}))
+        header.write_text(text.replace(old, new))
         return
-    for shipped, row_proven in differing:
-        print(f"shipped: {shipped.strip()}\nproven:  {row_proven.strip()}\nrun tools/figures.sh")
+    differing = {core: wanted[core] for core in wanted if shipped.get(core) != wanted[core]}
+    for core, row_proven in differing.items():
+        print(f"shipped: {shipped.get(core, '').strip()}\nproven:  {row_proven.strip()}\nrun tools/figures.sh")
     sys.exit(bool(differing))
 
 

@@ -1,8 +1,7 @@
 """turns.py CUTS MACHINE PROGRAM
 
-Follows a firmware of this folder instruction by instruction at the places where prove.py or guard_prove.py cut the
-loops, and fails if an instruction executes more often than their table allows, in a call or in a run. CUTS: the file
-that they wrote.
+Follows the firmware of this folder instruction by instruction at the places where prove.py cut the loops, and fails if
+an instruction executes more often than its table allows, in a call or in a run. CUTS: the file that it wrote.
 
 Counting lasts from the call of a function of RUNS, or of bound_make_query, to that of bound_done. A number in the table
 holds for each call; an open count holds for each run: the k-th execution of a function of RUNS is the k-th line "run".
@@ -13,40 +12,14 @@ from collections import Counter, defaultdict
 from pathlib import Path
 
 from firmware import run
-from formula import NEARER, OVERDRAWN, POSE, measured_pairs
 
 LEAST = 1000
-RUNS = "bound_run", "bound_run_itself", "bound_period"
-
-
-def allowed_in_period(work, joints, pairs, between, tabled, depth, leaf_size):
-    """The sums of guard_prove.py."""
-    measured = measured_pairs(pairs, work)
-    looks, nearer = measured + 2, (work + OVERDRAWN + joints) // NEARER
-    runs = measured + 2 + nearer + (work + POSE - 1) // POSE
-    batches = 3 * runs + work // 4
-    turns, shapes = batches + (work + 1) // 2, batches + (work + 7) // 8
-    visits = work + 2 * batches + turns
-    begun = (measured + 1) * joints
-    return {"set": joints, "one-way": joints, "step": joints, "frame": joints, "third": 3 * joints,
-            "power": 3 * joints, "master": joints * joints,
-            "longest": looks * joints, "pair": looks * pairs, "motion": looks * 4 * between + begun,
-            "rate": looks * between + begun + nearer * joints, "next": (looks * pairs + measured) * joints,
-            "table": looks * tabled * pairs, "axis": looks * 2 * tabled * (tabled + 2),
-            "begun": pairs, "skipped": 2 * looks * tabled * pairs + (5 * (measured + 1) + nearer) * pairs,
-            "since": looks * between + 3 * begun + nearer * joints,
-            "lever": begun, "moved": begun + nearer * joints,
-            "certified": looks * between + 2 * begun, "kept": measured * joints, "measured": measured + 1,
-            "run": runs, "batch": batches, "sibling": 16 * batches + 8 * runs, "turn": turns,
-            "triangle": work + 1, "visit": visits, "ascent": depth + visits,
-            "climb": depth + visits, "other": 2 * (leaf_size - 1) * shapes}
+RUNS = "bound_run", "bound_run_itself"
 
 
 def allowed_in(line):
     """run KIND WORK VISITS LEAF_PAIRS DEPTHS LEAF_SIZE INSTRUCTIONS: the largest count of each kind in this run. Two
     sides of a walk have two children per node, and the test of the last child finds no sibling."""
-    if line.split()[1] == "period":
-        return allowed_in_period(*map(int, line.split()[2:9]))
     _, _, work, visits, leaf_pairs, depths, leaf_size, *_ = line.split()
     work, visits, walks, depths = int(work), int(visits), int(leaf_pairs) + 1, int(depths)
     pairs, shapes = (work + 31) // 32, (work + 7) // 8 + 1

@@ -2,8 +2,6 @@
 
     run OUTPUT PROGRAM...     runs measuring programs, by the command in RUN if they are firmware, and writes their
                               output (results.py) to OUTPUT. Fails if a program does
-    cycles CORE FOLDER PROGRAM...   runs them with QEMU's options in CYCLES, by which they count cycles, and writes
-                              their output to FOLDER; for each model that runs the core's code
     hold OUTPUT...            compares those OUTPUTs of programs that exist with budgets.csv; lists figures that
                               differ by more than 2 %, either way, and counts that differ at all, and fails if
                               there are any
@@ -15,51 +13,33 @@ import difflib
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 import pages
 from robot import BUILD, FOLDER, ROOT, Robot, boards, quietly
-from results import ALL, BUDGETS, CYCLES, Refused, budgets, cycles, measured_in
+from results import ALL, BUDGETS, Refused, budgets, measured_in
 
 DOCS = ROOT / "lib/docs"
 SHIPPED = ROOT / "proofs/time/shipped.py"
 COSTS = ROOT / "lib/include/flashbvh/plain"
-# The presets of cores whose manuals state cycles.
-MODELLED = "cortex-m0", "cortex-m3", "cortex-m4f"
-# The columns of cycles.csv that run a core's code, with the plugin's additional options: the core without wait states,
-# and parts whose flash has wait states.
-MODELS = {"Cortex-M0": {"Cortex-M0": "", "Cortex-M0+": ",core=cortex-m0plus",
-                        "RP2040": ",core=cortex-m0plus,flash=rp2040-xip"},
-          "Cortex-M4F": {"Cortex-M4F": "", "STM32F4": ",flash=stm32f4-5ws"}}
 # The measuring tests: the figures, the memory (proofs/stack) and the bounds (proofs/time).
-TESTS = "figures: .* measured|memory, and both stacks|bound: (no (run|period) takes more|the most cycles)"
+TESTS = "figures: .* measured|memory, and both stacks|bound: no run takes more"
 
 
-def run(output, *programs, folder=None, **environment):
+def run(output, *programs):
     output = Path(output)
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)
     texts = []
     for program in programs:
         done = subprocess.run([*os.environ.get("RUN", "").split(), program], stdout=subprocess.PIPE, text=True,
-                              errors="replace", cwd=folder,
-                              env={"FLASHBVH_TIMEOUT": "240", **os.environ, **environment})
+                              errors="replace", env={"FLASHBVH_TIMEOUT": "240", **os.environ})
         print(done.stdout, end="", flush=True)
         if done.returncode:
             sys.exit(f"figures.py: {program} ended with status {done.returncode}")
         texts.append(done.stdout)
     measured_in(texts)
     output.write_text("".join(texts))
-
-
-def count_cycles(core, results, *programs):
-    for model, options in MODELS.get(core, {core: ""}).items():
-        output = Path(results) / f"{model}.txt"
-        # The plugin writes its counts to the folder.
-        with tempfile.TemporaryDirectory() as folder:
-            run(output, *programs, folder=folder, FLASHBVH_QEMU_OPTIONS=os.environ["CYCLES"] + options)
-        output.write_text(output.read_text().replace(f"core {core}\n", f"core {model}\n"))
 
 
 def held(measured):
@@ -78,10 +58,10 @@ def hold(*files):
 
 def write_pages(check):
     """Writes the pages, or prints how they differ; returns whether none does."""
-    books, good = {"figures": budgets(), "cycles": cycles()}, True
+    book, good = budgets(), True
     for page in [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]:
         old = page.read_text()
-        new = pages.rewritten(books, old)
+        new = pages.rewritten(book, old)
         if not check:
             page.write_text(new)
         elif new != old:
@@ -97,7 +77,7 @@ def texts_of(preset):
     """The output of measuring programs in the preset's build folder; the core comes first."""
     build = BUILD / preset
     files = [*sorted((build / "figures").glob("*.txt")), *(build / f"{name}.txt" for name in (
-        "memory", "bound", "bound_measured", "bound_guard", "bound_guard_measured")), *([FOLDER / "host.txt"] if preset == "native" else [])]
+        "memory", "bound", "bound_measured")), *([FOLDER / "host.txt"] if preset == "native" else [])]
     texts = [file.read_text() for file in files if file.exists()]
     if not texts:
         sys.exit(f"figures.py: nothing measured in build/{preset}: run its tests, or tools/figures.sh")
@@ -123,45 +103,11 @@ def write(measured):
         f"core {core}\n" + "".join(f"bound {name.removeprefix('bound.')} {cells[core]}\n"
                                    for name, cells in book.rows.items() if name.startswith("bound."))
         for core in book.columns if core != ALL))
-    for proven in (bounds, *sorted((ROOT / "build").glob("cortex-*/bound*_cycles.txt"))):
-        quietly(sys.executable, "-B", SHIPPED, proven, COSTS, "--write")
-
-
-def show_cycles(book):
-    """The figures of cycles.csv, next to the instructions of budgets.csv."""
-    instructions, columns = budgets(), []
-    for core in book.columns:
-        columns += [(core, instructions)] * (core in instructions.columns) + [(core, book)]
-    rows = [[name, *(pages.grouped(of.value(core, name)) for core, of in columns)] for name in book.rows]
-    print(pages.lines_of([["figure", *(core if of is instructions else f"{core}, cycles" for core, of in columns)],
-                          *rows]))
-
-
-def same_answers(preset, measured):
-    """Refuses counts that differ from budgets.csv: the model must not change an answer."""
-    book = budgets()
-    for (core, name), value in measured.items():
-        if core == ALL and name in book.rows and value != book.value(ALL, name):
-            raise Refused(f"{preset} {name}: {value}, without the plugin {book.value(ALL, name)}")
-
-
-def measure_cycles(robot, *presets):
-    book = cycles()
-    for preset in presets or MODELLED:
-        robot.count_cycles(preset)
-        measured = measured_in(file.read_text() for file in sorted((BUILD / preset / "cycles").glob("*/*.txt")))
-        same_answers(preset, measured)
-        book.update(measured)
-    CYCLES.write_text(book.text())
-    show_cycles(book)
-    return write_pages(check=False)
+    quietly(sys.executable, "-B", SHIPPED, bounds, COSTS, "--write")
 
 
 def measure(mode, urdf, native, *presets):
     robot = Robot(Path(urdf).resolve(), native)
-    if mode == "cycles":
-        robot.prepare(for_boards_alone=True)
-        return measure_cycles(robot, *presets)
     if mode in ("prepare", "trees"):
         robot.prepare(for_boards_alone=mode == "prepare")
         return robot.trees(*presets or ("cortex-m4f",)) if mode == "trees" else print(FOLDER)
@@ -183,8 +129,6 @@ def main(command="", *arguments):
     try:
         if command == "run" and len(arguments) > 1:
             return run(*arguments)
-        if command == "cycles" and len(arguments) > 2:
-            return count_cycles(*arguments)
         if command == "hold" and arguments:
             return hold(*arguments)
         if command == "pages" and arguments in ((), ("--check",)):

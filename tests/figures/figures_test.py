@@ -71,18 +71,13 @@ class FiguresTest(unittest.TestCase):
                     [["size", "mean", "most"], ["2", cells[1], cells[1]]]) + "\n| a | table |\n")
 
         book = Budgets(BUDGETS.replace("visits,1000", "visits,10000"))
-        self.assertEqual(pages.rewritten({"figures": book}, page("7", "8")), page("1000", "10,000"))
-        cycles = Budgets("figure,M4\nset.query,1500\n")
-        table = pages.lines_of([["a table", "M4"], ["a", "1500"]])
-        self.assertEqual(pages.rewritten({"figures": book, "cycles": cycles},
-                                         "<!-- cycles set.query -->\n| a table | M4 |\n|--|--|\n| a | 7 |\n"),
-                         f"<!-- cycles set.query -->\n{table}")
+        self.assertEqual(pages.rewritten(book, page("7", "8")), page("1000", "10,000"))
         with self.assertRaisesRegex(Refused, "2 figures, 1 rows"):
-            pages.rewritten({"figures": book}, "<!-- figures a.{b,c} -->\n| a |\n| - |\n| b |\n")
+            pages.rewritten(book, "<!-- figures a.{b,c} -->\n| a |\n| - |\n| b |\n")
         with self.assertRaisesRegex(Refused, "without a table"):
-            pages.rewritten({"figures": book}, "<!-- figures a.b -->\n\n| a |\n")
+            pages.rewritten(book, "<!-- figures a.b -->\n\n| a |\n")
         with self.assertRaisesRegex(Refused, "no figure a.b"):
-            pages.rewritten({"figures": book}, "<!-- figures a.b -->\n| a | M4 |\n| - | - |\n| b | 1 |\n")
+            pages.rewritten(book, "<!-- figures a.b -->\n| a | M4 |\n| - | - |\n| b | 1 |\n")
 
 
 if __name__ == "__main__":

@@ -213,7 +213,7 @@ void measure_standing() {
   add_figure({{"guard", "state"}}, sizeof guard_memory);
 }
 
-/// Figures from which `flashbvh guard --core` estimates other robots' periods.
+/// What a period costs beside its work, and what work adds.
 void add_costs(const PeriodCosts& costs) {
   print_count({{"guard", "joints"}}, robot.joint_count);
   print_count({{"guard", "pairs"}}, robot.pair_count);

@@ -1,4 +1,4 @@
-"""Tables of Markdown that show budgets.csv or, where the comment says `cycles`, cycles.csv, rewritten in place.
+"""Tables of Markdown that show budgets.csv, rewritten in place.
 
 A comment above a table names the figure of each row, with braces as in a shell, but for blanks after commas:
     <!-- figures kr5.rotated.{small, close}.query.{mean, max} -->
@@ -11,7 +11,7 @@ import re
 
 from results import ALL, Refused
 
-MARK = re.compile("<!-- (figures|cycles)")
+MARK = re.compile("<!-- figures")
 TABLE = re.compile(MARK.pattern + r"(\s[^>]*)-->\n((?:\|.*\n)+)")
 EVERY_CORE = "every core"
 
@@ -46,9 +46,8 @@ def cells_in(line):
     return [cell.strip() for cell in line.strip().strip("|").split("|")]
 
 
-def table_of(books, found):
-    of, marked, table = found.groups()
-    budgets = books[of]
+def table_of(budgets, found):
+    marked, table = found.groups()
     rows, _, columns = re.sub(r",\s+", ",", marked).partition(":")
     names = [name for word in rows.split() for name in expanded(word)]
     columns = columns.split()
@@ -62,12 +61,12 @@ def table_of(books, found):
         for i, column in enumerate(head):
             if column in budgets.columns or column == EVERY_CORE:
                 cells[i] = grouped(budgets.value(ALL if column == EVERY_CORE else column, name))
-    return f"<!-- {of}{marked}-->\n{lines_of([head, *rows])}"
+    return f"<!-- figures{marked}-->\n{lines_of([head, *rows])}"
 
 
-def rewritten(books, text):
-    """A page's text with rewritten tables of figures. `books`: the budgets by a comment's first word."""
-    new, tables = TABLE.subn(lambda found: table_of(books, found), text)
+def rewritten(budgets, text):
+    """A page's text with rewritten tables of figures."""
+    new, tables = TABLE.subn(lambda found: table_of(budgets, found), text)
     if tables != len(MARK.findall(text)):
-        raise Refused("a comment `<!-- figures` or `<!-- cycles` without a table")
+        raise Refused("a comment `<!-- figures` without a table")
     return new

@@ -13,7 +13,6 @@ import io
 from pathlib import Path
 
 BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
-CYCLES = BUDGETS.with_name("cycles.csv")  # of some of its figures, by the model of lib/docs/cycles.md
 SLACK = 2  # percent
 ALL = "all"  # the column of counts
 OTHERS = "lump", "gear", "spindle"  # sets of meshes by the first of their pairs, in addition to the robot's links
@@ -157,7 +156,3 @@ class Budgets:
 
 def budgets():
     return Budgets(BUDGETS.read_text())
-
-
-def cycles():
-    return Budgets(CYCLES.read_text())

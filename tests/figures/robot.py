@@ -127,12 +127,6 @@ class Robot:
         quietly("cmake", "--build", "--preset", preset, "--target", "figures")
         quietly("ctest", "--preset", preset, "-R", tests)
 
-    def count_cycles(self, preset):
-        """Stores the programs' cycle counts in the preset's build folder."""
-        print(f"Counting cycles of {preset}", flush=True)
-        self.configure(preset, FOLDER)
-        quietly("cmake", "--build", "--preset", preset, "--target", "figures_cycles")
-
     def trees(self, preset):
         """A row for each leaf size and arity; restores the build."""
         folder = FOLDER / "trees"

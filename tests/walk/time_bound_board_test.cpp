@@ -60,20 +60,8 @@ TEST_CASE("bound: the work within a number of instructions is the most that they
   STATIC_REQUIRE(work_within(UINT64_MAX, kCosts, kA, kB) == UINT32_MAX - 1);  // also a limit
 }
 
-TEST_CASE("bound: cycles are those of memory without wait states, and of each read of flash") {
-  constexpr RunCycles core = {kCosts, {500, 5, 3, 25, 100}};
-  constexpr RunCosts waits = {2000, 20, 12, 100, 400};  // at two wait states
-  STATIC_REQUIRE(most_cycles(core, 0, kA, kB, 100) == most_instructions(kCosts, kA, kB, 100));
-  STATIC_REQUIRE(most_cycles(core, 2, kA, kB, 100) == most_instructions(waits, kA, kB, 100));
-  STATIC_REQUIRE(most_cycles(core, 2, kA, 100) == most_instructions(waits, kA, 100));
-  STATIC_REQUIRE(work_within(100000, core, 2, kA, kB) == work_within(100000, waits, kA, kB));
-  STATIC_REQUIRE(work_within(100000, core, 2, kA) == work_within(100000, waits, kA));
-}
-
 TEST_CASE("bound: the constants of the cores, and what the page makes of one") {
   STATIC_REQUIRE(kCortexM4F.work < kCortexM0.work);
-  STATIC_REQUIRE(kCortexM4F.work < kCortexM4FCycles.cycles.work);
-  STATIC_REQUIRE(kCortexM0FastCycles.cycles.work < kCortexM0Cycles.cycles.work);
   const uint32_t work = work_within(56000, kCortexM4F, kOfPage, kOfPage);
   CHECK(work > 200);
   CHECK(work < 300);

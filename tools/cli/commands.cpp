@@ -28,14 +28,6 @@ void check_output(const std::string& output, const std::vector<std::string>& inp
   }
 }
 
-CLI::Option* add_flash(CLI::App& command, std::string& to) {
-  return add_option(
-             command, "--flash", to, "FLASH",
-             "Flash that code and data lie in: bounds take its wait states, and trust no cache")
-      ->check(CLI::IsMember(flash_wait_states()))
-      ->capture_default_str();
-}
-
 CLI::Option* add_posed_images(CLI::App& command, PosedImages& to) {
   add_option(command, "A", to.a, "FILE.fbvh", "Image (.fbvh) that stays in place")->required();
   add_option(command, "B", to.b, "FILE.fbvh", "Image (.fbvh) that the poses rotate and translate")

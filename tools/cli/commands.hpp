@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "evaluate/part.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -41,20 +40,6 @@ CLI::Option* add_option(CLI::App& command, const char* name, Value& to, const ch
                         const std::string& what) {
   return command.add_option(name, to, what)->type_name(type);
 }
-
-/// Declares --clock. `to`: megahertz, a double or an optional double.
-template <class Megahertz>
-CLI::Option* add_clock(CLI::App& command, Megahertz& to, const std::string& what) {
-  const auto read = [](std::string& text) {
-    const std::optional<double> megahertz = parse_clock(text);
-    text = megahertz ? shortest(*megahertz) : text;
-    return megahertz ? "" : text + " is no clock; give a number and kHz or MHz, as 168MHz";
-  };
-  return add_option(command, "--clock", to, "CLOCK", what)->transform(CLI::Validator(read, ""));
-}
-
-/// Declares --flash; flash_wait_states() defines its names.
-CLI::Option* add_flash(CLI::App& command, std::string& to);
 
 /// Declares an option with one of `words` as its value; the help shows the default.
 inline CLI::Option* add_choice(CLI::App& command, const char* name, std::string& to,

@@ -123,24 +123,6 @@ VisitBound bound_of(const Tree& a, const Tree& b, const std::string& algorithm) 
 
 }  // namespace
 
-std::vector<Core> cores_in_cycles() {
-  // A Cortex-M0+ executes as many instructions as a Cortex-M0.
-#define FLASHBVH_CORE_OF(core, c_name, text, ...) {text, kCortexM0, k##core##Cycles},
-  std::vector<Core> cores = {FLASHBVH_FOR_EACH_CORE_IN_CYCLES(FLASHBVH_CORE_OF)};
-#undef FLASHBVH_CORE_OF
-  for (const Core& core : kCores) {
-    const auto same = std::find_if(cores.begin(), cores.end(), [&](const Core& known) {
-      return std::string(known.name) == core.name;
-    });
-    if (same == cores.end()) {
-      cores.push_back(core);
-    } else {
-      same->costs = core.costs;
-    }
-  }
-  return cores;
-}
-
 NeededWork needed_work(std::vector<std::uint64_t> work) {
   std::sort(work.begin(), work.end());
   const double sum = std::accumulate(work.begin(), work.end(), 0.0);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,16 +29,12 @@ TreeSize tree_size(const ImageHeader& header);
 struct Core {
   const char* name;
   RunCosts costs;
-  std::optional<RunCycles> cycles = {};
 };
 
 /// The cores of time_bound.hpp.
 #define FLASHBVH_CORE_OF(core, c_name, text, ...) {text, k##core},
 inline constexpr Core kCores[] = {FLASHBVH_FOR_EACH_CORE(FLASHBVH_CORE_OF)};
 #undef FLASHBVH_CORE_OF
-
-/// All cores, with proven cycles where they exist; first the cores that differ only in cycles.
-std::vector<Core> cores_in_cycles();
 
 struct VisitBound {
   std::uint64_t visits = 0;

@@ -3,10 +3,6 @@
 //     constexpr uint32_t kWork =
 //         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm_TREE_SIZE, cell_TREE_SIZE);
 //     step = query.run(kWork, found);  // 56,000 instructions at most
-//
-// In cycles, for a core whose manual states them, in RAM or in flash with a number of wait states:
-//
-//     flashbvh::work_within(84000, flashbvh::kCortexM4FCycles, 0, arm_TREE_SIZE, cell_TREE_SIZE);
 #ifndef FLASHBVH_TIME_BOUND_HPP
 #define FLASHBVH_TIME_BOUND_HPP
 
@@ -15,23 +11,15 @@
 #include "flashbvh/detail/walk/work.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/plain/core_costs.h"
-#include "flashbvh/plain/core_cycles.h"
 #include "flashbvh/plain/results.h"
 
 namespace flashbvh {
 
 using RunCosts = flashbvh_run_costs;
-using RunCycles = flashbvh_run_cycles;
 
 /// Defines kCortexM0 to kRV32IMAC.
 #define FLASHBVH_CONSTANT(core, c_name, text, ...) constexpr RunCosts k##core = {__VA_ARGS__};
 FLASHBVH_FOR_EACH_CORE(FLASHBVH_CONSTANT)
-#undef FLASHBVH_CONSTANT
-/// Defines kCortexM0Cycles to kCortexM4FCycles. "Fast" is for parts whose MULS takes one cycle, as
-/// on nearly all.
-#define FLASHBVH_CONSTANT(core, c_name, text, ...) \
-  constexpr RunCycles k##core##Cycles = {__VA_ARGS__};
-FLASHBVH_FOR_EACH_CORE_IN_CYCLES(FLASHBVH_CONSTANT)
 #undef FLASHBVH_CONSTANT
 
 namespace detail {
@@ -110,28 +98,6 @@ constexpr uint64_t most_instructions(const RunCosts& costs, const TreeSize& mesh
          (uint64_t{work} + detail::kTrianglePairWork - 1) * (costs.work + passed);
 }
 
-/// Returns the costs in cycles if each read of flash takes this many wait states.
-constexpr RunCosts costs_in_cycles(const RunCycles& core, uint32_t wait_states) {
-  const RunCosts& cycles = core.cycles;
-  const RunCosts& reads = core.reads;
-  return {cycles.start + wait_states * reads.start, cycles.ascent + wait_states * reads.ascent,
-          cycles.later_sibling + wait_states * reads.later_sibling,
-          cycles.leaf_triangle + wait_states * reads.leaf_triangle,
-          cycles.work + wait_states * reads.work};
-}
-
-/// As most_instructions(), in cycles. `wait_states`: at most 1000, for each read of the memory of
-/// code and meshes; 0 for RAM. Assumes no cache hits.
-constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& a,
-                               const TreeSize& b, uint32_t work) {
-  return most_instructions(costs_in_cycles(core, wait_states), a, b, work);
-}
-/// For a mesh against itself.
-constexpr uint64_t most_cycles(const RunCycles& core, uint32_t wait_states, const TreeSize& mesh,
-                               uint32_t work) {
-  return most_instructions(costs_in_cycles(core, wait_states), mesh, work);
-}
-
 namespace detail {
 
 /// `none`: the most that a run without work takes.
@@ -153,18 +119,6 @@ constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, con
 constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, const TreeSize& mesh) {
   const uint64_t none = most_instructions(costs, mesh, 0);
   return detail::work_within(instructions, none, most_instructions(costs, mesh, 1) - none);
-}
-
-/// Returns the most work with which run(work, found) takes at most this many cycles; arguments as
-/// for most_cycles().
-constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
-                               const TreeSize& a, const TreeSize& b) {
-  return work_within(cycles, costs_in_cycles(core, wait_states), a, b);
-}
-/// For a mesh against itself.
-constexpr uint32_t work_within(uint64_t cycles, const RunCycles& core, uint32_t wait_states,
-                               const TreeSize& mesh) {
-  return work_within(cycles, costs_in_cycles(core, wait_states), mesh);
 }
 
 }  // namespace flashbvh

@@ -8,7 +8,6 @@
 #include "cli/robot/baked_robot.hpp"
 #include "cli/robot/guard_output.hpp"
 #include "cli/robot/robot_warnings.hpp"
-#include "evaluate/part.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
 
@@ -181,17 +180,14 @@ void print_refused(const GuardedTrajectory& guarded) {
   }
 }
 
-/// Prints unguarded pairs, counts, stretches and motions that are not free, the closest moment,
-/// work and time.
+/// Prints unguarded pairs, counts, stretches and motions that are not free, the closest moment
+/// and work.
 void print_guarded(const GuardedTrajectory& guarded) {
   print_head(guarded);
   print_counts(guarded);
   print_stretches(guarded);
   print_closest(guarded);
   print_work(guarded);
-  if (guarded.timing) {
-    print_timing(*guarded.timing);
-  }
   if (guarded.has_motions) {
     print_motions(guarded);
   }
@@ -214,11 +210,6 @@ struct GuardArguments : RobotArguments {
   std::string trajectory;
   std::string page;
   std::uint32_t work = kAllWork;
-  std::string core;
-  std::optional<double> megahertz;
-  double hertz = 1000;
-  std::string flash = "none";
-  std::optional<double> cycles;
   bool motion = false;
   bool json = false;
 };
@@ -251,9 +242,6 @@ BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnin
 
 /// Reads the trajectory before it bakes.
 Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
-  if (!arguments.core.empty()) {
-    (void)measured_name(arguments.core);
-  }
   if (is_robot_file_name(arguments.urdf)) {
     BakedRobot robot = opened_robot(arguments.urdf, command, warnings);
     Trajectory trajectory = read_trajectory(arguments.trajectory, robot.model, warnings);
@@ -264,47 +252,17 @@ Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, W
   return {baked_robot(std::move(model), arguments, warnings), std::move(trajectory)};
 }
 
-std::optional<GuardTiming> timing_of(const GuardArguments& arguments, const Robot& robot,
-                                     const Trajectory& trajectory,
-                                     const std::vector<GuardAnswer>& answers) {
-  if (arguments.core.empty()) {
-    return std::nullopt;
-  }
-  const PeriodCosts costs = costs_on(arguments.core, robot);
-  GuardTiming timing = {costs,
-                        {},
-                        least_work(robot, trajectory),
-                        {},
-                        {},
-                        arguments.work,
-                        proven_period(costs.core, flash_wait_states().at(arguments.flash), robot)};
-  timing.replayed = quantiles_of(timing.costs, answers);
-  if (timing.least) {
-    timing.of_least = quantiles_of(timing.costs, timing.least->answers);
-  }
-  if (arguments.megahertz) {
-    constexpr double kRoughCycles = 1.5;
-    const auto measured = measured_cycles(costs.core, arguments.flash);
-    timing.clock = {*arguments.megahertz, arguments.hertz,
-                    arguments.cycles.value_or(measured.value_or(kRoughCycles)),
-                    !arguments.cycles && !measured};
-  }
-  return timing;
-}
-
 ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& command) {
   Warnings warnings;
   const auto& [robot, trajectory] = read_guarded(arguments, command, warnings);
   const std::vector<GuardAnswer> answers = replay(robot.robot(), trajectory, arguments.work);
   const auto motions =
       arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>();
-  const std::optional<GuardTiming> timing =
-      timing_of(arguments, robot.robot(), trajectory, answers);
   const std::vector<std::uint32_t> image =
       arguments.page.empty() ? std::vector<std::uint32_t>() : image_of(robot, robot.model.name);
   const GuardedTrajectory guarded = {
       robot.model,    robot.robot(),    image,   arguments.trajectory, trajectory, answers,
-      arguments.work, arguments.motion, motions, robot.unguarded,      timing};
+      arguments.work, arguments.motion, motions, robot.unguarded};
   std::vector<std::string> read = files_read(arguments, robot.model);
   read.push_back(arguments.trajectory);
   FileSet files(std::move(read));
@@ -318,28 +276,6 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
     flush_output();
   });
   return exit_code_of(guarded);
-}
-
-void add_timing_options(CLI::App& command, GuardArguments& a) {
-  constexpr double kLeast = 1e-3;
-  constexpr double kMost = 1e5;
-  const CLI::Range positive(kLeast, kMost);
-  add_option(command, "--core", a.core,
-             concat("CORE:{", joined(measured_cores(), ","), "}").c_str(),
-             "Estimate the instructions of each period, and find the least --work that keeps\n"
-             "not_yet_known below 0.1 % of periods");
-  add_clock(command, a.megahertz,
-            "Clock of the core: print cycles, time, parts of a period and the work it has time for")
-      ->needs("--core");
-  add_flash(command, a.flash)->needs("--core");
-  add_option(command, "--hz", a.hertz, "HZ", "Periods a second; default: 1000")
-      ->check(positive)
-      ->needs("--clock");
-  add_option(command, "--cpi", a.cycles, "CYCLES",
-             "Cycles an instruction takes on the part on average; default: as measured with core\n"
-             "and flash, else 1.5, marked rough")
-      ->check(positive)
-      ->needs("--clock");
 }
 
 }  // namespace
@@ -363,7 +299,6 @@ void add_guard(CLI::App& app) {
   add_option(command, "--work", a.work, "N",
              "What the guard may spend in a period; default: what it takes")
       ->check(CLI::Range(1u, kAllWork));
-  add_timing_options(command, a);
   command.add_flag("--motion", a.motion,
                    "Certify the straight motion of all joints from each line to the next, too");
   add_option(command, "--report", a.page, "PAGE.html",

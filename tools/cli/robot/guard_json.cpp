@@ -1,6 +1,5 @@
 // The JSON of flashbvh guard.
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "cli/commands.hpp"
@@ -63,59 +62,6 @@ Json stretches_json(const GuardedTrajectory& guarded) {
   return all;
 }
 
-Json quantiles_json(const PeriodQuantiles& quantiles) {
-  Json json;
-  for (std::size_t i = 0; i < quantiles.size(); ++i) {
-    json[kQuantileNames[i]] = std::round(quantiles[i]);
-  }
-  return json;
-}
-
-/// Null if no time bound is proven for the robot.
-Json proven_json(const GuardTiming& timing) {
-  if (!timing.proven) {
-    return {};
-  }
-  Json json = {{"instructions", Json::object()}};
-  for (const ProvenWork& proven : proven_work(timing)) {
-    const std::string work = concat(proven.work);
-    json["instructions"][work] = proven.instructions;
-    if (proven.cycles) {
-      json["cycles"][work] = *proven.cycles;
-      if (timing.clock) {
-        json["milliseconds"][work] =
-            static_cast<double>(*proven.cycles) / timing.clock->megahertz / 1e3;
-      }
-    }
-  }
-  if (timing.clock) {
-    json["work_within"] = proven_work_within(*timing.proven, *timing.clock);
-  }
-  return json;
-}
-
-Json timing_json(const GuardTiming& timing) {
-  const PeriodCosts& costs = timing.costs;
-  Json json = {{"core", costs.core},
-               {"pass", std::round(costs.pass)},
-               {"walk", costs.walk},
-               {"work", costs.work},
-               {"instructions", quantiles_json(timing.replayed)}};
-  json["least_work"] = timing.least ? Json(timing.least->work) : Json();
-  if (timing.least) {
-    json["least_instructions"] = quantiles_json(timing.of_least);
-  }
-  if (timing.clock) {
-    const auto within = work_within(costs, *timing.clock);
-    json["period"] = std::round(timing.clock->instructions());
-    json["cycles_per_instruction"] = timing.clock->cycles;
-    json["is_rough"] = timing.clock->is_rough;
-    json["work_within"] = within ? Json(*within) : Json();
-  }
-  json["proven"] = proven_json(timing);
-  return json;
-}
-
 Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
   const GuardAnswer& answer = guarded.answers[i];
   Json json = {{"line", guarded.trajectory.line(i)}};
@@ -128,9 +74,6 @@ Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
       answer.pair == kNoPair ? Json() : Json(unit_length(answer.distance, cell_of(guarded.robot)));
   json["work"] = answer.work;
   json["status"] = name_of(answer.status);
-  if (guarded.timing) {
-    json["instructions"] = std::round(instructions_of(guarded.timing->costs, answer.work));
-  }
   if (i != 0 && guarded.has_motions) {
     json["motion"] = motion_json(guarded, guarded.motions[i - 1]);
   }
@@ -174,9 +117,6 @@ Json guarded_facts(const GuardedTrajectory& guarded) {
       motion.update(motion_json(guarded, guarded.motions[i]));
       json["motions"].push_back(motion);
     }
-  }
-  if (guarded.timing) {
-    json["timing"] = timing_json(*guarded.timing);
   }
   return json;
 }

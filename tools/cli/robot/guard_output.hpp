@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cli/json.hpp"
-#include "robot/replay/period_costs.hpp"
 #include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
@@ -23,7 +22,6 @@ struct GuardedTrajectory {
   bool has_motions;
   const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be empty
   const std::vector<UnguardedPair>& unguarded;
-  const std::optional<GuardTiming>& timing;
 };
 
 /// "ok", or the name of the status.
@@ -44,8 +42,5 @@ void print_guarded_json(const GuardedTrajectory& guarded);
 
 /// One self-contained HTML file, the same bytes for the same robot and trajectory.
 std::string guard_page(const GuardedTrajectory& guarded);
-
-/// Prints a table of the instructions of periods on a core, and of the work that they need.
-void print_timing(const GuardTiming& timing);
 
 }  // namespace flashbvh::tool

@@ -55,10 +55,4 @@ typedef struct flashbvh_run_costs {
   uint32_t work;          /**< each unit of work */
 } flashbvh_run_costs;
 
-/** The most cycles of the parts of a run on one core. */
-typedef struct flashbvh_run_cycles {
-  flashbvh_run_costs cycles; /**< in memory without wait states */
-  flashbvh_run_costs reads;  /**< reads of flash, each of which takes its wait states */
-} flashbvh_run_cycles;
-
 #endif
