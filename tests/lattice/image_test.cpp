@@ -306,6 +306,28 @@ TEST_CASE("the largest origins and the smallest and largest cells are good") {
   }
 }
 
+TEST_CASE("each way a file can be no image has its own status") {
+  Image image{image_of(small_tree<kPost>(), true)};
+  const auto status_of_flipped = [&](std::size_t offset) {
+    image.bytes()[offset] ^= 1;
+    const Status status = image.open<MeshWithLevels>();
+    image.bytes()[offset] ^= 1;
+    return status;
+  };
+  CHECK(status_of_flipped(offsetof(ImageHeader, magic)) == Status::image_not_flashbvh);
+  CHECK(status_of_flipped(offsetof(ImageHeader, version)) == Status::image_version);
+  CHECK(status_of_flipped(image.size() - 1) == Status::image_corrupt);
+  CHECK(image.open<PreMeshWithLevels>() == Status::image_kind);
+  MeshWithLevels tree;
+  CHECK(open_image(image.bytes(), image.size() - 1, tree) == Status::image_truncated);
+  CHECK(open_image(image.bytes() + 2, image.size(), tree) == Status::image_misaligned);
+}
+
+TEST_CASE("the checksum is CRC-32 as everyone computes it") {
+  CHECK(crc32("123456789", 9) == 0xCBF43926u);
+  CHECK(crc32("56789", 5, crc32("1234", 4)) == 0xCBF43926u);
+}
+
 TEST_CASE("a layout or an index width that is none is refused as such") {
   Image image{image_of(small_tree<kPost>())};
   for (const std::size_t offset :

@@ -189,22 +189,6 @@ TEST_CASE("an inverse leads back, and to the relative pose of two objects in a w
   }
 }
 
-TEST_CASE("a long chain of joints stays a rotation, and where it belongs") {
-  const Pose joint = Pose::rigid(rotation_of({20000, 300, -700, 1100}).entry, {700, -300, 100});
-  Pose chain = Pose::translated(0, 0, 0);
-  for (int i = 0; i < 100; ++i) {
-    chain = Pose::composed(chain, joint);
-    REQUIRE(chain.status() == Status::done);
-  }
-  for (int i = 0; i < 100; ++i) {
-    chain = Pose::composed(chain, joint.inverse());
-  }
-  REQUIRE(chain.status() == Status::done);
-  for (int i = 0; i < 3; ++i) {
-    CHECK(std::llabs(fine_translation(chain, i)) < 65536);
-  }
-}
-
 TEST_CASE("a pose's defect bounds how far it is from a rotation, however it was made") {
   Random random = test_random(7);
   const auto check = [&random](const Pose& pose) {

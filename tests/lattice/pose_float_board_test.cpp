@@ -112,27 +112,6 @@ TEST_CASE("a matrix of floats is the pose of the same numbers in fixed point") {
   });
 }
 
-TEST_CASE("quaternions of the rotations of a cube give their matrices to the last bit") {
-  for (int w = -1; w <= 1; ++w) {
-    for (int i = 0; i < 27; ++i) {
-      const Quaternion q = {w, i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
-      if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) {
-        continue;
-      }
-      CAPTURE(q.w, q.x, q.y, q.z);
-      const Pose wanted = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
-      // Parts of a length of 1.7 are no floats; for thirds, the pose may round either way.
-      const int parts = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-      const Pose pose = pose_of(scaled(q, 1), kOrigin, 1);
-      REQUIRE(pose.status() == Status::done);
-      CHECK(distance(pose, scaled(q, 1)) <= kRounding);
-      if (parts != 3) {
-        check_same_rotation(pose, wanted);
-      }
-    }
-  }
-}
-
 TEST_CASE("a quaternion's rounding is normalised away, up to the tolerance") {
   for_rounds(500, [&](Random& random, int) {
     const Quaternion q = any_quaternion(random);

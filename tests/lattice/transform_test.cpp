@@ -60,50 +60,6 @@ TEST_CASE("a transformed vertex is within 0.51 cells of where the pose's numbers
   });
 }
 
-TEST_CASE("a quarter turn of boxes is tested as exactly as no turn at all") {
-  int overlapping = 0;
-  for_rounds(3000, 4, [&](Random& random, int) {
-    // Turns about z: x goes to y, y to -x.
-    const Point by = any_point(random, 40);
-    const Pose pose = Pose::rigid(rotation_of({1, 0, 0, 1}).entry, {by.x, by.y, by.z});
-    const bake::LatticeMesh mesh = random_mesh(random, 2, 30, 30);
-    const Box a = bake::box_of(mesh, 0);
-    const Box b = bake::box_of(mesh, 1);
-    const auto negated = [](std::int16_t value) { return static_cast<std::int16_t>(-value); };
-    const Box rotated = {{negated(b.upper.y), b.lower.x, b.lower.z},
-                         {negated(b.lower.y), b.upper.x, b.upper.z}};
-    RotatedTransform transform{};
-    const std::int32_t nowhere[3] = {0, 0, 0};
-    REQUIRE(transform.prepare(pose, nowhere, pack(a), nowhere, pack(b), false));
-    const bool expected = overlap(a, rotated, by);
-    const PackedBox packed_a = pack(a);
-    const PackedBox packed_b = pack(b);
-    REQUIRE(RotatedBoxTest(transform)(packed_a, packed_b) == expected);
-    overlapping += expected ? 1 : 0;
-  });
-  CHECK(overlapping > 300);
-}
-
-TEST_CASE("contact: a reported pair is transformed again as the query had it", "[contact]") {
-  std::uint32_t pairs = 0;
-  for_rounds(50, 5, [&](Random& random, int) {
-    Scene scene = any_scene(random);
-    for (AnyMesh* mesh : {&scene.a, &scene.b}) {
-      mesh->origin[random.below(3)] = random.between(-9, 9);
-    }
-    PairQuery query(scene.a, scene.b, scene.pose);
-    PairQuery::Pair found[1];
-    while (query.run(UINT32_MAX, found).status == Status::full) {
-      Triangle of_a;
-      Triangle of_b;
-      REQUIRE(transform_pair(scene.a, scene.b, scene.pose, found[0], of_a, of_b));
-      REQUIRE(same_place(contact_of_last(query), contact_of(of_a, of_b)));
-      ++pairs;
-    }
-  });
-  CHECK(pairs > 100);
-}
-
 TEST_CASE("contact: a pair that no query reports is refused", "[contact]") {
   const bake::LatticeMesh ring = torus(8, 6, 600, 250);
   const AnyMesh any(bake::build_median(ring, 3), ring);

@@ -1,10 +1,7 @@
 // Lengths in the mesh's unit: exact products, rounded once.
-#include "flashbvh/contact.hpp"
 #include "flashbvh/float.hpp"
-#include "flashbvh/query.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
-#include "support/torus.hpp"
 
 using namespace flashbvh::detail;
 
@@ -64,16 +61,6 @@ TEST_CASE("lengths: the ends of the range") {
   CHECK(millionths_of(64, bits_of(0x1p45)) == 15'625 * (std::int64_t{1} << 49));
   CHECK(millionths_of(-64, bits_of(0x1p45)) == -15'625 * (std::int64_t{1} << 49));
   CHECK(millionths_of(64, bits_of(0x1p46)) == INT64_MAX);
-}
-
-TEST_CASE("lengths: cells of powers of two have whole numbers of millionths, or halves") {
-  for (int power = -20; power <= 20; ++power) {
-    const double cell = std::ldexp(1.0, power);
-    for (const int fine : {1, 3, 255, 256, 77777}) {
-      const double exact = fine * cell / 256 * 1e6;
-      CHECK(static_cast<double>(millionths_of(fine, bits_of(cell))) == std::nearbyint(exact));
-    }
-  }
 }
 
 #if defined(__SIZEOF_INT128__)
@@ -167,52 +154,4 @@ TEST_CASE("lengths: whole steps of a cell of a power of two stay, and errors are
   CHECK(cells_per_unit(bits_of(1 + 0x1p-30)) > 1);
   CHECK(cells_per_unit(bits_of(1 - 0x1p-30)) > 1);
   CHECK(cells_per_unit(bits_of(0.25)) == 4);
-}
-
-TEST_CASE("lengths: a contact a metre off both frames' origins, in millimetres") {
-  // Rings of 1,000 cells, one through the other; each drawn a metre from its frame's origin.
-  for (const double cell : {0.001, 0.03125, 0.1}) {
-    CAPTURE(cell);
-    const auto metre = static_cast<std::int32_t>(std::lround(1000 / cell));
-    bake::LatticeMesh mesh_a = torus(12, 8, 1000, 300);
-    bake::LatticeMesh mesh_b = mesh_a;
-    mesh_a.cell = mesh_b.cell = cell;
-    mesh_a.origin = {metre, -metre, metre};
-    mesh_b.origin = {-metre, metre, 0};
-    const auto baked_a = baked(bake::build_median(mesh_a, 1), mesh_a);
-    const auto baked_b = baked(bake::build_median(mesh_b, 1), mesh_b);
-    const Mesh a = baked_a.view();
-    const Mesh b = baked_b.view();
-    Mesh at_origin_a = a;
-    Mesh at_origin_b = b;
-    for (int axis = 0; axis < 3; ++axis) {
-      at_origin_a.origin[axis] = at_origin_b.origin[axis] = 0;
-    }
-    // An equivalent pose: B a ring's radius from A.
-    const Pose pose = Pose::translated(metre + metre + 1000, -2 * metre, metre);
-    const Pose near_pose = Pose::translated(1000, 0, 0);
-    PairQuery query(a, b, pose);
-    PairQuery near_query(at_origin_a, at_origin_b, near_pose);
-    PairQuery::Pair found[1];
-    int pairs = 0;
-    while (query.run(UINT32_MAX, found).status == Status::full) {
-      REQUIRE(near_query.run(UINT32_MAX, found).status == Status::full);
-      const Contact contact = contact_of_last(query);
-      const Contact near_contact = contact_of_last(near_query);
-      for (int end = 0; end < 2; ++end) {
-        const FinePoint& at = contact.ends[end];
-        const FinePoint& near_at = near_contact.ends[end];
-        const double millimetres = static_cast<double>(near_at.x) * cell / 256 + metre * cell;
-        REQUIRE(at.x - near_at.x == std::int64_t{metre} * kFineOne);
-        REQUIRE(at.y - near_at.y == -std::int64_t{metre} * kFineOne);
-        REQUIRE(at.z - near_at.z == std::int64_t{metre} * kFineOne);
-        const double nanometres = static_cast<double>(millionths_of(at.x, a.cell_bits));
-        REQUIRE(std::fabs(nanometres / 1e6 - millimetres) <= cell / 256);
-        const double as_float = static_cast<double>(in_unit(at, a.cell_bits).x);
-        REQUIRE(std::fabs(as_float - millimetres) <= 1024 * 0x1p-24);
-      }
-      ++pairs;
-    }
-    REQUIRE(pairs > 20);
-  }
 }

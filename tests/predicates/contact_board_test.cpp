@@ -180,27 +180,6 @@ TEST_CASE("contact: the order of arguments moves no point where long edges cross
   CHECK(intersecting > kPairs / 16);
 }
 
-TEST_CASE("contact: translating both triangles translates the ends alike", "[contact]") {
-  for_rounds(kPairs, [&](Random& random, uint32_t) {
-    const TransformedPair pair = any_pair(random);
-    if (!detail::triangles_intersect(pair.a, pair.b)) {
-      return;
-    }
-    const TransformedPair translated = translated_anywhere(random, pair);
-    const Contact here = contact_of(pair.a, pair.b);
-    Contact there = contact_of(translated.a, translated.b);
-    const Point& from = pair.a.corner[0];
-    const Point& to = translated.a.corner[0];
-    for (FinePoint& end : there.ends) {
-      end = {end.x - int64_t{to.x - from.x} * kFineOne, end.y - int64_t{to.y - from.y} * kFineOne,
-             end.z - int64_t{to.z - from.z} * kFineOne};
-    }
-    REQUIRE(same_place(here, there));
-    REQUIRE(same(here.normal_a, there.normal_a));
-    REQUIRE(same(here.normal_b, there.normal_b));
-  });
-}
-
 TEST_CASE("contact: disjoint triangles do no harm, and their normals are right", "[contact]") {
   for_rounds(kPairs, [&](Random& random, uint32_t) {
     TransformedPair pair = any_pair(random);

@@ -3,6 +3,7 @@
 
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/detail/predicates/triangle_distance.hpp"
+#include "predicates/long_division.hpp"
 #include "support/oracles/rational.hpp"
 #include "support/points.hpp"
 #include "support/test.hpp"
@@ -251,23 +252,6 @@ TEST_CASE("distances of triangles are those of exact rationals") {
   CHECK(separations.close > tries / 200);
 }
 
-TEST_CASE("no order of corners changes a distance") {
-  for_rounds(300, [&](Random& random, int) {
-    Triangle a = any_triangle(random, 40);
-    Triangle b = any_triangle(random, 40);
-    adapt(random, random.below(12), a, b);
-    b = shifted(b, any_point(random, 60));
-    Features features{};
-    const mpq_class truth = squared_distance(a, b, features);
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j) {
-        REQUIRE(squared_distance(ordered(a, i), ordered(b, j), features) == truth);
-        REQUIRE(squared_distance(ordered(b, j), ordered(a, i), features) == truth);
-      }
-    }
-  });
-}
-
 TEST_CASE("pairs of triangles of two unit cubes, which share an edge, a corner or nothing") {
   Random random = test_random();
   // A corner, and each set of it and one or two others: ties, flat and touching triangles.
@@ -392,5 +376,23 @@ TEST_CASE("fractions are compared exactly, however near they are") {
     mpz_class root;
     mpz_sqrt(root.get_mpz_t(), x.get_num().get_mpz_t());
     REQUIRE(mpz_class(static_cast<unsigned long>(square_root(of_x.above))) == root);
+    REQUIRE(long_quotient(of_x.above, of_x.below) == whole);
+    REQUIRE(long_root(of_x.above) == square_root(of_x.above));
+  }
+}
+
+TEST_CASE("quotients and roots of machines without 128-bit divisions are exact at their ends") {
+  const Int128 numbers[] = {{INT64_MAX, UINT64_MAX}, {INT64_MAX, 0}, {1, 0}, {0, UINT64_MAX},
+                            {0, UINT64_MAX - 1},     {0, 2},         {0, 1}, {0, 0}};
+  for (const Int128& u : numbers) {
+    CAPTURE(u.high, u.low);
+    CHECK(long_root(u) == square_root(u));
+    CHECK(mpz_class(static_cast<unsigned long>(square_root(u))) == sqrt(number_of(u)));
+    for (const Int128& v : numbers) {
+      if (!is_zero(v)) {
+        CHECK(number_of(long_quotient(u, v)) == number_of(u) / number_of(v));
+        CHECK(long_quotient(u, v) == quotient(u, v));
+      }
+    }
   }
 }

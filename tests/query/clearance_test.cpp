@@ -114,65 +114,6 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
   });
 }
 
-TEST_CASE("what is farther than 2^15 cells is measured as well, from any seed") {
-  for_rounds(rounds(20, 60), [&](Random& random, int round) {
-    const AnyMesh a = any_mesh(random, 40, 800, 400);
-    const AnyMesh b = any_mesh(random, 40, 800, 400);
-    const auto far = [&] {
-      const std::int32_t sign = random.below(2) == 0 ? 1 : -1;
-      return sign * random.between(20000, 23000);
-    };
-    const std::int32_t cells[3] = {far(), far(), far()};
-    const Pose pose = round % 4 == 0
-                          ? Pose::translated(cells[0], cells[1], cells[2])
-                          : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
-    const std::vector<Pairwise> all = all_distances(a, b, pose);
-    check_result(all, distance(a, b, pose));
-    for (int i = 0; i < 8; ++i) {
-      const Pairwise& pair = random.one_of(all);
-      check_result(all, distance(a, b, pose, {pair.of_a, pair.of_b}));
-    }
-  });
-}
-
-TEST_CASE("distances beyond the range are reported as such") {
-  Random random = test_random();
-  const bake::LatticeMesh mesh = random_mesh(random, 12, 16000, 4000);
-  const AnyMesh a = any_mesh(random, mesh);
-  const AnyMesh b = any_mesh(random, mesh);
-  const auto rotated = [&](std::int32_t x) {
-    const std::int32_t cells[3] = {x, -x, x};
-    return Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
-  };
-  for (const std::int32_t x : {47999, -47999, 30000, 48000, -70000, 1 << 19, (1 << 20) - 1}) {
-    for (const Pose& pose : {Pose::translated(x, -x, x), rotated(x)}) {
-      const Clearance<std::uint16_t> found = distance(a, b, pose);
-      CHECK(found.in_range);
-      check_result(all_distances(a, b, pose), found);
-    }
-  }
-  for (const std::int32_t x : {1 << 20, -(1 << 20) - 1, 1 << 22, -(1 << 29)}) {
-    CAPTURE(x);
-    for (const Pose& pose : {Pose::translated(x, -x, x), rotated(x)}) {
-      const Clearance<std::uint16_t> found = distance(a, b, pose);
-      CHECK(found.status == Status::done);
-      CHECK_FALSE(found.in_range);
-      // B's vertices are within 28,378 cells of its origin, A's within 16,384 of its own.
-      CHECK(found.lower / 256.0 <= std::abs(std::sqrt(3.0) * x) + 80000.0);
-      CHECK(found.lower > 0);
-      CHECK(closer_than(a, b, pose, {256 * 3000}).status == Status::done);
-      CHECK_FALSE(closer_than(a, b, pose, {256 * 3000}).yes);
-      const Answer wide = closer_than(a, b, pose, {kMaxDistance});
-      CHECK((wide.status == Status::distance_out_of_range
-                 ? wide.yes
-                 : wide.status == Status::done && !wide.yes));
-    }
-  }
-  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), {kMaxDistance + 1}).status ==
-        Status::distance_out_of_range);
-  CHECK(closer_than(a, b, Pose::translated(0, 0, 0), {kMaxDistance}).yes);
-}
-
 TEST_CASE("seeds and positions that are none are refused") {
   Random random = test_random();
   const AnyMesh a = any_mesh(random, random_mesh(random, 20, 100, 20));

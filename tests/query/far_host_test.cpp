@@ -165,6 +165,14 @@ TEST_CASE("far apart the distance is that of exact rationals, from any hint, in 
     if (pose.is_translation()) {
       const Clearance<std::uint16_t> back = distance(b, a, pose.inverse());
       REQUIRE((back.lower == cold.lower && back.upper == cold.upper));
+      // A pose without rotation ignores fractions of a cell.
+      constexpr std::int32_t one = kRotationOne;
+      const Clearance<std::uint16_t> turned =
+          distance(a, b,
+                   Pose::rigid({{one, 0, 0}, {0, one, 0}, {0, 0, one}},
+                               {pose.translation(0), pose.translation(1), pose.translation(2)},
+                               {32767, -32768, 32767}));
+      REQUIRE((turned.lower == cold.lower && turned.upper == cold.upper));
     }
     // With a tolerance.
     const auto tolerance = static_cast<std::uint16_t>(1 + random.below(2000));
@@ -197,40 +205,6 @@ TEST_CASE("far apart what is within a distance is what exact rationals say") {
       }
     }
     REQUIRE(closer_than(a, b, pose, {kMaxDistance + 1}).status == Status::distance_out_of_range);
-  });
-}
-
-TEST_CASE("far apart meshes with 32-bit indices give the same, and a pose that turns by nothing") {
-  for_rounds(rounds(20, 200), [&](Random& random, int) {
-    const bake::LatticeMesh lattice_a = random_mesh(random, 1 + random.below(40), 3000, 300);
-    const bake::LatticeMesh lattice_b = random_mesh(random, 1 + random.below(40), 3000, 300);
-    const bake::BuildTree tree_a = any_tree(random, lattice_a);
-    const bake::BuildTree tree_b = any_tree(random, lattice_b);
-    const AnyMesh a(tree_a, lattice_a);
-    const AnyMesh b(tree_b, lattice_b);
-    const auto wide_a = bake::lay_out<std::uint32_t, Layout::post_indexed>(tree_a, lattice_a);
-    const auto wide_b = bake::lay_out<std::uint32_t, Layout::post_indexed>(tree_b, lattice_b);
-    const Mesh32 a32 = wide_a.view();
-    const Mesh32 b32 = wide_b.view();
-    const Pose pose = any_far_pose(random);
-    const Clearance<std::uint16_t> found = distance(a, b, pose);
-    const Clearance<std::uint32_t> wide = distance(a32, b32, pose);
-    REQUIRE((wide.lower == found.lower && wide.upper == found.upper && wide.in_range));
-    REQUIRE((wide.triangles.a == found.triangles.a && wide.triangles.b == found.triangles.b));
-    if (0 < found.lower && found.upper <= kMaxDistance) {
-      REQUIRE(closer_than(a32, b32, pose, {found.upper}).status == Status::done);
-      REQUIRE(closer_than(a32, b32, pose, {found.upper}).yes);
-      REQUIRE_FALSE(closer_than(a32, b32, pose, {found.lower - 1}).yes);
-    }
-    // A pose without rotation ignores fractions of a cell, near or far.
-    const std::int32_t one = kRotationOne;
-    const std::int32_t same[3][3] = {{one, 0, 0}, {0, one, 0}, {0, 0, one}};
-    const std::int32_t cells[3] = {pose.translation(0), pose.translation(1), pose.translation(2)};
-    const std::int16_t most[3] = {32767, -32768, 32767};
-    const Clearance<std::uint16_t> moved =
-        distance(a, b, Pose::translated(cells[0], cells[1], cells[2]));
-    const Clearance<std::uint16_t> turned = distance(a, b, Pose::rigid(same, cells, most));
-    REQUIRE((moved.lower == turned.lower && moved.upper == turned.upper));
   });
 }
 

@@ -67,10 +67,6 @@ AnyMesh fan(Random& random, const FloatVector& up, std::int32_t reach) {
   return AnyMesh(bake::build_median(mesh, 3), mesh);
 }
 
-int component_of(const Direction& direction, int shift) {
-  return static_cast<std::int32_t>(direction.packed << (22 - shift)) >> 22;
-}
-
 }  // namespace
 
 TEST_CASE(
@@ -182,53 +178,6 @@ TEST_CASE("leaves that have nothing but ties have no triangles that are nearer")
   CAPTURE(ties, nearer);
   CHECK(ties > 100);
   CHECK(nearer > 100);
-}
-
-TEST_CASE("the direction of the boxes' gap has nine bits, however wide the gap is") {
-  for_rounds(rounds(200, 2000), [&](Random& random, int round) {
-    const auto any = [&] {
-      const auto most = std::int32_t{1} << (round % 17);
-      return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint32_t>(most) + 1)) -
-             most;
-    };
-    const Point gap = {any(), any(), any()};
-    const Triangle a = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-    const Triangle b = {{gap, gap, gap}};
-    Direction direction;
-    const bool is_apart = boxes_separate(a, b, 0, direction);
-    REQUIRE(is_apart == (gap.x != 0 || gap.y != 0 || gap.z != 0));
-    if (is_apart) {
-      const double length = std::hypot(gap.x, gap.y, gap.z);
-      const int x = component_of(direction, 0);
-      const int y = component_of(direction, 10);
-      const int z = component_of(direction, 20);
-      CAPTURE(gap.x, gap.y, gap.z, x, y, z);
-      REQUIRE(std::max({std::abs(x), std::abs(y), std::abs(z)}) >= 255);
-      const double cosine =
-          (x * double{1} * gap.x + y * double{1} * gap.y + z * double{1} * gap.z) /
-          (length * std::hypot(x, y, z));
-      REQUIRE(cosine > 0.99997);
-    }
-  });
-}
-
-TEST_CASE("slivers that cross are separated along the normal of their edges") {
-  constexpr std::int32_t length = 30000;
-  for (std::int32_t apart = 600; apart < 9000; apart += 300) {
-    // For any ends of the other edge: B turns about the nearest points.
-    for (std::int32_t along = -12000; along <= 12000; along += 3000) {
-      const Triangle a = {{{-length, 0, 0}, {length, 0, 0}, {length, 1, -1}}};
-      const Triangle b = {
-          {{along, -length, apart}, {-along, length, apart}, {-along, length, apart + 1}}};
-      Direction direction;
-      const std::int64_t near = apart / 10 * 9;  // 12 bits change the direction slightly
-      const std::int64_t limit = near * near;
-      CAPTURE(apart, along);
-      REQUIRE(edges_separate(a, b, limit, direction));
-      REQUIRE(edges_separate(b, a, limit, direction));
-      REQUIRE(!edges_separate(a, b, std::int64_t{apart} * apart, direction));
-    }
-  }
 }
 
 TEST_CASE("along a direction the same pairs are found as without, however the query is cut") {

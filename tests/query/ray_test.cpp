@@ -2,7 +2,6 @@
 // corners of closed meshes.
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
-#include "query/aimed_rays.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
 #include "support/points.hpp"
@@ -38,8 +37,8 @@ std::vector<Hit> all_hits(const Mesh& mesh, const Segment& segment) {
   return hits;
 }
 
-/// Tests all ray queries on one ray.
-void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
+/// Tests all ray queries on one ray. Returns the number of hits in the nearest one's place.
+std::uint32_t check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   const std::vector<Hit> hits = all_hits(mesh, segment);
   std::vector<Hit> found;
   const auto keep = [&](const Hit& hit) {
@@ -61,12 +60,14 @@ void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   const auto seeded = nearest_hit(mesh, segment, seed);
   REQUIRE(seeded.yes == nearest.yes);
   if (hits.empty()) {
-    return;
+    return 0;
   }
   REQUIRE(same(any.hit, found.front()));
   REQUIRE(same(seeded.hit, nearest.hit));
+  std::uint32_t in_one_place = 0;
   for (const Hit& hit : hits) {
     const int order = order_along(nearest.hit.along, hit.along);
+    in_one_place += order == 0 ? 1 : 0;
     REQUIRE((order < 0 || (order == 0 && nearest.hit.triangle <= hit.triangle)));
   }
   std::uint32_t visited = 0;
@@ -76,13 +77,34 @@ void check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
   };
   REQUIRE(for_each_hit(mesh, segment, stop) == Status::full);
   REQUIRE(visited == 1);
+  return in_one_place;
+}
+
+bool is_hit_by_half(const RayAnswer<std::uint16_t>& answer) {
+  return answer.status == Status::done && answer.yes &&
+         2 * answer.hit.along.above <= answer.hit.along.below;
+}
+
+/// Whether a segment leaves a closed mesh with winding numbers 0 and 1 as often as it enters, but
+/// for the side of its ends.
+bool is_crossed_rightly(const Mesh& mesh, const Segment& segment) {
+  const PointSide from = inside(mesh, segment.from).side;
+  const PointSide to = inside(mesh, segment.to).side;
+  const CrossingCount crossings = signed_crossings(mesh, segment);
+  if (from == PointSide::on_surface || to == PointSide::on_surface) {
+    return crossings.outwards >= -1 && crossings.outwards <= 1;
+  }
+  const auto winding = [](PointSide side) { return side == PointSide::inside ? 1 : 0; };
+  return crossings.outwards == winding(from) - winding(to);
 }
 
 }  // namespace
 
-TEST_CASE("a ray hits what it hits of each triangle") {
-  for_rounds(400 / kShare, [&](Random& random, int) {
-    bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(40), 12, 9);
+TEST_CASE("a ray hits what it hits of each triangle, of several in one place the least id") {
+  std::uint32_t shared = 0;
+  for_rounds(400 / kShare, [&](Random& random, int round) {
+    bake::LatticeMesh lattice =
+        round % 2 == 0 ? boxes(random) : random_mesh(random, 1 + random.below(40), 12, 9);
     for (std::int32_t& origin : lattice.origin) {
       origin = random.between(-(1 << 29), 1 << 29);
     }
@@ -90,34 +112,15 @@ TEST_CASE("a ray hits what it hits of each triangle") {
     for (int i = 0; i < 20; ++i) {
       const Point from = moved(any_point(random, 25), mesh.origin);
       const Point to = moved(any_point(random, i % 4 == 0 ? 100'000 : 25), mesh.origin);
-      check_ray(random, mesh, {from, to});
-    }
-  });
-}
-
-TEST_CASE("of several hits in one place that of the least triangle id is reported") {
-  std::uint32_t shared = 0;
-  for_rounds(200 / kShare, [&](Random& random, int) {
-    const AnyMesh mesh = any_mesh(random, boxes(random));
-    for (int i = 0; i < 30; ++i) {
-      // Through a corner, usually of several triangles.
+      (void)check_ray(random, mesh, {from, to});
+      // Through a corner, often of several triangles.
       const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
       const Point corner = moved({v.x, v.y, v.z}, mesh.origin);
-      const Point from = moved(any_point(random, 25), mesh.origin);
-      const Segment segment = {
-          from, {2 * corner.x - from.x, 2 * corner.y - from.y, 2 * corner.z - from.z}};
-      check_ray(random, mesh, segment);
-      const auto nearest = nearest_hit(mesh, segment);
-      const std::vector<Hit> hits = all_hits(mesh, segment);
-      for (const Hit& hit : hits) {
-        shared +=
-            hit.triangle != nearest.hit.triangle && order_along(hit.along, nearest.hit.along) == 0
-                ? 1
-                : 0;
-      }
+      const Point beyond = {2 * corner.x - from.x, 2 * corner.y - from.y, 2 * corner.z - from.z};
+      shared += check_ray(random, mesh, {from, beyond}) > 1 ? 1 : 0;
     }
   });
-  CHECK(shared > 5000 / kShare);
+  CHECK(shared > 3000 / kShare);
 }
 
 TEST_CASE("signed crossings are winding numbers' differences, through edges and corners too") {
@@ -159,8 +162,18 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
 TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh mesh(bake::build_default(lattice), lattice);
-  const AimedRays rays(mesh);
-  for_rounds(3000 / kShare, [&](Random& random, int) { REQUIRE(rays.is_right(random)); });
+  for_rounds(rounds(3000, 30000) / kShare, [&](Random& random, int) {
+    // Exactly through a corner or the middle of an edge, where float ray casters lose rays.
+    const auto& corner = mesh.triangles[random.below(mesh.triangle_count)].corner;
+    const Vertex& u = mesh.vertices[corner[0]];
+    const Vertex& v = mesh.vertices[corner[random.below(3)]];
+    const auto reach = random.below(4) == 0 ? kMaxRayCoordinate - 2 * kMaxCoordinate : 20'000;
+    const Point from = any_point(random, reach);
+    const Segment segment = {from, {u.x + v.x - from.x, u.y + v.y - from.y, u.z + v.z - from.z}};
+    REQUIRE(is_hit_by_half(nearest_hit(mesh, segment)));
+    REQUIRE(is_hit_by_half(nearest_hit(mesh, {segment.to, segment.from})));
+    REQUIRE(is_crossed_rightly(mesh, segment));
+  });
 }
 
 TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {

@@ -128,20 +128,6 @@ TEST_CASE("a soup's, a sheet's or a tube's triangles that intersect are found on
   CHECK(answers > 2000 / kShare);
 }
 
-TEST_CASE("over thousands of frames of one sheet the pairs are those of brute force") {
-  Random random = test_random(1);
-  const bake::LatticeMesh lattice = grid(4, 3, false);
-  Bending<Mesh> bent(bake::build_default(lattice), lattice);
-  lay(random, 5, 20, 0, 0, bent.vertices.data(), bent.vertices.size());
-  for (int frame = 0; frame < rounds(1000, 3000) / kShare; ++frame) {
-    CAPTURE(frame);
-    move_some(random, 3, bent.vertices.data(), bent.vertices.size());
-    REQUIRE(bent.mesh.refit().status == Status::done);
-    SelfQuery query(bent.mesh.mesh());
-    REQUIRE(unordered(run_to_end(query)) == intersecting(bent.now()));
-  }
-}
-
 TEST_CASE("a position is taken if and only if a walk on which all boxes overlap comes by") {
   for_rounds(60 / kShare, 2, [&](Random& random, int) {
     // All boxes overlap and all triangles share a vertex: no answer ends a run.

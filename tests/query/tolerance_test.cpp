@@ -2,7 +2,6 @@
 #include "flashbvh/clearance.hpp"
 #include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
-#include "support/boxes.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::detail;
@@ -54,28 +53,4 @@ TEST_CASE("a tolerance is kept to, and said to be, from any seed") {
       }
     }
   });
-}
-
-TEST_CASE(
-    "a point one cell off a box's face is reported to the tolerance, with a hint on any face") {
-  Random random = test_random();
-  bake::LatticeMesh box;
-  add_box(box, {-10, -10, -10}, {20, 20, 20}, false);
-  bake::LatticeMesh point;
-  point.vertices.push_back({0, 0, 0});
-  point.triangles.push_back({0, 0, 0});
-  const AnyMesh a = any_mesh(random, box);
-  const AnyMesh b = any_mesh(random, point);
-  for (std::int32_t along = 0; along <= 11; ++along) {
-    const Pose pose = Pose::translated(11, along, 0);
-    const std::vector<Pairwise> all = all_distances(a, b, pose);
-    for (std::uint16_t face = 0; face < 12; ++face) {
-      CAPTURE(along, face);
-      for (const std::uint16_t tolerance : {std::uint16_t{1}, std::uint16_t{655}}) {
-        ClearanceQuery query(a, b, pose, {{face, 0}, tolerance});
-        REQUIRE(query.run(UINT32_MAX).status == Status::done);
-        check_tolerance(all, query.result(), tolerance);
-      }
-    }
-  }
 }

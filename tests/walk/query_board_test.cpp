@@ -17,32 +17,6 @@ namespace {
 const int kRounds = rounds(300, 2000);
 
 template <class Traversal>
-Report report_of(const SmallScene<Traversal::Tree::kLayout>& scene, QueryStats& counts) {
-  SmallQuery<Traversal> any(scene);
-  Report report;
-  const Status status = any.query
-                            .run(kNoLimit,
-                                 [&report](const Pair& pair) {
-                                   report.add(pair);
-                                   return true;
-                                 })
-                            .status;
-  REQUIRE(status == Status::done);
-  counts = any.query.stats();
-  return report;
-}
-
-/// Checks that two traversals report equal pairs in equal order, after equally many visits.
-template <class One, class Other>
-void check_same_walk(const SmallScene<One::Tree::kLayout>& scene) {
-  QueryStats counts{};
-  QueryStats others{};
-  const Report report = report_of<One>(scene, counts);
-  const bool equal = report == report_of<Other>(scene, others) && same(counts, others);
-  CHECK(equal);
-}
-
-template <class Traversal>
 void check_against_brute_force() {
   uint32_t total = 0;
   for_rounds(kRounds, [&](Random& random, int) {
@@ -63,18 +37,6 @@ TEST_CASE("small trees: a query finds exactly the pairs that brute force finds")
   for_each_order<uint16_t>([](auto named) {
     CAPTURE(named.name);
     check_against_brute_force<typename decltype(named)::Traversal>();
-  });
-}
-
-TEST_CASE("small trees: a rule walks the same way with a stack and without") {
-  for_rounds(kRounds, 1, [&](Random& random, int) {
-    {
-      const SmallScene<Layout::post_indexed> scene(random);
-      check_same_walk<Ranked<Mesh>, RankedStack<Mesh>>(scene);
-      check_same_walk<StacklessPost, AlternatingStack<MeshWithLevels>>(scene);
-    }
-    const SmallScene<Layout::pre_indexed> scene(random);
-    check_same_walk<Stackless, AlternatingStack<PreMeshWithLevels>>(scene);
   });
 }
 

@@ -1,5 +1,4 @@
-// Uses of a query in addition to running it: reading counts inside a sink, keeping the cursor of a
-// finished query, and refusing temporary arguments before the first run.
+// Arguments that do not compile: temporary meshes and poses, and numbers where a length is due.
 #include <type_traits>
 
 #include "flashbvh/clearance.hpp"
@@ -7,8 +6,8 @@
 #include "flashbvh/first_contact.hpp"
 #include "flashbvh/robot/workcell.hpp"
 #include "flashbvh/self.hpp"
-#include "support/any_mesh.hpp"
-#include "support/test.hpp"
+
+using namespace flashbvh;
 
 namespace {
 
@@ -28,7 +27,6 @@ constexpr bool refuses_temporaries() {
   return true;
 }
 static_assert(refuses_temporaries<PairQuery, Mesh, Mesh, Pose>());
-static_assert(refuses_temporaries<PairQuery, MeshWithLevels, Mesh, Pose>());
 static_assert(refuses_temporaries<PairQuery, Mesh, Mesh, Pose, PairQuery::Cursor>());
 static_assert(refuses_temporaries<WithinQuery, Mesh, Mesh, Pose, WithinQuery::Cursor, Within>());
 static_assert(refuses_temporaries<ClearanceQuery, Mesh, Mesh, Pose>());
@@ -87,46 +85,4 @@ constexpr bool kTakesBraces<
     true;
 static_assert(kTakesBraces<const Pose&> && !kTakesBraces<Pose>);
 
-Scene overlapping_scene(Random& random) {
-  const auto mesh = [&] { return any_mesh(random, random_mesh(random, 25, 30, 25)); };
-  return {mesh(), mesh(), Pose::translated(1, 2, 3)};
-}
-
 }  // namespace
-
-TEST_CASE("inside a sink stats() says what was done so far, not what was granted") {
-  Random random = test_random();
-  const Scene scene = overlapping_scene(random);
-  std::vector<QueryStats> inside;
-  PairQuery whole(scene.a, scene.b, scene.pose);
-  REQUIRE(whole
-              .run(1000000,
-                   [&](const PairQuery::Pair&) {
-                     inside.push_back(whole.stats());
-                     return true;
-                   })
-              .status == Status::done);
-  REQUIRE(inside.size() > 1);
-  // Equal to the counts of a run that ends with a full array.
-  PairQuery cut(scene.a, scene.b, scene.pose);
-  PairQuery::Pair found[1];
-  for (const QueryStats& counts : inside) {
-    REQUIRE(cut.run(1000000, found).status == Status::full);
-    CHECK(same(counts, cut.stats()));
-  }
-}
-
-TEMPLATE_TEST_CASE("the position of a query that is done is taken, and stays done", "",
-                   Ranked<Mesh>, StacklessPost, Leaf<Mesh>) {
-  Random random = test_random();
-  const Scene scene = overlapping_scene(random);
-  using Tree = typename TestType::Tree;
-  const Tree a = scene.a.view<Tree>();
-  const Tree b = scene.b.view<Tree>();
-  Query<TestType> query(a, b, scene.pose);
-  REQUIRE(!run_to_end(query).empty());
-  Query<TestType> other(a, b, scene.pose);
-  CHECK(other.resume(query.cursor()) == Status::done);
-  CHECK(run_to_end(other).empty());
-  CHECK(other.stats().visits == 0);
-}

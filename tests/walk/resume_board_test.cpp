@@ -114,6 +114,8 @@ TEST_CASE("small trees: a query resumed in a new object after any run goes on") 
       const bool equal = report == whole;
       REQUIRE(equal);
       REQUIRE(visits == counts.visits);
+      SmallQuery<Traversal> ended(scene);
+      REQUIRE(ended.query.resume(position) == Status::done);
     });
   });
 }

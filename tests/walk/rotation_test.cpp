@@ -3,7 +3,6 @@
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
-#include "support/torus.hpp"
 #include "support/transformed_mesh.hpp"
 
 using namespace flashbvh::detail;
@@ -90,105 +89,6 @@ TEST_CASE("under any pose a query finds exactly the pairs that brute force finds
     check_against_brute_force<Traversal>(random, kLargest, rounds(15, 40));
     check_against_brute_force<Traversal>(random, kTouching, rounds(15, 40));
   });
-}
-
-TEST_CASE("the path of rotations, all but the identity, answers as the path of translations") {
-  constexpr std::int32_t one = kRotationOne;
-  for_rounds(200, 5, [&](Random& random, int) {
-    auto scene = any_scene(random, 20, kSmall);
-    const std::int32_t t[3] = {random.between(-20, 20), random.between(-20, 20),
-                               random.between(-20, 20)};
-    scene.pose = Pose::translated(t[0], t[1], t[2]);
-    AnyQuery<Ranked<Mesh>> translated(scene);
-    const Pairs expected = run_to_end(translated.query);
-    // The smallest rotation that a pose keeps: far too small to move a vertex of this mesh.
-    const std::int32_t almost[3][3] = {{one, 256, 0}, {-256, one, 0}, {0, 0, one}};
-    scene.pose = Pose::rigid(almost, t);
-    REQUIRE(!scene.pose.is_translation());
-    AnyQuery<Ranked<Mesh>> rotated(scene);
-    REQUIRE(run_to_end(rotated.query) == expected);
-  });
-}
-
-TEST_CASE("arguments swapped under an exact inverse give the same pairs") {
-  std::size_t total = 0;
-  for_rounds(200, 6, [&](Random& random, int round) {
-    auto scene = any_scene(random, 20, round % 2 == 0 ? kSmall : kTouching);
-    const Quaternion rotations[] = {
-        {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 1, 1, 1}, {1, -1, 0, 0}, {0, 1, 1, 0}};
-    scene.pose = Pose::rigid(rotation_of(rotations[round % 5]).entry,
-                             {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)});
-    AnyQuery<Ranked<Mesh>> forward(scene);
-    const Pairs expected = sorted(run_to_end(forward.query));
-    scene.pose = scene.pose.inverse();
-    std::swap(scene.a, scene.b);
-    AnyQuery<Ranked<Mesh>> backward(scene);
-    Pairs pairs = run_to_end(backward.query);
-    for (auto& pair : pairs) {
-      std::swap(pair.first, pair.second);
-    }
-    REQUIRE(sorted(pairs) == expected);
-    total += pairs.size();
-  });
-  CHECK(total > 100);
-}
-
-TEST_CASE(
-    "a vertex transformed there and back by the inverse is at most 1.4 cells from where it was") {
-  for_rounds(2000, 7, [&](Random& random, int round) {
-    const std::int32_t spread = round % 2 == 0 ? 9000 : 50;
-    const bake::LatticeMesh mesh = random_mesh(random, 1, spread, 5);
-    const Pose pose = any_rigid_pose(random, 100);
-    const Pose inverse = pose.inverse();
-    for (const Vertex& v : mesh.vertices) {
-      const Point there = transformed(mesh, v, pose);
-      const Point back = transformed(mesh, vertex_of(there), inverse);
-      // Half a cell on three axes, rotated: at most sqrt(3) / 2 along one; plus another half cell.
-      CHECK(std::abs(back.x - v.x) <= 1);
-      CHECK(std::abs(back.y - v.y) <= 1);
-      CHECK(std::abs(back.z - v.z) <= 1);
-    }
-  });
-}
-
-TEST_CASE("translated through contact a cell at a time, a rotated mesh is found at each step") {
-  std::size_t most = 0;
-  for_rounds(6, 8, [&](Random& random, int round) {
-    auto scene = any_scene(random, 12, {8, 8, 0});
-    const Rotation rotation = rotation_of(any_quaternion(random));
-    for (std::int32_t x = -60; x <= 60; ++x) {
-      CAPTURE(round, x);
-      scene.pose = Pose::rigid(rotation.entry, {x, 1, -1});
-      AnyQuery<Ranked<Mesh>> any(scene);
-      const Pairs pairs = sorted(run_to_end(any.query));
-      REQUIRE(pairs == scene.brute_force());
-      REQUIRE((pairs.empty() || std::abs(x) < 60));
-      most = std::max(most, pairs.size());
-    }
-  });
-  CHECK(most > 0);
-}
-
-TEST_CASE("a mesh against itself, and one inside another without contact") {
-  const bake::LatticeMesh outer = torus(12, 8, 6000, 3000);
-  Scene<> scene{outer, outer, Pose::translated(0, 0, 0), {}, {}};
-  scene.bake_median();
-  for (const Quaternion& q :
-       {Quaternion{0, 1, 0, 0}, Quaternion{1, 0, 0, 1}, Quaternion{5, 3, 2, 1}}) {
-    scene.pose = Pose::rigid(rotation_of(q).entry, {0, 0, 0});
-    AnyQuery<Ranked<Mesh>> itself(scene);
-    const Pairs pairs = sorted(run_to_end(itself.query));
-    REQUIRE(!pairs.empty());
-    REQUIRE(pairs == scene.brute_force());
-  }
-  scene.mesh_b = torus(12, 8, 6000, 1000);
-  scene.bake_median();
-  for (int degrees = 1; degrees < 8; ++degrees) {
-    scene.pose = Pose::rigid(rotation_of({100, 0, 0, degrees}).entry, {0, 0, 0});
-    AnyQuery<Ranked<Mesh>> inside(scene);
-    REQUIRE(run_to_end(inside.query).empty());
-    REQUIRE(inside.query.stats().visits > 1);
-  }
 }
 
 TEST_CASE("a mesh that reaches another with its farthest tip alone is found") {

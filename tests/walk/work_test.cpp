@@ -69,28 +69,6 @@ TEST_CASE("counts inside a sink are those of a query that is stopped there") {
   CHECK(pairs > 1000);
 }
 
-TEST_CASE("however a query is cut into runs, its pairs, their order and counts stay the same") {
-  for_rounds(rounds(4, 20), 6, [&](Random& random, int round) {
-    const Scene scene = any_scene(random);
-    for_each_order<std::uint16_t>([&](auto named) {
-      using Traversal = typename decltype(named)::Traversal;
-      const auto a = scene.a.view<typename Traversal::Tree>();
-      const auto b = scene.b.view<typename Traversal::Tree>();
-      AnyQuery<Traversal> whole(a, b, scene.pose);
-      const Pairs expected = run_to_end(whole.query);
-      for (const std::uint32_t work :
-           std::initializer_list<std::uint32_t>{1, 2, 7, 31, 33, 70, 300, kNoLimit}) {
-        for (std::uint32_t capacity = 1; capacity < 10; ++capacity) {
-          CAPTURE(round, named.name, static_cast<int>(Traversal::Tree::kLayout), work, capacity);
-          AnyQuery<Traversal> cut(a, b, scene.pose);
-          REQUIRE(run_to_end(cut.query, work, capacity) == expected);
-          REQUIRE(same(cut.query.stats(), whole.query.stats()));
-        }
-      }
-    });
-  });
-}
-
 TEST_CASE("counts stay right over more work than one batch may take") {
   Random random = test_random(7);
   // Triangles in random order: nearly all boxes but the leaves' overlap.
