@@ -7,19 +7,6 @@ namespace flashbvh::test {
 namespace {
 
 constexpr std::size_t kStateWords = 40000;
-constexpr std::uint32_t kTwoCells = 512;
-
-/// The travel of a pair by the joints between its links, and by the obstacle, in 1/256 cell.
-double travel_of(const Robot& robot, const RobotPair& pair, const NearMoment& from,
-                 const NearMoment& to) {
-  const Values before = coordinates_of(robot, from.values);
-  const Values now = coordinates_of(robot, to.values);
-  double sum = 0;
-  for_each_reach(robot, pair, [&](std::uint32_t joint, double reach) {
-    sum += reach * std::abs(double(now[joint]) - before[joint]);
-  });
-  return sum;
-}
 
 std::uint32_t way_between(const Frame& from, const Frame& to) {
   double squared = 0;
@@ -30,6 +17,19 @@ std::uint32_t way_between(const Frame& from, const Frame& to) {
 }
 
 }  // namespace
+
+NearCounts& NearCounts::operator+=(const NearCounts& more) {
+  periods += more.periods;
+  not_yet_known += more.not_yet_known;
+  warned += more.warned;
+  unsound += more.unsound;
+  stops += more.stops;
+  early_stops += more.early_stops;
+  most_early = std::max(most_early, more.most_early);
+  work += more.work;
+  most_work = std::max(most_work, more.most_work);
+  return *this;
+}
 
 GuardedMoves::GuardedMoves(const Robot& robot, const NearOptions& options, std::uint32_t budget)
     : scene_(robot, options),
@@ -69,13 +69,10 @@ bool GuardedMoves::step(const NearMove& move, std::size_t from, std::size_t to, 
 void GuardedMoves::check(const NearMove& move, std::size_t from, std::size_t to,
                          const GuardAnswer& answer) {
   const Robot& robot = scene_.robot();
-  const double way_of_obstacle =
-      scene_.has_obstacle() ? way_between(move[from].obstacle, move[to].obstacle) : 0;
   const NearDistances& before = move.distances(from);
   const NearDistances& now = move.distances(to);
   bool is_sound =
       answer.status == Status::done && now.is_beyond(answer.pair, double(answer.distance) - 1);
-  bool may_warn = answer.verdict != Verdict::warn;
   for (std::uint32_t i = 0; i < robot.pair_count; ++i) {
     const RobotPair& pair = robot.pairs[i];
     const auto are_beyond = [&](double limit) {
@@ -83,25 +80,16 @@ void GuardedMoves::check(const NearMove& move, std::size_t from, std::size_t to,
     };
     is_sound = is_sound && (answer.verdict > Verdict::warn ||
                             are_beyond(answer.verdict == Verdict::free ? pair.warn : pair.stop));
-    may_warn = may_warn || !are_beyond(pair.warn + travel_of(robot, pair, move[from], move[to]) +
-                                       kTwoCells + way_of_obstacle);
   }
   counts_.unsound += is_sound ? 0 : 1;
   counts_.warned += answer.verdict == Verdict::warn ? 1 : 0;
-  counts_.falsely_warned += may_warn ? 0 : 1;
 }
 
 void GuardedMoves::count_stop(const NearMove& move, std::size_t at) {
-  const Robot& robot = scene_.robot();
-  const std::int64_t least = std::max<std::int64_t>(
-      0, std::min(move.excess(at), move.excess(at == 0 ? 0 : at - 1)) - robot.slack);
-  const double over = static_cast<double>(least) / 256 * tool::cell_of(robot) * 1000;
+  const std::uint32_t slack = scene_.robot().slack;
   ++counts_.stops;
-  counts_.sum_over += over;
-  counts_.most_over = std::max(counts_.most_over, over);
-  counts_.far_stops += over > 0.5 ? 1 : 0;
   std::size_t contact = at;
-  while (contact < move.size() && move.distances(contact).are_over(robot.slack)) {
+  while (contact < move.size() && move.distances(contact).are_over(slack)) {
     ++contact;
   }
   const auto early = static_cast<long>(contact - at);

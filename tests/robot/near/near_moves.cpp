@@ -140,10 +140,6 @@ const NearDistances& NearMove::distances(std::size_t i) const {
   return *distances_[i];
 }
 
-std::int64_t NearMove::excess(std::size_t i) const {
-  return distances(i).excess(std::vector<bool>(scene_.robot().pair_count));
-}
-
 NearMoves::NearMoves(const NearScene& scene, const NearOptions& options, Random& random)
     : scene_(scene), options_(options), random_(random), cell_(tool::cell_of(scene.robot())) {
   const Robot& robot = scene.robot();

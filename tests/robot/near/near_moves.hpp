@@ -81,8 +81,6 @@ class NearMove {
   std::size_t size() const { return moments_.size(); }
   const NearMoment& operator[](std::size_t i) const { return moments_[i]; }
   const NearDistances& distances(std::size_t i) const;
-  /// The least excess of a pair over its stop distance, in 1/256 cell; may be negative.
-  std::int64_t excess(std::size_t i) const;
 
  private:
   const NearScene& scene_;
