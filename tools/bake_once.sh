@@ -11,7 +11,7 @@ for argument; do
   shift
   key=$argument
   case $before in
-    -o | --firmware) folder=$argument key= argument=$made ;;
+    -o) folder=$argument key= argument=$made ;;
     --depfile) depfile=$argument key= argument=$made/depfile ;;
     *) [ ! -f "$argument" ] || key="${argument##*/} $(cksum <"$argument")" ;;
   esac

@@ -16,6 +16,8 @@ def room_of(path):
     folder = path.parent.name
     if folder in ORDER:
         return folder
+    if folder == "traversal":
+        return "walk"
     return "c" if path.suffix == ".h" else ROOM_OF.get(path.name, "query")
 
 

@@ -23,9 +23,7 @@
 #include "flashbvh/robot/workcell.hpp"
 #include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
-#include "reference/leaf.hpp"
-#include "reference/stack_traversals.hpp"
-#include "reference/stackless.hpp"
+#include "flashbvh/traversal/traversals.hpp"
 
 namespace stack_proof {
 

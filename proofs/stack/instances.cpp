@@ -9,9 +9,7 @@
 #include "flashbvh/query.hpp"
 #include "flashbvh/self.hpp"
 #include "flashbvh/solid.hpp"
-#include "reference/leaf.hpp"
-#include "reference/stack_traversals.hpp"
-#include "reference/stackless.hpp"
+#include "flashbvh/traversal/traversals.hpp"
 
 namespace flashbvh {
 
@@ -29,13 +27,9 @@ template class DeformableQuery<PairQuery>;
 template class DeformableQuery<SelfQuery>;
 template class DeformableQuery<ClearanceQuery>;
 template class Query<Stackless>;
-template class Query<Stackless32>;
 template class Query<StacklessPost>;
-template class Query<StacklessPost32>;
-template class Query<Leaf<PreMesh>>;
-template class Query<Leaf<PreMesh32>>;
-template class Query<Leaf<Mesh>>;
-template class Query<Leaf<Mesh32>>;
+template class Query<Leaf>;
+template class Query<LeafPost>;
 
 namespace test {
 
@@ -52,15 +46,12 @@ Status run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
 #define FLASHBVH_TEST_RUN(traversal)                                                          \
   template Status run<traversal>(const traversal::Tree&, const traversal::Tree&, const Pose&, \
                                  traversal::Cursor&, Contact&)
-#define FLASHBVH_TEST_RUN_STACK(traversal, Pre, Post) \
-  FLASHBVH_TEST_RUN(traversal<Pre>);                  \
-  FLASHBVH_TEST_RUN(traversal<Post>)
-FLASHBVH_TEST_RUN_STACK(VolumeStack, PreMesh, Mesh);
-FLASHBVH_TEST_RUN_STACK(VolumeStack, PreMesh32, Mesh32);
-FLASHBVH_TEST_RUN_STACK(AlternatingStack, PreMeshWithLevels, MeshWithLevels);
-FLASHBVH_TEST_RUN_STACK(AlternatingStack, PreMeshWithLevels32, MeshWithLevels32);
-FLASHBVH_TEST_RUN_STACK(RankedStack, Mesh, Mesh32);
-FLASHBVH_TEST_RUN_STACK(Ranked, Mesh, Mesh32);
+FLASHBVH_TEST_RUN(VolumeStack);
+FLASHBVH_TEST_RUN(VolumeStackPost);
+FLASHBVH_TEST_RUN(AlternatingStack);
+FLASHBVH_TEST_RUN(AlternatingStackPost);
+FLASHBVH_TEST_RUN(Ranked<Mesh>);
+FLASHBVH_TEST_RUN(Ranked<Mesh32>);
 
 /// The queries of collide.hpp and contact.hpp.
 template <class TreeType>

@@ -1,6 +1,6 @@
 #include "hard_mesh.hpp"
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/walk/level_parts.hpp"
 
 using namespace flashbvh;
 using flashbvh::test::Random;

@@ -41,22 +41,22 @@ Record Place := { node : nat; place_rank : Z  (* parent_rank *) }.
 
 Definition first_child (i : nat) : nat := c_link (cell cells (i + 1)).
 
-(* code: include/flashbvh/detail/walk/ranked.hpp | node = root + node[1].link; *)
+(* code: include/flashbvh/traversal/ranked.hpp | node = root + node[1].link; *)
 Definition descend (p : Place) (rank : Z) : Place :=
   {| node := first_child (node p); place_rank := rank |}.
 
-(* code: include/flashbvh/detail/walk/ranked.hpp | const NodeType* const next = root + node->link; if (next < node) { *)
+(* code: include/flashbvh/traversal/ranked.hpp | const NodeType* const next = root + node->link; if (next < node) { *)
 Definition next_sibling (p : Place) : option Place :=
   let i := c_link (cell cells (node p)) in
   if i <? node p then Some {| node := i; place_rank := place_rank p |} else None.
 
-(* code: include/flashbvh/detail/walk/ranked.hpp | --node; parent_rank = node->parent_rank(); *)
+(* code: include/flashbvh/traversal/ranked.hpp | --node; parent_rank = node->parent_rank(); *)
 Definition ascend (p : Place) : Place :=
   let i := node p - 1 in {| node := i; place_rank := c_parent_rank (cell cells i) |}.
 
 (* The loop, which ends after at most `fuel` turns. *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | while (tree.nodes[index].link < index) { *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | return tree.nodes[index - 1].rank(); *)
+(* code: include/flashbvh/traversal/ranked.hpp | while (tree.nodes[index].link < index) { *)
+(* code: include/flashbvh/traversal/ranked.hpp | return tree.nodes[index - 1].rank(); *)
 Fixpoint last_sibling (fuel i : nat) : nat :=
   match fuel with
   | O => i
@@ -81,7 +81,7 @@ Variable begin : nat -> nat -> bool.
 Variable touch : Side -> nat -> nat -> bool.
 
 (* Ranked::leaf() *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | const bool below_leaf = into_b ? a_.node->is_leaf() : b_.node->is_leaf(); *)
+(* code: include/flashbvh/traversal/ranked.hpp | const bool below_leaf = into_b ? a_.node->is_leaf() : b_.node->is_leaf(); *)
 Definition leaf (a b : Place) : Side :=
   if (place_rank b <=? place_rank a)%Z
   then if is_leaf cells_a (node a) then LeafA else NoLeaf
@@ -107,9 +107,9 @@ Definition enter (visit : bool) (a b : Place) : Code :=
   end.
 
 (* A turn of Ranked::next(). *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | if (b_.parent_rank <= a_.parent_rank) { if (b_.next_sibling()) { return true; } *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | if (b_.node == b_.root) { return false; } b_.ascend(); *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | if (a_.next_sibling()) { return true; } a_.ascend(); *)
+(* code: include/flashbvh/traversal/ranked.hpp | if (b_.parent_rank <= a_.parent_rank) { if (b_.next_sibling()) { return true; } *)
+(* code: include/flashbvh/traversal/ranked.hpp | if (b_.node == b_.root) { return false; } b_.ascend(); *)
+(* code: include/flashbvh/traversal/ranked.hpp | if (a_.next_sibling()) { return true; } a_.ascend(); *)
 Definition next_turn (resumed : bool) (a b : Place) : Code :=
   let arrive a b := if resumed then enter true a b else CVisit a b in
   if (place_rank b <=? place_rank a)%Z then
@@ -127,7 +127,7 @@ Definition next_turn (resumed : bool) (a b : Place) : Code :=
 Definition pair_below (side : Side) (a b : Place) (i : nat) : nat * nat :=
   match side with LeafB => (i, node b) | _ => (node a, i) end.
 
-(* code: include/flashbvh/detail/walk/ranked.hpp | if (rank_a < rank_b) { b_.descend(rank_b); } else { a_.descend(rank_a); } *)
+(* code: include/flashbvh/traversal/ranked.hpp | if (rank_a < rank_b) { b_.descend(rank_b); } else { a_.descend(rank_a); } *)
 (* code: include/flashbvh/detail/walk/walk.hpp | return (a.rank() | b.rank()) >= 0; *)
 (* code: include/flashbvh/detail/walk/walk.hpp | if (are_inner(at.node_a(), at.node_b())) { ++overlaps; at.descend_inner(may_matter); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | run.side = leaf_a ? Side::a : Side::b; run.leaf = leaf_a ? a : b; run.node = leaf_a ? b : a; *)

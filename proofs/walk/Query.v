@@ -35,7 +35,7 @@ Definition answers (p : nat * nat) : list Triangles := filter intersect (pairs_o
 Definition last_of (u : nat) (p : nat * nat) := skipn (length (pairs_of p) - u) (pairs_of p).
 
 (* The walk that a run begins. Its traversal is Ranked; near_first.hpp's is left out. *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | using OfTranslations = Ranked; *)
+(* code: include/flashbvh/traversal/ranked.hpp | using OfTranslations = Ranked; *)
 (* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<typename Traversal::OfTranslations>(bound, shapes, run, state_); *)
 (* code: include/flashbvh/detail/query/query_run.hpp | return detail::walk<Traversal>(ByReference<decltype(bound)>{&bound}, shapes, run, state_); *)
 (* code: include/flashbvh/detail/walk/walk.hpp | from = walk_on_below<Traversal>(shapes, run, from == State::at_leaf_pair); *)

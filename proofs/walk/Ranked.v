@@ -1,4 +1,4 @@
-(* The traversal of lib/include/flashbvh/detail/walk/ranked.hpp on trees: a loop without a stack that makes the
+(* The traversal of lib/include/flashbvh/traversal/ranked.hpp on trees: a loop without a stack that makes the
    visits of a recursion.
 
    Part 1  definitions: a tree, the recursion, the loop.
@@ -118,8 +118,8 @@ Definition Run n s visits s' : Prop := after n s = s' /\ trace n s = visits.
 Definition Ends s : Prop := exists n visits, Run n s visits Done.
 
 (* Ranked::can_visit(). *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | return a.nodes[cursor.a].rank() < find_parent_rank(b, cursor.b) && *)
-(* code: include/flashbvh/detail/walk/ranked.hpp | b.nodes[cursor.b].rank() <= find_parent_rank(a, cursor.a); *)
+(* code: include/flashbvh/traversal/ranked.hpp | return a.nodes[cursor.a].rank() < find_parent_rank(b, cursor.b) && *)
+(* code: include/flashbvh/traversal/ranked.hpp | b.nodes[cursor.b].rank() <= find_parent_rank(a, cursor.a); *)
 Definition can_visit (p : Pair) : Prop :=
   let (a, b) := p in rank A a < parent_rank B b /\ rank B b <= parent_rank A a.
 

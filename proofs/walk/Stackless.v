@@ -1,4 +1,4 @@
-(* The paper's stackless algorithm on post-indexed trees, tests/reference/stackless.hpp: it makes the visits of the
+(* The paper's stackless algorithm on post-indexed trees, lib/include/flashbvh/traversal/stackless.hpp: it makes the visits of the
    recursion that descends into both trees alternately. Any number of children.
 
    This rule is a rule of ranks: -2 level, and less 1 in A. So Ranked.v gives the order. This file proves that next(),
@@ -38,9 +38,9 @@ Definition leaf_at (i : nat) : option bool :=
   option_map (fun c => (c_rank c <? 0)%Z) (nth_error (cells m) i).
 (* code: include/flashbvh/mesh.hpp | return layout == Layout::pre_indexed ? node + 1 : nodes[node + 1].link; *)
 Definition first_child (i : nat) : option nat := link (i + 1).
-(* code: ../tests/reference/levels.hpp | uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; } *)
+(* code: include/flashbvh/traversal/levels.hpp | uint32_t level_up(uint32_t node, uint32_t count) const { return node - count; } *)
 Definition level_up (i count : nat) : option nat := if count <=? i then Some (i - count) else None.
-(* code: ../tests/reference/levels.hpp | const uint32_t left_child = node - rcl; node = this->nodes[left_child].link; return left_child; *)
+(* code: include/flashbvh/traversal/levels.hpp | const uint32_t left_child = node - rcl; node = this->nodes[left_child].link; return left_child; *)
 Definition escape_from (i rcl : nat) : option (nat * nat) :=
   let* left_child := level_up i rcl in
   let* to := link left_child in Some (to, left_child).
@@ -53,8 +53,8 @@ Variable overlap : nat -> nat -> bool.  (* the test of a pair: any predicate *)
 Record At := { at_a : nat; at_b : nat; lead : Z }.
 Inductive Turned := Goes (to : At) | Ends.
 
-(* code: ../tests/reference/stackless.hpp | if ((lead_ < 0 || leaf_b) && !node_a().is_leaf()) { a_ = tree_a_.first_child(a_); ++lead_; return true; } *)
-(* code: ../tests/reference/stackless.hpp | if (!leaf_b) { b_ = tree_b_.first_child(b_); --lead_; return true; } return false; *)
+(* code: include/flashbvh/traversal/stackless.hpp | if ((lead_ < 0 || leaf_b) && !node_a().is_leaf()) { a_ = tree_a_.first_child(a_); ++lead_; return true; } *)
+(* code: include/flashbvh/traversal/stackless.hpp | if (!leaf_b) { b_ = tree_b_.first_child(b_); --lead_; return true; } return false; *)
 Definition descend (s : At) : option (option At) :=
   let* leaf_a := leaf_at a_ (at_a s) in
   let* leaf_b := leaf_at b_ (at_b s) in
@@ -69,11 +69,11 @@ Definition descend (s : At) : option (option At) :=
 Definition goes (left_child a b : nat) (l : Z) : option Turned :=
   Some (if left_child =? 0 then Ends else Goes {| at_a := a; at_b := b; lead := l |}).
 
-(* code: ../tests/reference/stackless.hpp | if (rcl_a <= lead) { *)
-(* code: ../tests/reference/stackless.hpp | lead_ -= static_cast<int32_t>(rcl_a); return tree_a_.escape_from(a_, rcl_a); *)
-(* code: ../tests/reference/stackless.hpp | if (rcl_a - lead <= rcl_b) { *)
-(* code: ../tests/reference/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a - lead); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
-(* code: ../tests/reference/stackless.hpp | a_ = tree_a_.level_up(a_, lead + rcl_b + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
+(* code: include/flashbvh/traversal/stackless.hpp | if (rcl_a <= lead) { *)
+(* code: include/flashbvh/traversal/stackless.hpp | lead_ -= static_cast<int32_t>(rcl_a); return tree_a_.escape_from(a_, rcl_a); *)
+(* code: include/flashbvh/traversal/stackless.hpp | if (rcl_a - lead <= rcl_b) { *)
+(* code: include/flashbvh/traversal/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a - lead); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
+(* code: include/flashbvh/traversal/stackless.hpp | a_ = tree_a_.level_up(a_, lead + rcl_b + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
 Definition next_of_a (s : At) : option Turned :=
   let l := Z.to_nat (lead s) in
   let* rcl_a := nth_error (rcls a_) (at_a s) in
@@ -89,11 +89,11 @@ Definition next_of_a (s : At) : option Turned :=
       let* a := level_up (at_a s) (l + rcl_b + 1) in
       let* (b, left_child) := escape_from b_ (at_b s) rcl_b in goes left_child a b (-1).
 
-(* code: ../tests/reference/stackless.hpp | if (rcl_b < lag) { *)
-(* code: ../tests/reference/stackless.hpp | lead_ += static_cast<int32_t>(rcl_b); return tree_b_.escape_from(b_, rcl_b); *)
-(* code: ../tests/reference/stackless.hpp | if (rcl_a <= rcl_b - lag) { *)
-(* code: ../tests/reference/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a + lag); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
-(* code: ../tests/reference/stackless.hpp | a_ = tree_a_.level_up(a_, rcl_b - lag + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
+(* code: include/flashbvh/traversal/stackless.hpp | if (rcl_b < lag) { *)
+(* code: include/flashbvh/traversal/stackless.hpp | lead_ += static_cast<int32_t>(rcl_b); return tree_b_.escape_from(b_, rcl_b); *)
+(* code: include/flashbvh/traversal/stackless.hpp | if (rcl_a <= rcl_b - lag) { *)
+(* code: include/flashbvh/traversal/stackless.hpp | b_ = tree_b_.level_up(b_, rcl_a + lag); lead_ = 0; return tree_a_.escape_from(a_, rcl_a); *)
+(* code: include/flashbvh/traversal/stackless.hpp | a_ = tree_a_.level_up(a_, rcl_b - lag + 1); lead_ = -1; return tree_b_.escape_from(b_, rcl_b); *)
 Definition next_of_b (s : At) : option Turned :=
   let lag := Z.to_nat (- lead s) in
   let* rcl_b := nth_error (rcls b_) (at_b s) in
@@ -109,7 +109,7 @@ Definition next_of_b (s : At) : option Turned :=
       let* a := level_up (at_a s) (rcl_b - lag + 1) in
       let* (b, left_child) := escape_from b_ (at_b s) rcl_b in goes left_child a b (-1).
 
-(* code: ../tests/reference/stackless.hpp | bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; } *)
+(* code: include/flashbvh/traversal/stackless.hpp | bool next() { return (lead_ >= 0 ? next_of_a() : next_of_b()) != 0; } *)
 Definition next_ (s : At) : option Turned :=
   if (0 <=? lead s)%Z then next_of_a s else next_of_b s.
 
@@ -119,7 +119,7 @@ Definition visit (s : At) : option Turned :=
     let* to := descend s in match to with Some s' => Some (Goes s') | None => next_ s end
   else next_ s.
 
-(* code: ../tests/reference/stackless.hpp | lead_(static_cast<int32_t>(a.level(cursor.a)) - static_cast<int32_t>(b.level(cursor.b))) {} *)
+(* code: include/flashbvh/traversal/stackless.hpp | lead_(static_cast<int32_t>(a.level(cursor.a)) - static_cast<int32_t>(b.level(cursor.b))) {} *)
 Definition start (p : nat * nat) : At := {| at_a := fst p; at_b := snd p;
   lead := Z.of_nat (level a_ (fst p)) - Z.of_nat (level b_ (snd p)) |}.
 
@@ -145,7 +145,7 @@ Fixpoint search (depth : nat) (p : nat * nat) : list (nat * nat) :=
   end.
 Definition deep_enough depth := length (cells a_) + length (cells b_) < depth.
 
-(* code: ../tests/reference/stackless.hpp | return level_a > level_b ? b.nodes[cursor.b].is_leaf() : level_b - level_a <= 1 || a.nodes[cursor.a].is_leaf(); *)
+(* code: include/flashbvh/traversal/stackless.hpp | return level_a > level_b ? b.nodes[cursor.b].is_leaf() : level_b - level_a <= 1 || a.nodes[cursor.a].is_leaf(); *)
 Definition can_visit (p : nat * nat) : bool :=
   let (a, b) := p in
   if level_b b <? level_a a then is_leaf (cells b_) b

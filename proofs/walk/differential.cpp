@@ -2,7 +2,7 @@
 // that the definitions of Code.v and Image.v give equal results.
 #include <cstdio>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/walk/level_parts.hpp"
 #include "proofs/walk/generated.hpp"
 
 using namespace flashbvh;

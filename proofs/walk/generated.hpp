@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/detail/walk/walk.hpp"
-#include "reference/stackless.hpp"
+#include "flashbvh/traversal/ranked.hpp"
+#include "flashbvh/traversal/stackless.hpp"
 #include "support/random.hpp"
 
 namespace flashbvh::test {

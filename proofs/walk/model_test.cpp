@@ -36,7 +36,7 @@ struct ByRank : Trees {
 
 /// Stackless.v: the paper's rule.
 struct ByLevel : Trees {
-  using Order = AlternatingStackless<ModelTree>;
+  using Order = BasicStackless<ModelTree>;
 
   int lead(NodePair p) const { return int{a.levels[p.first]} - int{b.levels[p.second]}; }
   bool descends_b(NodePair p) const {

@@ -9,10 +9,10 @@
 #include "_2nd_ring.fbvh.h"
 #include "early.fbvh.h"
 #include "flashbvh/query.hpp"
+#include "flashbvh/traversal/levels.hpp"
+#include "flashbvh/traversal/stackless.hpp"
 #include "grouped.fbvh.h"
 #include "levels.fbvh.h"
-#include "reference/levels.hpp"
-#include "reference/stackless.hpp"
 #include "ring.fbvh.h"
 #include "wide.fbvh.h"
 
@@ -50,8 +50,8 @@ int main() {
   const auto ring = view_unchecked<Mesh>(ring_image);
   const auto grouped = view_unchecked<Mesh>(grouped_image);
   const auto wide = view_unchecked<Mesh32>(wide_image);
-  const auto early = view_with_levels<PreMeshWithLevels>(early_image);
-  const auto levels = view_with_levels<MeshWithLevels>(levels_image);
+  const auto early = view_unchecked<PreMeshWithLevels>(early_image);
+  const auto levels = view_unchecked<MeshWithLevels>(levels_image);
   const Pairs pairs = pairs_of<Ranked<Mesh>>(ring, view_unchecked<Mesh>(_2nd_ring_image));
   const bool equal = pairs == pairs_of<Ranked<Mesh>>(grouped, ring) &&
                      pairs == pairs_of<StacklessPost>(levels, levels) &&

@@ -1,7 +1,7 @@
 // The bound on visits against walks in which all boxes overlap, on trees of every form.
 #include "bake/baked_tree.hpp"
 #include "evaluate/needed_work.hpp"
-#include "reference/traversals.hpp"
+#include "flashbvh/traversal/traversals.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
 #include "support/walk.hpp"
@@ -49,7 +49,7 @@ TEST_CASE("ranked visits exactly its bound when all boxes overlap") {
     REQUIRE(ranked.leaf_pairs == bound.leaf_pairs);
     const tool::VisitBound of_any = tool::visit_bound(a, b, "leaf");
     REQUIRE(ranked.visits <= of_any.visits);
-    REQUIRE(walk_all<Leaf<Mesh>, Mesh>(a, b).visits <= of_any.visits);
+    REQUIRE(walk_all<LeafPost, Mesh>(a, b).visits <= of_any.visits);
     REQUIRE(walk_all<StacklessPost, MeshWithLevels>(a, b).visits <= of_any.visits);
   });
 }

@@ -2,7 +2,7 @@
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/walk/level_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/query.hpp"
 #include "flashbvh/ray.hpp"
@@ -165,12 +165,12 @@ void add_pose(const Pose& pose, uint32_t slice, Hash& hash, Result& result) {
   const MeshWithLevels& post_a = side_a.post.view();
   const MeshWithLevels& post_b = side_b.post.view();
   add_query<Ranked<Mesh>, true>(post_a, post_b, pose, slice, hash, result);
-  add_query<RankedStack<Mesh>>(post_a, post_b, pose, slice, hash, result);
-  add_query<VolumeStack<PreMesh>>(pre_a, pre_b, pose, slice, hash, result);
-  add_query<AlternatingStack<MeshWithLevels>>(post_a, post_b, pose, slice, hash, result);
+  add_query<test::RankedStack<Mesh>>(post_a, post_b, pose, slice, hash, result);
+  add_query<VolumeStack>(pre_a, pre_b, pose, slice, hash, result);
+  add_query<AlternatingStackPost>(post_a, post_b, pose, slice, hash, result);
   add_query<Stackless>(pre_a, pre_b, pose, slice, hash, result);
   add_query<StacklessPost>(post_a, post_b, pose, slice, hash, result);
-  add_query<Leaf<PreMesh>>(pre_a, pre_b, pose, slice, hash, result);
+  add_query<Leaf>(pre_a, pre_b, pose, slice, hash, result);
 }
 
 [[gnu::noinline]] uint32_t refused(const Side& side) {

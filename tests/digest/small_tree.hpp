@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "reference/levels.hpp"
+#include "flashbvh/traversal/levels.hpp"
 
 namespace digest {
 

@@ -3,8 +3,11 @@
 #include <functional>
 
 #include "bake/image_bytes.hpp"
+#include "bake/made_levels.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
+#include "flashbvh/query.hpp"
+#include "flashbvh/traversal/stackless.hpp"
 #include "heap_guard.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
@@ -112,6 +115,10 @@ TEST_CASE("an image opens in place as the tree that was baked") {
     Image image{image_of(baked, levels)};
     REQUIRE(bake::image_size(baked, levels) == image.size());
     REQUIRE(image.open<MeshWithLevels>() == (levels ? Status::done : Status::image_kind));
+    const auto seen = view_unchecked<MeshWithLevels>(image.bytes());
+    const Pose here = Pose::translated(0, 0, 0);
+    REQUIRE(Query<StacklessPost>(seen, seen, here).status() ==
+            (levels ? Status::suspended : Status::not_open));
     Mesh tree;
     REQUIRE(open_image(image.bytes(), image.size(), tree) == Status::done);
     REQUIRE(tree.node_count == baked.nodes.size());

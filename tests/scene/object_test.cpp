@@ -86,21 +86,6 @@ TEST_CASE("the evaluation's object is watertight and turned outwards, however it
       CHECK(mesh.vertices.size() == mesh.triangles.size() / 2 + 2);
     }
   }
-  CHECK(is_watertight(make_mesh({0, kFullRadius / 10, Orientation::upright})));
-}
-
-TEST_CASE("the evaluation's object keeps its surface when it is subdivided") {
-  const double volume = six_volumes(make_mesh({0, kFullRadius, Orientation::upright}));
-  for (std::uint32_t i = 1; i <= kSubdivisions; ++i) {
-    CHECK(six_volumes(make_mesh({i, kFullRadius, Orientation::upright})) == volume);
-  }
-}
-
-TEST_CASE("the evaluation's object fits the lattice") {
-  for (const auto& v : make_mesh({0, kFullRadius, Orientation::upright}).vertices) {
-    CHECK((std::abs(v.x) <= kMaxCoordinate && std::abs(v.y) <= kMaxCoordinate &&
-           std::abs(v.z) <= kMaxCoordinate));
-  }
 }
 
 TEST_CASE("the evaluation's object is the same on every machine") {

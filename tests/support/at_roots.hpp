@@ -1,11 +1,12 @@
-// The traversals of reference/traversals.hpp on each layout, and a start cursor for each, with or
+// All traversals on each layout, and a start cursor for each, with or
 // without a stack. Uses no C++ library.
 #pragma once
 
 #include <stdint.h>
 
-#include "reference/stack_traversals.hpp"
-#include "reference/traversals.hpp"
+#include "flashbvh/traversal/pair_stack.hpp"
+#include "flashbvh/traversal/traversals.hpp"
+#include "support/ranked_stack.hpp"
 
 namespace flashbvh::test {
 
@@ -37,7 +38,8 @@ struct NamedOrder {
   const char* name;
 };
 
-/// Calls use(NamedOrder<...>) for each traversal on each layout it supports, pre-indexed first.
+/// Calls use(NamedOrder<...>) for each traversal on each layout it supports, pre-indexed first, and
+/// for the oracle of `ranked`.
 template <class Index, class Use>
 void for_each_order(Use&& use) {
   for_each_traversal([&use](auto traversal) {
@@ -49,6 +51,7 @@ void for_each_order(Use&& use) {
       use(NamedOrder<typename Traversal::template On<Index, Layout::post_indexed>>{traversal.name});
     }
   });
+  use(NamedOrder<RankedStack<BasicMesh<Index, Layout::post_indexed>>>{"ranked-stack"});
 }
 
 /// For traversals without a stack: their cursors can be kept.

@@ -5,7 +5,8 @@
 #include <stdint.h>
 
 #include "flashbvh/query.hpp"
-#include "reference/traversals.hpp"
+#include "flashbvh/traversal/traversals.hpp"
+#include "support/ranked_stack.hpp"
 
 #define FLASHBVH_COMPILED_RUN(keyword, ...)                                        \
   keyword template bool __VA_ARGS__::next_answer(__VA_ARGS__::Batch&, uint32_t);   \
@@ -13,16 +14,16 @@
                                                    typename __VA_ARGS__::Kept::Shapes&, uint32_t)
 #define FLASHBVH_COMPILED_QUERY(keyword, ...) \
   FLASHBVH_COMPILED_RUN(keyword, detail::QueryRun<__VA_ARGS__, detail::Intersection>)
-#define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                      \
-  FLASHBVH_COMPILED_QUERY(keyword, VolumeStack<flashbvh::BasicMesh<Index, layout>>);          \
-  FLASHBVH_COMPILED_QUERY(keyword, AlternatingStack<BasicMeshWithLevels<Index, layout>>);     \
-  FLASHBVH_COMPILED_QUERY(keyword, AlternatingStackless<BasicMeshWithLevels<Index, layout>>); \
-  FLASHBVH_COMPILED_QUERY(keyword, Leaf<flashbvh::BasicMesh<Index, layout>>)
+#define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                       \
+  FLASHBVH_COMPILED_QUERY(keyword, BasicVolumeStack<BasicMesh<Index, layout>>);                \
+  FLASHBVH_COMPILED_QUERY(keyword, BasicAlternatingStack<BasicMeshWithLevels<Index, layout>>); \
+  FLASHBVH_COMPILED_QUERY(keyword, BasicStackless<BasicMeshWithLevels<Index, layout>>);        \
+  FLASHBVH_COMPILED_QUERY(keyword, BasicLeaf<BasicMesh<Index, layout>>)
 /// `keyword`: extern, or nothing.
 #define FLASHBVH_COMPILED_QUERIES(keyword, Index)                 \
   FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::pre_indexed);  \
   FLASHBVH_COMPILED_LAYOUT(keyword, Index, Layout::post_indexed); \
-  FLASHBVH_COMPILED_QUERY(keyword, RankedStack<flashbvh::BasicMesh<Index, Layout::post_indexed>>)
+  FLASHBVH_COMPILED_QUERY(keyword, test::RankedStack<BasicMesh<Index, Layout::post_indexed>>)
 
 namespace flashbvh {
 

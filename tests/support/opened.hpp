@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/made_levels.hpp"
+#include "bake/made_levels.hpp"
 
 namespace flashbvh::test {
 

@@ -3,7 +3,7 @@
 // sanitizer detects any other read.
 #include <set>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/walk/level_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"

@@ -89,7 +89,7 @@ NodePair test_next(std::uint32_t a, std::uint32_t b) {
     return i == kEnd ? kEnd : position(numbers, baked.build_nodes[i]);
   };
   const auto tree = baked.view();
-  using Traversal = AlternatingStackless<BasicMeshWithLevels<std::uint16_t, layout>>;
+  using Traversal = BasicStackless<BasicMeshWithLevels<std::uint16_t, layout>>;
   Traversal order(
       tree, tree,
       {static_cast<std::uint16_t>(to_layout(a)), static_cast<std::uint16_t>(to_layout(b))});

@@ -2,7 +2,7 @@
 #include <initializer_list>
 
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "flashbvh/detail/walk/level_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/points.hpp"
 #include "support/rounds.hpp"
@@ -118,7 +118,7 @@ TEST_CASE("small trees: each kind of misuse has its own status") {
 
   const uint32_t needed = stack_entries(a.stack_need, b.stack_need);
   PairCursor<uint16_t> entries[2 * digest::kMostTriangles];
-  using VolumeQuery = Query<VolumeStack<Mesh>>;
+  using VolumeQuery = Query<VolumeStackPost>;
   CHECK(VolumeQuery(a, b, here, {entries, needed}).status() == Status::suspended);
   CHECK(VolumeQuery(a, b, here, {entries, needed - 1}).status() == Status::stack_too_small);
   CHECK(VolumeQuery(a, b, here, {nullptr, 0}).status() == Status::stack_too_small);

@@ -134,7 +134,7 @@ TEST_CASE("the alternating rule is the special case of ranks that fall with the 
     set_ranks(trees.baked.a, by_level(trees.baked.a, kMaxRank - 1));
     set_ranks(trees.baked.b, by_level(trees.baked.b, kMaxRank));
     const Record ranked = record<Ranked<Mesh>>(trees.baked, trees.overlap);
-    const Record alternating = record<AlternatingStack<MeshWithLevels>>(trees.baked, trees.overlap);
+    const Record alternating = record<AlternatingStackPost>(trees.baked, trees.overlap);
     REQUIRE(ranked.visits == alternating.visits);
     ++compared;
   });

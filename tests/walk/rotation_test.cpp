@@ -131,7 +131,7 @@ TEST_CASE("offsets beyond all reach, and at its edge, under rotation") {
     scene.pose = Pose::rigid(rotation_of(any_quaternion(random)).entry, cells);
     AnyQuery<Ranked<Mesh>> any(scene);
     const Pairs pairs = sorted(run_to_end(any.query));
-    AnyQuery<Leaf<Mesh>> leaf(scene);
+    AnyQuery<LeafPost> leaf(scene);
     REQUIRE(pairs == sorted(run_to_end(leaf.query)));
     const bool far =
         std::abs(cells[0]) > 60000 || std::abs(cells[1]) > 60000 || std::abs(cells[2]) > 60000;

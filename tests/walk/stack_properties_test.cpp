@@ -46,7 +46,7 @@ Run run(Random random, std::uint32_t depth) {
   PairStack<std::uint16_t> stack(entries.data(), static_cast<std::uint32_t>(entries.size()));
   while (stack.size() != 0) {
     Stack before = copy_of(stack);
-    (void)walk_from<AlternatingStack<PreMeshWithLevels>>(
+    (void)walk_from<AlternatingStack>(
         a, b, TranslatedBoxTest(3, -5, 8), stack,
         [](std::uint32_t, std::uint32_t, const Progress&) { return true; }, 1);
     const NodePair popped = before.back();

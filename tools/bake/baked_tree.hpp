@@ -7,7 +7,7 @@
 #include "bake/build_tree.hpp"
 #include "bake/mesh.hpp"
 #include "bake/surface.hpp"
-#include "reference/levels.hpp"
+#include "flashbvh/traversal/levels.hpp"
 
 namespace flashbvh::bake {
 

@@ -1,4 +1,4 @@
-// Runs a query to its end for its counts.
+// Runs one of the paper's queries for its counts.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flashbvh/query.hpp"
-#include "reference/traversals.hpp"
+#include "flashbvh/traversal/traversals.hpp"
 
 namespace flashbvh::scene {
 
@@ -37,23 +37,16 @@ class WalkStart {
   std::vector<Entry> entries_;
 };
 
-/// Includes geometry tests, with leaves as shapes unless the predicate is `BoxIntersection`.
-/// Returns zeros if the query is refused. The sink counts the found pairs, too; both counts must
-/// agree.
-template <class Traversal, class Predicate = Intersection>
+/// Runs the paper's query, with triangle tests, to its end. Returns zeros if it is refused, or if
+/// its count of pairs is not that of the pairs it gives.
+template <class Traversal>
 QueryStats count_query(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
-                       const Pose& pose, WalkStart<Traversal>& start, std::uint32_t& found) {
-  using QueryType = Query<Traversal, Predicate>;
+                       const Pose& pose, WalkStart<Traversal>& start) {
+  using QueryType = Query<Traversal, BoxIntersection>;
   QueryType query(a, b, pose, start.cursor());
-  found = 0;
-  const Status status = query
-                            .run(UINT32_MAX,
-                                 [&found](const typename QueryType::Pair&) {
-                                   ++found;
-                                   return true;
-                                 })
-                            .status;
-  return status == Status::done ? query.stats() : QueryStats{0, 0, 0, 0};
+  const RunResult end = query.run(UINT32_MAX, [](const typename QueryType::Pair&) { return true; });
+  const bool is_done = end.status == Status::done && end.count == query.stats().triangle_pairs;
+  return is_done ? query.stats() : QueryStats{0, 0, 0, 0};
 }
 
 }  // namespace flashbvh::scene

@@ -109,8 +109,7 @@ TreeSize size_of(const Tree& tree) {
 
 template <class Tree>
 VisitBound bound_of(const Tree& a, const Tree& b, const std::string& algorithm) {
-  const bool ranked = algorithm == "ranked" || algorithm == "ranked-stack";
-  const std::uint64_t visits = ranked ? ranked_visits(a, b) : visits_of_any(a, b);
+  const std::uint64_t visits = algorithm == "ranked" ? ranked_visits(a, b) : visits_of_any(a, b);
   // Each shape takes a visit and has below it at least as many visits as a node has children; but
   // `leaf` begins with one shape for each leaf of A.
   const std::uint64_t shapes = algorithm == "leaf"                          ? a.leaf_count

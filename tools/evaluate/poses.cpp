@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "flashbvh/float.hpp"
-#include "reference/transformed_coordinate.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -150,6 +149,22 @@ Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place
   return made;
 }
 
+/// Coordinate `axis` of a vertex of B in A's frame, rounded as lib/docs/derivations.md defines it:
+/// the rotation has 22 fraction bits, the translation 16, the sum 14.
+std::int64_t transformed_coordinate(const std::int32_t* origin, const Vertex& v, const Pose& pose,
+                                    int axis) {
+  const std::int64_t p[3] = {v.x, v.y, v.z};
+  std::int64_t offset = pose.translation(axis) * (std::int64_t{1} << 30) +
+                        pose.fraction(axis) * (std::int64_t{1} << 14);
+  std::int64_t rotated = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::int64_t entry = pose.rotation(axis, i);
+    offset += entry * origin[i];
+    rotated += ((entry + 128) >> 8) * p[i];
+  }
+  return ((rotated >> 8) + ((offset + 32768) >> 16) + 8192) >> 14;
+}
+
 }  // namespace
 
 float cells_in_unit(double cell) {
@@ -209,7 +224,7 @@ std::vector<LatticePoint> transformed_vertices(const AnyTree& any, const Pose& p
         std::vector<LatticePoint> vertices;
         for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
           const auto along = [&](int axis) {
-            return std::int64_t{transformed_coordinate(b.origin, b.vertices[i], pose, axis)};
+            return transformed_coordinate(b.origin, b.vertices[i], pose, axis);
           };
           vertices.push_back({along(0), along(1), along(2)});
         }

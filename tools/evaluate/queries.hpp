@@ -12,14 +12,19 @@
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/pose.hpp"
+#include "flashbvh/traversal/traversals.hpp"
 #include "image/image_file.hpp"
-#include "reference/traversals.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
 
 /// All names, the default of post-indexed images first.
 std::vector<std::string> traversal_names();
+
+/// The traversal of two meshes in this layout, if none is named.
+constexpr const char* default_traversal(Layout layout) {
+  return layout == Layout::post_indexed ? "ranked" : "stackless";
+}
 
 /// True if the traversal walks trees of this layout.
 bool walks(const std::string& traversal, Layout layout);

@@ -8,7 +8,7 @@
 
 #include "bake/baked_tree.hpp"
 #include "evaluate/count_query.hpp"
-#include "reference/traversals.hpp"
+#include "flashbvh/traversal/traversals.hpp"
 
 namespace flashbvh::tool {
 
@@ -35,15 +35,15 @@ struct BothLayouts {
 /// An object's tree of the paper, split at the median, and its tree of `flashbvh bake`; both have
 /// one triangle per leaf.
 struct Trees {
-  bake::LatticeMesh mesh;
-  bake::BuildTree median = bake::build_median(mesh, 1);
-  bake::BuildTree by_default = bake::build_default(mesh, 1);
   std::optional<BothLayouts<std::uint16_t>> narrow;  ///< absent if the tree needs 32 bits
-  BothLayouts<std::uint32_t> wide{median, mesh};
-  bake::BakedTree<std::uint32_t, Layout::post_indexed> baked_by_default =
-      bake::lay_out<std::uint32_t, Layout::post_indexed>(by_default, mesh);
+  BothLayouts<std::uint32_t> wide;
+  bake::BakedTree<std::uint32_t, Layout::post_indexed> by_default;
 
-  explicit Trees(const scene::PaperObject& object) : mesh(make_mesh(object)) {
+  explicit Trees(const bake::LatticeMesh& mesh) : Trees(mesh, bake::build_median(mesh, 1)) {}
+  Trees(const bake::LatticeMesh& mesh, const bake::BuildTree& median)
+      : wide(median, mesh),
+        by_default(bake::lay_out<std::uint32_t, Layout::post_indexed>(bake::build_default(mesh, 1),
+                                                                      mesh)) {
     if (bake::fits_index<std::uint16_t>(median, mesh)) {
       narrow.emplace(median, mesh);
     }
@@ -56,7 +56,7 @@ Objects::~Objects() = default;
 const Trees& Objects::get(const scene::PaperObject& object) {
   std::unique_ptr<Trees>& trees = trees_[name_of(object)];
   if (!trees) {
-    trees = std::make_unique<Trees>(object);
+    trees = std::make_unique<Trees>(make_mesh(object));
   }
   return *trees;
 }
@@ -69,66 +69,39 @@ struct VolatilePose {
   Pose now() const { return Pose::translated(x, y, z); }
 };
 
-template <class Traversal, class Predicate>
-Row make_row(const std::string& name, Leaves leaves, const typename Traversal::Tree& a,
+template <class Traversal>
+Row make_row(const std::string& name, const typename Traversal::Tree& a,
              const typename Traversal::Tree& b, const Point& translation) {
-  return {name, leaves, {}, {}, [a, b, translation](std::uint32_t repetitions) {
+  return {name, {}, {}, [a, b, translation](std::uint32_t repetitions) {
             const VolatilePose pose = {translation.x, translation.y, translation.z};
             scene::WalkStart<Traversal> start(a, b);
             QueryStats counts = {0, 0, 0, 0};
-            std::uint32_t found = 0;
             for (std::uint32_t i = 0; i < repetitions; ++i) {
-              counts = scene::count_query<Traversal, Predicate>(a, b, pose.now(), start, found);
+              counts = scene::count_query<Traversal>(a, b, pose.now(), start);
             }
             return counts;
           }};
 }
 
-/// Adds a row for each traversal order, in the layout of the paper.
-template <class Predicate, class Index>
-void add_orders(std::vector<Row>& rows, Leaves leaves, const BothLayouts<Index>& a,
-                const BothLayouts<Index>& b, const Point& translation) {
+/// A row for each traversal, in the layout of the paper.
+template <class Index>
+std::vector<Row> paper_rows(const BothLayouts<Index>& a, const BothLayouts<Index>& b,
+                            const Point& translation) {
+  std::vector<Row> rows;
   for_each_traversal([&](auto named) {
     constexpr Layout layout = decltype(named)::kLayout;
     using Traversal = typename decltype(named)::template On<Index, layout>;
-    const char* const suffix = leaves == Leaves::shapes ? ", leaves as shapes" : "";
-    rows.push_back(make_row<Traversal, Predicate>(std::string(named.name) + suffix, leaves,
-                                                  a.template view<layout>(),
-                                                  b.template view<layout>(), translation));
+    rows.push_back(make_row<Traversal>(named.name, a.template view<layout>(),
+                                       b.template view<layout>(), translation));
   });
-}
-
-Row best_rule_row(const std::string& name, const bake::BuildTree& a, const bake::BuildTree& b,
-                  const Point& translation) {
-  return {name, Leaves::none, {}, {}, [&a, &b, translation](std::uint32_t /*repetitions*/) {
-            const std::uint64_t visits = best_rule_visits(a, b, translation);
-            return QueryStats{static_cast<std::uint32_t>(visits), 0, 0, 0};
-          }};
-}
-
-template <class Index>
-void add_paper_rows(std::vector<Row>& rows, const scene::Setup& setup, const Trees& trees_a,
-                    const Trees& trees_b, const BothLayouts<Index>& a,
-                    const BothLayouts<Index>& b) {
-  add_orders<BoxIntersection>(rows, Leaves::boxes, a, b, setup.translation);
-  if (std::max(setup.a.faces(), setup.b.faces()) <= kBestRuleFaces) {
-    rows.push_back(best_rule_row("best rule", trees_a.median, trees_b.median, setup.translation));
-  }
-  add_orders<Intersection>(rows, Leaves::shapes, a, b, setup.translation);
+  return rows;
 }
 
 std::vector<Row> rows_of(const scene::Setup& setup, const Trees& a, const Trees& b) {
-  std::vector<Row> rows;
-  if (a.narrow && b.narrow) {
-    add_paper_rows(rows, setup, a, b, *a.narrow, *b.narrow);
-  } else {
-    add_paper_rows(rows, setup, a, b, a.wide, b.wide);
-  }
-  rows.push_back(make_row<Ranked<Mesh32>, BoxIntersection>(
-      "ranked, default tree", Leaves::boxes, a.baked_by_default.view(), b.baked_by_default.view(),
-      setup.translation));
-  rows.push_back(
-      best_rule_row("best rule, default tree", a.by_default, b.by_default, setup.translation));
+  std::vector<Row> rows = a.narrow && b.narrow ? paper_rows(*a.narrow, *b.narrow, setup.translation)
+                                               : paper_rows(a.wide, b.wide, setup.translation);
+  rows.push_back(make_row<Ranked<Mesh32>>("ranked, default tree", a.by_default.view(),
+                                          b.by_default.view(), setup.translation));
   return rows;
 }
 
@@ -152,19 +125,11 @@ Times times_of(const std::vector<double>& samples) {
   return {*least, *most, mean, std::sqrt(squares / count)};
 }
 
-const Row* SetupResult::row(const std::string& name) const {
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const Row& candidate) { return candidate.name == name; });
-  return found == rows.end() ? nullptr : &*found;
-}
-
 bool SetupResult::rows_agree() const {
   const QueryStats& first = rows[0].counts;
   return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
-    const QueryStats& counts = row.counts;
-    return counts.visits != 0 &&
-           (row.leaves == Leaves::none || counts.triangle_pairs == first.triangle_pairs) &&
-           (row.leaves != Leaves::boxes || counts.leaf_pairs == first.leaf_pairs);
+    return row.counts.visits != 0 && row.counts.triangle_pairs == first.triangle_pairs &&
+           row.counts.leaf_pairs == first.leaf_pairs;
   });
 }
 
@@ -177,11 +142,9 @@ SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& 
   }
   for (std::uint32_t round = 0; round < effort.rounds; ++round) {
     for (Row& row : result.rows) {
-      if (row.leaves != Leaves::none) {
-        const double start = processor_seconds();
-        row.query(result.repetitions);
-        row.seconds.push_back(processor_seconds() - start);
-      }
+      const double start = processor_seconds();
+      row.query(result.repetitions);
+      row.seconds.push_back(processor_seconds() - start);
     }
   }
   return result;

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "flashbvh/image.hpp"
-#include "reference/made_levels.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"

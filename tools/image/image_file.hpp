@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "bake/made_levels.hpp"
 #include "bake/mesh.hpp"
 #include "flashbvh/image.hpp"
-#include "reference/levels.hpp"
 
 namespace flashbvh::tool {
 

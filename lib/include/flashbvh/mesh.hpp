@@ -15,7 +15,7 @@
 //
 // A leaf's `data` has the top bit set and holds the leaf's number in array order. An internal
 // node's `data` holds its rank in the top byte (1 to 126) and its parent's rank in the low byte
-// (127 at the root): see detail/walk/ranked.hpp.
+// (127 at the root): see traversal/ranked.hpp.
 #ifndef FLASHBVH_MESH_HPP
 #define FLASHBVH_MESH_HPP
 

@@ -23,7 +23,7 @@
 
 namespace flashbvh {
 
-/// `Traversal`: Ranked<Mesh>, or a class with equal members (detail/walk/walk.hpp). The meshes and
+/// `Traversal`: Ranked<Mesh>, or one of traversal/*.hpp: Query<Stackless>. The meshes and
 /// the pose must outlive the query. 128 bytes on a 32-bit core with 16-bit indices.
 template <class Traversal, class Predicate = detail::Intersection>
 class Query : protected detail::QueryRun<Traversal, Predicate> {
@@ -144,6 +144,9 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
     return {static_cast<Index>(of_a(untested_)), static_cast<Index>(of_b(untested_))};
   }
 };
+
+/// Leaves reject pairs by their boxes alone, as in the paper's counts; answers are the same.
+using BoxIntersection = detail::BoxIntersection;
 
 /// The default query, for meshes with 16-bit and with 32-bit indices.
 using PairQuery = Query<Ranked<Mesh>>;

@@ -13,7 +13,7 @@ typedef enum flashbvh_status {
 
   /** The two meshes have different cells, or a refit is not done, or a shape does not fit. */
   FLASHBVH_STATUS_CELL_MISMATCH = 16,
-  /** Reserved: no function returns it. */
+  /** The array for a query's stack is too short (traversal/pair_stack.hpp); C has no such query. */
   FLASHBVH_STATUS_STACK_TOO_SMALL = 17,
   /** A translation is beyond +-2^29 cells (kMaxTranslation). */
   FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE = 18,
@@ -53,7 +53,7 @@ typedef enum flashbvh_status {
   FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH = 34,
   /** The image has another version of the format; bake again. */
   FLASHBVH_STATUS_IMAGE_VERSION = 35,
-  /** The image has another layout or index width than the caller's mesh type. */
+  /** The image has another layout or index width than the caller's mesh type, or no levels. */
   FLASHBVH_STATUS_IMAGE_KIND = 36,
   /** The checksum does not match: the bytes were damaged. */
   FLASHBVH_STATUS_IMAGE_CORRUPT = 37,

@@ -16,7 +16,7 @@ const Element* image_part(const void* bytes, uint64_t offset) {
 }
 
 /// Arrays that the paper's alternating rule needs in addition to a tree, of node_count elements
-/// each; null if the image has none. No query of the library reads them.
+/// each; null if the image has none: see traversal/levels.hpp.
 template <class Index>
 struct ImageLevels {
   const Index* levels;  ///< the node's depth

@@ -9,11 +9,11 @@
 #include "flashbvh/detail/query/triangle_test.hpp"
 #include "flashbvh/detail/walk/leaf_pairs.hpp"
 #include "flashbvh/detail/walk/leaf_planes.hpp"
-#include "flashbvh/detail/walk/ranked.hpp"
 #include "flashbvh/detail/walk/walk.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/status.hpp"
+#include "flashbvh/traversal/ranked.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction

@@ -16,7 +16,7 @@
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/bounds/relative_distance.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
-#include "flashbvh/detail/walk/ranked.hpp"
+#include "flashbvh/traversal/ranked.hpp"
 
 namespace flashbvh::detail {
 

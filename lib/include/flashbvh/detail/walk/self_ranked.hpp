@@ -12,7 +12,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/walk/ranked.hpp"
+#include "flashbvh/traversal/ranked.hpp"
 
 namespace flashbvh::detail {
 

@@ -1,12 +1,15 @@
-// The levels of a tree whose image has none.
+// Wide trees with levels, and the levels of a tree whose image has none.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "reference/levels.hpp"
+#include "flashbvh/traversal/levels.hpp"
 
 namespace flashbvh {
+
+using PreMeshWithLevels32 = BasicMeshWithLevels<uint32_t, Layout::pre_indexed>;
+using MeshWithLevels32 = BasicMeshWithLevels<uint32_t, Layout::post_indexed>;
 
 /// Opens an image as open_image() does, with or without levels. Missing levels are computed into
 /// `made`, levels first, then right child levels; `made` must outlive the mesh.

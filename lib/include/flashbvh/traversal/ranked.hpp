@@ -1,4 +1,10 @@
-// The stackless traversal `ranked`, in the order of a dynamic rule.
+// The stackless traversal `ranked`, in the order of a dynamic rule: the library's default, and an
+// answer to the paper's question for a predictable rule of fewer iterations (section 11).
+//
+// Visits: about those of a volume rule: 0.985 of volume_stack.hpp's on the paper's setups.
+// Needs: post-indexed trees, whose nodes hold ranks; no levels, no stack. Resumable by a cursor.
+// Cost: each ascent undoes a descent: amortised constant time per visit. About 51, 37 and 31
+// instructions a visit on Cortex-M0, M3 and M4F, translated, by boxes.
 //
 // Every internal node has a rank that never grows from a parent to its child (a quantised size of
 // its box); leaves have none. The rule: descend into the node of the larger rank, into A on a tie.
@@ -8,10 +14,8 @@
 // rank among parent(a) and parent(b), B's on a tie. Hence the pair after (a, b) is a function of
 // the pair. A root's missing parent counts as kRootParentRank, above every real rank. So a root is
 // left last, and the walk is over when both nodes are roots. proofs/walk proves all of it.
-//
-// Post-indexed trees only. Each ascent undoes a descent: amortised constant time per visit.
-#ifndef FLASHBVH_DETAIL_WALK_RANKED_HPP
-#define FLASHBVH_DETAIL_WALK_RANKED_HPP
+#ifndef FLASHBVH_TRAVERSAL_RANKED_HPP
+#define FLASHBVH_TRAVERSAL_RANKED_HPP
 
 #include <stdint.h>
 
@@ -20,6 +24,7 @@
 
 namespace flashbvh {
 
+/// The traversal, for Query, on post-indexed meshes.
 template <class TreeType>
 class Ranked {
   using Index = typename TreeType::Index;

@@ -1,6 +1,12 @@
-// Algorithm 4, the stackless algorithm, with the extensions of section 8: unbalanced trees of
-// different heights, any number of children. It visits pairs in the order of algorithm 3
-// (alternating_stack).
+// Algorithm 4 of the paper (section 7), the stackless algorithm, with the extensions of section 8:
+// unbalanced trees of different heights, any number of children. proofs/walk/Stackless.v proves it.
+//
+// Visits: the pairs of algorithm 3 (alternating_stack.hpp), in its order.
+// Needs: pre-indexed trees with levels and parents or, by section 8.3, post-indexed trees with
+// levels and right child levels (levels.hpp); no ranks, no stack. Resumable by a cursor.
+// Cost: constant time per visit on post-indexed trees, where LevelUp(i, x) = i - x. On pre-indexed
+// ones LevelUp climbs from parent to parent, at most as often as the walk descended. About 75, 50
+// and 48 instructions a visit on Cortex-M0, M3 and M4F, post-indexed 61, 41 and 42, by boxes.
 //
 // Invariant: the pair below (a, b) on algorithm 3's stack is a function of (a, b): of the two
 // levels, of whether each node is a left child (one with a next sibling, or the root), and of the
@@ -10,27 +16,26 @@
 // there, the levels differ by more than in the eight cases. Climbing along last children until the
 // levels differ as they did at the leaf leads back to the eight cases.
 //
-// Section 8.3: on post-indexed trees, whose last children lie right after their parents,
-// LevelUp(i, x) = i - x; on pre-indexed ones it climbs from parent to parent (mesh.hpp).
-//
 // The walk ends when a node is the imaginary end node, the root's escape index.
-#pragma once
+#ifndef FLASHBVH_TRAVERSAL_STACKLESS_HPP
+#define FLASHBVH_TRAVERSAL_STACKLESS_HPP
 
 #include <stdint.h>
 
 #include "flashbvh/detail/walk/walk_run.hpp"
-#include "reference/levels.hpp"
+#include "flashbvh/traversal/levels.hpp"
 
 namespace flashbvh {
 
-/// The traversal, for Query.
+/// The traversal, for Query, on meshes with levels.
 template <class TreeWithLevels>
-class AlternatingStackless {
+class BasicStackless {
   using Index = typename TreeWithLevels::Index;
+  static_assert(kHasLevels<TreeWithLevels>, "stackless needs levels: traversal/levels.hpp");
 
  public:
   using Tree = TreeWithLevels;
-  using OfTranslations = AlternatingStackless;
+  using OfTranslations = BasicStackless;
   using Cursor = detail::PairCursor<Index>;
   static constexpr bool kStartsAtRoots = true;
   static constexpr bool kStackless = true;
@@ -47,7 +52,7 @@ class AlternatingStackless {
 
   static Cursor cursor_at(const Tree&, const Tree&, Index a, Index b) { return {a, b}; }
 
-  AlternatingStackless(const Tree& a, const Tree& b, const Cursor& cursor)
+  BasicStackless(const Tree& a, const Tree& b, const Cursor& cursor)
       : tree_a_(a),
         tree_b_(b),
         a_(cursor.a),
@@ -153,11 +158,10 @@ class AlternatingStackless {
   int32_t lead_;  ///< Level(a) - Level(b), a function of the pair
 };
 
-/// On pre-indexed trees.
-using Stackless = AlternatingStackless<PreMeshWithLevels>;
-using Stackless32 = AlternatingStackless<PreMeshWithLevels32>;
-/// On post-indexed trees.
-using StacklessPost = AlternatingStackless<MeshWithLevels>;
-using StacklessPost32 = AlternatingStackless<MeshWithLevels32>;
+/// On pre-indexed trees (section 7), and on post-indexed ones (section 8.3).
+using Stackless = BasicStackless<PreMeshWithLevels>;
+using StacklessPost = BasicStackless<MeshWithLevels>;
 
 }  // namespace flashbvh
+
+#endif

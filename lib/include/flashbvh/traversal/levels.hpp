@@ -1,19 +1,23 @@
-// The data that the paper's alternating rule needs in addition to a tree: levels, and the path up a
-// chain of last children. A reference, no part of the library.
+// Meshes with the arrays that the paper's alternating rule needs in addition to a tree: levels, and
+// the path up a chain of last children.
 //
 // The paper's functions of a node (sections 3, 7 and 8): Level; RCL (right child level: the number
 // of last children in the chain from a node upwards, itself included; the root counts as a left
 // child); Escape; and LevelUp(i, x), the ancestor x levels above i along last children.
-#pragma once
+//
+// `flashbvh bake --layout pre` and `--layout post --levels` write the arrays: two indices a node.
+#ifndef FLASHBVH_TRAVERSAL_LEVELS_HPP
+#define FLASHBVH_TRAVERSAL_LEVELS_HPP
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
+#include "flashbvh/mesh.hpp"
 
 namespace flashbvh {
 
+/// A mesh with levels: a view, as BasicMesh.
 template <class Index, Layout layout>
 struct BasicMeshWithLevels;
 
@@ -73,58 +77,24 @@ struct BasicMeshWithLevels<IndexType, Layout::post_indexed>
 
 using PreMeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::pre_indexed>;
 using MeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::post_indexed>;
-using PreMeshWithLevels32 = BasicMeshWithLevels<uint32_t, Layout::pre_indexed>;
-using MeshWithLevels32 = BasicMeshWithLevels<uint32_t, Layout::post_indexed>;
 
-namespace detail {
-
-template <class Index>
-const Index*& climb_of(BasicMeshWithLevels<Index, Layout::pre_indexed>& mesh) {
-  return mesh.parents;
-}
-template <class Index>
-const Index*& climb_of(BasicMeshWithLevels<Index, Layout::post_indexed>& mesh) {
-  return mesh.right_child_levels;
-}
-
-template <class Index, Layout layout>
-Status check_tree(BasicMeshWithLevels<Index, layout> mesh, TreeShape& shape) {
-  const BasicMesh<Index, layout>& tree = mesh;
-  return check_tree(tree, {mesh.levels, climb_of(mesh)}, shape);
-}
-
-}  // namespace detail
-
-/// Opens as for a mesh without levels; `image_kind` for an image without levels.
-template <class Index, Layout layout>
-Status open_image(const void* bytes, size_t size, BasicMeshWithLevels<Index, layout>& mesh) {
-  BasicMesh<Index, layout> opened;
-  const Status status = open_image(bytes, size, opened);
-  mesh = {};
-  if (status != Status::done) {
-    return status;
-  }
-  const detail::ImageLevels<Index> levels = detail::image_levels<Index>(bytes);
-  if (levels.levels == nullptr) {
-    return Status::image_kind;
-  }
-  static_cast<BasicMesh<Index, layout>&>(mesh) = opened;
-  mesh.levels = levels.levels;
-  detail::climb_of(mesh) = levels.climb;
-  return Status::done;
-}
-
-/// As view_unchecked(), for an image baked with levels.
+/// True for the types of meshes with levels.
 template <class MeshType>
-MeshType view_with_levels(const void* image) {
-  using Index = typename MeshType::Index;
-  using View = BasicMesh<Index, MeshType::kLayout>;
-  const detail::ImageLevels<Index> levels = detail::image_levels<Index>(image);
-  MeshType mesh;
-  static_cast<View&>(mesh) = view_unchecked<View>(image);
-  mesh.levels = levels.levels;
-  detail::climb_of(mesh) = levels.climb;
-  return mesh;
-}
+constexpr bool kHasLevels = false;
+template <class Index, Layout layout>
+constexpr bool kHasLevels<BasicMeshWithLevels<Index, layout>> = true;
+
+/// Opens an image as open_image() of image.hpp does. `image_kind` also for an image without levels.
+template <class Index, Layout layout>
+Status open_image(const void* bytes, size_t size, BasicMeshWithLevels<Index, layout>& mesh);
+
+/// As view_unchecked() of image.hpp. A mesh of an image without levels is not open: queries return
+/// `not_open`.
+template <>
+PreMeshWithLevels view_unchecked<PreMeshWithLevels>(const void* image);
+template <>
+MeshWithLevels view_unchecked<MeshWithLevels>(const void* image);
 
 }  // namespace flashbvh
+
+#endif
