@@ -92,6 +92,7 @@ Status open_image(const void* bytes, size_t size, BasicMeshWithLevels<Index, lay
 /// `not_open`.
 template <>
 PreMeshWithLevels view_unchecked<PreMeshWithLevels>(const void* image);
+/// The same, post-indexed.
 template <>
 MeshWithLevels view_unchecked<MeshWithLevels>(const void* image);
 

@@ -33,6 +33,7 @@ class PairStack {
  public:
   using Entry = detail::PairCursor<Index>;
 
+  /// `entries` must outlive the query.
   PairStack(Entry* entries, uint32_t capacity)
       : entries_(entries), top_(entries), capacity_(capacity) {
     if (capacity != 0) {
@@ -52,13 +53,18 @@ class PairStack {
     detail::Side leaf = detail::Side::none;
     Index node = 0;
   };
+  /// For the walk: this state.
   const Below& below() const { return below_; }
+  /// For the walk: sets it.
   void set_below(const Below& below) { below_ = below; }
 
+  /// The pairs on the stack.
   uint32_t size() const { return static_cast<uint32_t>(top_ - entries_); }
+  /// The array, the bottom first.
   const Entry* entries() const { return entries_; }
   /// The address after the top entry.
   Entry* top() const { return top_; }
+  /// For the walk: sets it.
   void set_top(Entry* top) { top_ = top; }
 
  private:
