@@ -56,7 +56,7 @@ boards="mps2-an386 mps2-an500"
 
 measure() {
   mkdir -p "$folder"
-  ensure_packages $host_packages $board_packages libode-dev debian-archive-keyring
+  ensure_packages $host_packages $board_packages libstdc++-arm-none-eabi-newlib libode-dev debian-archive-keyring
   fetch_ode
   FLASHBVH_NATIVE=$native quietly tools/figures.sh --prepare
   for board in $boards; do

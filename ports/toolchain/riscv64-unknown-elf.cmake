@@ -4,7 +4,6 @@
 # would link libstdc++ nevertheless, hence -nostdlib and the libraries by name.
 
 set(CMAKE_SYSTEM_PROCESSOR riscv)
-set(FLASHBVH_HAS_CXX_LIBRARY FALSE)
 include(${CMAKE_CURRENT_LIST_DIR}/board.cmake)
 flashbvh_use_compiler(riscv64-unknown-elf
   "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf" "--specs=picolibc.specs")

@@ -1,7 +1,6 @@
 # Toolchain file for WebAssembly: Clang, wasi-libc and its C++ library.
 
 set(CMAKE_SYSTEM_PROCESSOR wasm)
-set(FLASHBVH_HAS_CXX_LIBRARY TRUE)
 include(${CMAKE_CURRENT_LIST_DIR}/board.cmake)
 if(NOT EXISTS /usr/lib/wasm32-wasi/libc++.a OR NOT EXISTS /usr/bin/llvm-ar)
   message(FATAL_ERROR "no C++ library for WebAssembly: apt-get install clang lld llvm wasi-libc "

@@ -1,31 +1,20 @@
-# flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG]
-#   [OPTIMISED])
+# flashbvh_add_test(name source... [HEAP] [LIBRARIES library...] [TIMEOUT seconds] [ICOUNT] [LONG] [OPTIMISED])
 #
-# Adds an executable of Catch2 tests, for this machine or, when crossing, for the board. CTest runs it as
-# "<preset>/<name>". The executable needs no main() of its own.
-# HEAP: the tests need a heap. Boards without storage for one leave them out; so do all but the Cortex-M4F, unless
-# FLASHBVH_ALL_TESTS or ICOUNT is set. All other tests run on every board, down to 8 KB of RAM, with
-# tests/harness/small_catch, and link no heap.
-# ICOUNT: instruction counts on the board are exact, and each test case is a test of CTest, "<preset>/<test case>";
-# -R and -V show its figures. LONG: a label of tests that run separately. Tests that link nothing but what is
-# listed below get the label `library`: of the host program no more than the rooms that bake meshes and robots in the
-# test. The target library_tests builds them: the preset dev, tools/test.sh --quick.
+# Adds a program of Catch2 tests for this machine or, when crossing, for the board. CTest runs it as "<preset>/<name>".
+# HEAP: the tests need a heap and the C++ library, so they run on this machine alone. All others run on every board,
+# down to 8 KB of RAM. ICOUNT: instruction counts on the board are exact. LONG: a label of tests that run separately.
 # OPTIMISED: optimised in a fast build, too.
-set(FLASHBVH_CHECK_TEST_LIST ${CMAKE_CURRENT_LIST_DIR}/check_test_list.cmake CACHE INTERNAL "")
-
+# Tests that link nothing but what is listed below get the label `library`: of the host program no more than the rooms
+# that bake meshes and robots in the test. The target library_tests builds them, for the preset dev.
 function(flashbvh_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "HEAP;ICOUNT;LONG;OPTIMISED" "TIMEOUT" "LIBRARIES")
-  if(arg_HEAP AND NOT FLASHBVH_TESTS_HAVE_HEAP)
-    return()
-  endif()
-  # On other cores, the tests without a heap and the digest cover the core's own code.
-  if(arg_HEAP AND NOT arg_ICOUNT AND NOT FLASHBVH_ALL_TESTS AND FLASHBVH_BOARD
-      AND NOT FLASHBVH_BOARD STREQUAL "mps2-an386")
+  if(arg_HEAP AND FLASHBVH_BOARD)
     return()
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
+  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   set(labels "")
   set(components ${arg_LIBRARIES})
   list(FILTER components EXCLUDE REGEX
@@ -34,9 +23,6 @@ function(flashbvh_add_test name)
     set(labels LABELS long)
   elseif(NOT components)
     set(labels LABELS library)
-  endif()
-  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
-  if("library" IN_LIST labels)
     add_dependencies(library_tests ${name})
   endif()
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_harness>)
@@ -57,53 +43,35 @@ function(flashbvh_add_test name)
     target_link_options(${name} PRIVATE -Wl,--whole-archive ${first} -Wl,--no-whole-archive)
     target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
-  if(CMAKE_CROSSCOMPILING)
-    # Compiles a third faster. Not for tests that count instructions, nor for boards with little stack.
-    if(FLASHBVH_TESTS_HAVE_HEAP AND NOT arg_ICOUNT)
-      target_compile_options(${name} PRIVATE -O1)
-    endif()
-    set_target_properties(${name} PROPERTIES SUFFIX ${FLASHBVH_SUFFIX})
-    # The test property ENVIRONMENT does not serve: catch_discover_tests() passes at most one variable.
-    if(arg_ICOUNT)
-      # Figures are printed with fractions; newlib's small printf() needs this option for them.
-      if(CMAKE_CXX_FLAGS MATCHES "nano.specs")
-        target_link_options(${name} PRIVATE -Wl,-u,_printf_float)
-      endif()
-      set_target_properties(${name} PROPERTIES CROSSCOMPILING_EMULATOR
-        "${CMAKE_COMMAND};-E;env;FLASHBVH_ICOUNT=${FLASHBVH_ICOUNT_SHIFT};${FLASHBVH_RUN}")
-    endif()
-  endif()
 
   # The emulator's own limit comes first: it reports the cause.
   math(EXPR limit "${arg_TIMEOUT} + 30")
-  set(properties TIMEOUT ${limit} ${labels} ENVIRONMENT FLASHBVH_TIMEOUT=${arg_TIMEOUT})
-  if(CMAKE_CROSSCOMPILING AND arg_ICOUNT)
-    # Catch2 treats an executable that crashes as one without tests.
-    add_custom_command(TARGET ${name} POST_BUILD VERBATIM
-      COMMAND ${CMAKE_COMMAND} "-DCOMMAND=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:${name}>"
-        -P ${FLASHBVH_CHECK_TEST_LIST})
-    catch_discover_tests(${name} TEST_PREFIX "${FLASHBVH_TEST_PREFIX}/" PROPERTIES ${properties})
-    return()
-  endif()
+  set(environment FLASHBVH_TIMEOUT=${arg_TIMEOUT})
   # The output names each test case, so that a crash can be located.
-  set(each_named "")
-  if(NOT CMAKE_CROSSCOMPILING)
-    set(each_named --durations yes)
+  set(each_named --durations yes)
+  if(FLASHBVH_BOARD)
+    set(each_named "")
+    set_target_properties(${name} PROPERTIES SUFFIX ${FLASHBVH_SUFFIX})
+    if(arg_ICOUNT)
+      list(APPEND environment FLASHBVH_ICOUNT=${FLASHBVH_ICOUNT_SHIFT})
+    elseif(FLASHBVH_RAM_KB GREATER_EQUAL 256)
+      target_compile_options(${name} PRIVATE -O1)  # compiles a third faster; needs more stack
+    endif()
   endif()
   set(test "${FLASHBVH_TEST_PREFIX}/${name}")
   add_test(NAME ${test} COMMAND ${name} ${each_named})
-  set_tests_properties(${test} PROPERTIES FAIL_REGULAR_EXPRESSION "No tests ran" ${properties})
+  set_tests_properties(${test} PROPERTIES FAIL_REGULAR_EXPRESSION "No tests ran" TIMEOUT ${limit} ${labels}
+    ENVIRONMENT "${environment}")
 endfunction()
 
 # flashbvh_add_tests(room [OPTIMISED]): the tests of the folder `room`. A file's suffix selects where it runs:
-#                     the target board_tests builds them all
-#   *_cost_test.cpp   on boards of measured cores, counting instructions
-#   *_host_test.cpp   only on this machine, optimised, with GMP for exact rationals
-#   *_long_test.cpp   only on this machine, separately (LONG)
-#   *_test.cpp        on this machine and on boards with a heap; OPTIMISED is for these
+#   *_board_test.cpp  on this machine and on every board; the target board_tests builds them all
+#   *_host_test.cpp   on this machine, optimised, with GMP for exact rationals
+#   *_long_test.cpp   on this machine, separately (LONG)
+#   *_test.cpp        on this machine; OPTIMISED is for these
 function(flashbvh_add_tests room)
   file(GLOB all CONFIGURE_DEPENDS ${room}/*_test.cpp)
-  foreach(kind board cost host long)
+  foreach(kind board host long)
     set(${kind} ${all})
     list(FILTER ${kind} INCLUDE REGEX "_${kind}_test.cpp$")
   endforeach()
@@ -117,18 +85,15 @@ function(flashbvh_add_tests room)
   if(programs)
     add_dependencies(board_tests ${programs})
   endif()
-  list(APPEND programs ${room}_test ${room}_cost_test ${room}_host_test ${room}_long_test)
+  list(APPEND programs ${room}_test ${room}_host_test ${room}_long_test)
   set(support HEAP LIBRARIES flashbvh_test_support)
   if(all)
     flashbvh_add_test(${room}_test ${all} ${ARGN} TIMEOUT 600 ${support})
   endif()
-  if(cost AND is_measured)
-    flashbvh_add_test(${room}_cost_test ${cost} ICOUNT ${support})
-  endif()
-  if(host AND NOT CMAKE_CROSSCOMPILING)
+  if(host)
     flashbvh_add_test(${room}_host_test ${host} OPTIMISED ${support} gmpxx gmp)
   endif()
-  if(long AND NOT CMAKE_CROSSCOMPILING)
+  if(long)
     flashbvh_add_test(${room}_long_test ${long} LONG ${support})
   endif()
   # Internal headers of the library with several forms of one definition.

@@ -1,4 +1,4 @@
-// The heap guard works on this machine and on a board.
+// The heap guard works.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <vector>

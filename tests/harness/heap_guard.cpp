@@ -42,17 +42,11 @@ extern "C" {
 FLASHBVH_WRAP(malloc, (std::size_t size), (size))
 FLASHBVH_WRAP(calloc, (std::size_t count, std::size_t size), (count, size))
 FLASHBVH_WRAP(realloc, (void* block, std::size_t size), (block, size))
-#if defined(_NEWLIB_VERSION) && !defined(__PICOLIBC__)
-// newlib's own functions and the static libstdc++ allocate by this function.
-struct _reent;
-FLASHBVH_WRAP(_malloc_r, (struct _reent * context, std::size_t size), (context, size))
-#elif !defined(__PICOLIBC__)
-// operator new and new[], plain and nothrow: natively they live in a shared library, whose own
+// operator new and new[], plain and nothrow: they live in a shared library, whose own
 // calls of malloc the linker cannot divert.
 FLASHBVH_WRAP(_Znwm, (std::size_t size), (size))
 FLASHBVH_WRAP(_Znam, (std::size_t size), (size))
 FLASHBVH_WRAP(_ZnwmRKSt9nothrow_t, (std::size_t size, const std::nothrow_t& tag), (size, tag))
 FLASHBVH_WRAP(_ZnamRKSt9nothrow_t, (std::size_t size, const std::nothrow_t& tag), (size, tag))
-#endif
 }
 // NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)

@@ -123,19 +123,19 @@ constexpr uint32_t kPairs = 20000 / share_on_board(32);
 
 }  // namespace
 
-TEST_CASE("contact: triangles that cross intersect in a segment or a point", "[contact]") {
+TEST_CASE("contact: triangles that cross intersect in a segment or a point") {
   check_cases(ContactKind::segment, kCrossing);
   check_cases(ContactKind::segment, kCrossingBetweenCells, 1);
 }
-TEST_CASE("contact: of an area, two corners that are farthest apart", "[contact]") {
+TEST_CASE("contact: of an area, two corners that are farthest apart") {
   check_cases(ContactKind::coplanar, kCoplanar);
 }
-TEST_CASE("contact: of segments and points, what they share", "[contact]") {
+TEST_CASE("contact: of segments and points, what they share") {
   check_cases(ContactKind::degenerate, kDegenerate);
   check_cases(ContactKind::degenerate, kDegenerateBetweenCells, 1);
 }
 
-TEST_CASE("contact: normals are exact cross products", "[contact]") {
+TEST_CASE("contact: normals are exact cross products") {
   const Contact c = contact_of(kFloor, {{{0, 0, 0}, {0, 1, 0}, {0, 0, 2}}});
   CHECK(same(c.normal_a, {0, 0, 64}));
   CHECK(same(c.normal_b, {2, 0, 0}));
@@ -147,7 +147,7 @@ TEST_CASE("contact: normals are exact cross products", "[contact]") {
   CHECK(same(contact_of(kDot, kRod).normal_a, {0, 0, 0}));
 }
 
-TEST_CASE("contact: the order of corners and of arguments moves no end", "[contact]") {
+TEST_CASE("contact: the order of corners and of arguments moves no end") {
   uint32_t intersecting = 0;
   for_rounds(kPairs / 4, [&](Random& random, uint32_t) {
     const TransformedPair pair = any_pair(random);
@@ -160,7 +160,7 @@ TEST_CASE("contact: the order of corners and of arguments moves no end", "[conta
   CHECK(intersecting > kPairs / 16);
 }
 
-TEST_CASE("contact: the order of arguments moves no point where long edges cross", "[contact]") {
+TEST_CASE("contact: the order of arguments moves no point where long edges cross") {
   uint32_t intersecting = 0;
   for_rounds(4 * kPairs, [&](Random& random, uint32_t) {
     TransformedPair pair = {triangle_within(random, kMaxContactSpan),
@@ -180,7 +180,7 @@ TEST_CASE("contact: the order of arguments moves no point where long edges cross
   CHECK(intersecting > kPairs / 16);
 }
 
-TEST_CASE("contact: disjoint triangles do no harm, and their normals are right", "[contact]") {
+TEST_CASE("contact: disjoint triangles do no harm, and their normals are right") {
   for_rounds(kPairs, [&](Random& random, uint32_t) {
     TransformedPair pair = any_pair(random);
     const TransformedPair other = any_pair(random);

@@ -2,13 +2,14 @@
 // target, by kind of pair.
 #include <catch2/catch.hpp>
 
-#include <cstdint>
-#include <cstdio>
+#include <stdint.h>
+
 #include <new>
 
 #include "flashbvh/contact.hpp"
 #include "insn.hpp"
 #include "stack.hpp"
+#include "support/print.hpp"
 #include "support/triangle_kinds.hpp"
 #include "support/triangle_pairs.hpp"
 
@@ -22,34 +23,32 @@ constexpr int kPairs = 300;
 
 // RISC-V needs more instructions to add 64-bit numbers.
 #if defined(__riscv)
-constexpr std::uint32_t kMostOfTest = 600;
-constexpr std::uint32_t kMostGeneral = 2200;
-constexpr std::uint32_t kMostOthers = 10000;
+constexpr uint32_t kMostOfTest = 600;
+constexpr uint32_t kMostGeneral = 2200;
+constexpr uint32_t kMostOthers = 10000;
 #else
-constexpr std::uint32_t kMostOfTest = 550;
-constexpr std::uint32_t kMostGeneral = 2000;
-constexpr std::uint32_t kMostOthers = 9000;
+constexpr uint32_t kMostOfTest = 550;
+constexpr uint32_t kMostGeneral = 2000;
+constexpr uint32_t kMostOthers = 9000;
 #endif
 
 /// The maximum over some hundred pairs of a kind; prints it with the mean.
 template <class Make, class Run>
-void check_cost(const char* what, std::uint32_t most_allowed, Make make, Run run) {
+void check_cost(const char* what, uint32_t most_allowed, Make make, Run run) {
   Random random = test_random();
-  std::uint32_t most = 0;
-  std::uint32_t sum = 0;
+  uint32_t most = 0;
+  uint32_t sum = 0;
   for (int i = 0; i < kPairs; ++i) {
     const TransformedPair pair = make(random);
-    const std::uint32_t count = port::instructions_of([&] { run(pair); });
+    const uint32_t count = port::instructions_of([&] { run(pair); });
     most = count > most ? count : most;
     sum += count;
   }
-  std::printf("%-24s %5u instructions at most, %5u on average\n", what, static_cast<unsigned>(most),
-              static_cast<unsigned>(sum / kPairs));
-  std::fflush(stdout);
+  print("budget: ", what, ": ", most, " instructions at most, ", sum / kPairs, " on average\n");
   CHECK(most <= most_allowed);
 }
 
-void check_test(const TriangleKind& kind, std::uint32_t most) {
+void check_test(const TriangleKind& kind, uint32_t most) {
   const auto make = [&kind](Random& random) {
     TransformedPair pair;
     set_random_pair(random, kind, pair.a, pair.b);
@@ -63,8 +62,8 @@ void check_test(const TriangleKind& kind, std::uint32_t most) {
 
 /// For pairs that intersect.
 template <class Make>
-void check_contact(const char* kind, std::uint32_t most, Make make) {
-  std::uint32_t stack = 0;
+void check_contact(const char* kind, uint32_t most, Make make) {
+  uint32_t stack = 0;
   const auto make_intersecting = [&](Random& random) {
     for (;;) {
       const TransformedPair pair = make(random);
@@ -82,10 +81,10 @@ void check_contact(const char* kind, std::uint32_t most, Make make) {
   Random random = test_random();
   for (int i = 0; i < kPairs; ++i) {
     const TransformedPair pair = make_intersecting(random);
-    const std::uint32_t bytes = port::stack_of([&] { run(pair); });
+    const uint32_t bytes = port::stack_of([&] { run(pair); });
     stack = bytes > stack ? bytes : stack;
   }
-  std::printf("%-24s %u bytes of stack\n", kind, static_cast<unsigned>(stack));
+  print("budget: ", kind, ": ", stack, " bytes of stack\n");
   CHECK(stack <= 280);
 }
 

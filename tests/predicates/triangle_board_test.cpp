@@ -121,7 +121,7 @@ constexpr uint32_t kSymmetryPairs = 4000 / share_on_board(10);
 
 }  // namespace
 
-TEST_CASE("triangles that just miss each other are disjoint", "[triangle]") {
+TEST_CASE("triangles that just miss each other are disjoint") {
   for (const Case& c : kDisjoint) {
     INFO(c.name);
     CHECK(all_orders_answer(false, c.a, c.b));
@@ -130,14 +130,14 @@ TEST_CASE("triangles that just miss each other are disjoint", "[triangle]") {
   }
 }
 
-TEST_CASE("the order of corners and of arguments changes nothing", "[triangle]") {
+TEST_CASE("the order of corners and of arguments changes nothing") {
   for_rounds(kSymmetryPairs, [&](Random& random, uint32_t) {
     const TransformedPair pair = random_pair(random);
     REQUIRE(all_orders_answer(detail::triangles_intersect(pair.a, pair.b), pair.a, pair.b));
   });
 }
 
-TEST_CASE("the place changes nothing, at either end of 32 bits", "[triangle]") {
+TEST_CASE("the place changes nothing, at either end of 32 bits") {
   for_rounds(4 * kSymmetryPairs, [&](Random& random, uint32_t) {
     const TransformedPair pair = random_pair(random);
     const bool here = detail::triangles_intersect(pair.a, pair.b);
@@ -161,7 +161,7 @@ bool agrees(const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-TEST_CASE("every pair of triangles in the unit cube agrees with the oracle", "[triangle][oracle]") {
+TEST_CASE("every pair of triangles in the unit cube agrees with the oracle") {
   uint32_t wrong = 0;
   const auto triangle = [](uint32_t code) {
     const auto corner = [](uint32_t bits) {
@@ -178,7 +178,7 @@ TEST_CASE("every pair of triangles in the unit cube agrees with the oracle", "[t
   CHECK(wrong == 0);
 }
 
-TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
+TEST_CASE("small triangles agree with the oracle") {
   for_rounds(rounds(60000u, 400000u), [&](Random& random, uint32_t) {
     const int32_t size = random.between(2, 3);
     const TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
@@ -186,7 +186,7 @@ TEST_CASE("small triangles agree with the oracle", "[triangle][oracle]") {
   });
 }
 
-TEST_CASE("triangles of every kind and size agree with the oracle", "[triangle][oracle]") {
+TEST_CASE("triangles of every kind and size agree with the oracle") {
   for_rounds(rounds(60000u, 400000u), [&](Random& random, uint32_t) {
     TransformedPair pair = random_pair(random);
     // A shift of every other pair by one cell makes touching pairs nearly touching.

@@ -52,7 +52,7 @@ bool are_refused(const BasicMesh<Index, Layout::post_indexed>& a,
 
 /// For classes that derive from Mesh.
 inline bool are_refused(const Mesh& a, const Mesh& b, Status status = Status::cell_mismatch) {
-  return are_refused<std::uint16_t>(a, b, status);
+  return are_refused<uint16_t>(a, b, status);
 }
 
 /// Whether each ray and each query of the mesh with itself ends with `status` and answers yes, and

@@ -13,7 +13,7 @@ struct BendingCost {
   std::size_t refit_instructions;  ///< of a whole refit, on a Cortex-M4F at -O2, within 5 %
 };
 
-/// tests/query/refit_cost_test.cpp checks the instructions.
+/// tests/figures/bending.cpp measures the instructions.
 template <class Mesh>
 BendingCost bending_cost(const Mesh& mesh) {
   std::size_t refit = 12 * std::size_t{mesh.node_count};
