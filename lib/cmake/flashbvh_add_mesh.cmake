@@ -1,7 +1,7 @@
 # flashbvh_add_mesh(name SOURCES mesh...
 #                   [UNIT unit|mesh=unit...] [CELL length] [OWN_CELL] [MAX_DEVIATION length]
 #                   [SIMPLIFY length] [FIT bytes] [LEAF_SIZE n] [ARITY n] [BUILDER name] [LAYOUT pre|post] [INDEX_BITS 16|32]
-#                   [DROP degenerate|duplicate...] [LEVELS] [DEFORMABLE] [MAX_BYTES n] [NAME name]
+#                   [DROP degenerate|duplicate...] [LEVELS] [DEFORMABLE] [NAME name]
 #                   [FORMAT c|image|both])
 #
 # Adds a library `name`, also called name::name, with the images of some meshes, which share one cell. A
@@ -19,11 +19,11 @@
 include(${CMAKE_CURRENT_LIST_DIR}/host_tool.cmake)
 
 function(flashbvh_add_mesh name)
-  set(single CELL MAX_DEVIATION SIMPLIFY FIT LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS MAX_BYTES NAME FORMAT)
+  set(single CELL MAX_DEVIATION SIMPLIFY FIT LEAF_SIZE ARITY BUILDER LAYOUT INDEX_BITS NAME FORMAT)
   set(repeated UNIT DROP)
   cmake_parse_arguments(PARSE_ARGV 1 arg "LEVELS;DEFORMABLE;OWN_CELL" "${single}" "SOURCES;${repeated}")
   set(odd ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES} ${arg_SOURCES})
-  list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Oo][Ff][Ff]|[Dd][Aa][Ee]|[Gg][Ll][Tt][Ff]|[Gg][Ll][Bb]|3[Mm][Ff])$")
+  list(FILTER odd EXCLUDE REGEX "\\.([Ss][Tt][Ll]|[Oo][Bb][Jj]|[Pp][Ll][Yy]|[Dd][Aa][Ee]|[Gg][Ll][Tt][Ff]|[Gg][Ll][Bb]|3[Mm][Ff])$")
   if(odd OR NOT arg_SOURCES)
     message(FATAL_ERROR "flashbvh_add_mesh(${name}): give SOURCES mesh... and options with their "
       "values; not understood: ${odd}")

@@ -20,19 +20,19 @@ TEST_CASE("a mesh fits its finest cell, which its width fills but for what round
     const double width = i % 2 == 0 ? kWidth : 100 + random.below(1000);
     const double low = (static_cast<double>(random.below(2000001)) - 1e6) / (i % 3 == 0 ? 2 : 64);
     const bake::SourceMesh mesh = mesh_between(low, low + width);
-    const double cell = bake::finest_cell(mesh);
+    const double cell = bake::finest_cell(bake::extent_of(mesh));
     CAPTURE(low, width, cell);
-    REQUIRE(bake::fits(mesh, cell));
+    REQUIRE(bake::fits(bake::extent_of(mesh), cell));
     REQUIRE(cell <= width / (kWidth - 1) * (1 + 1e-9));
     REQUIRE(cell >= width / kWidth);
   });
 }
 
 TEST_CASE("the whole width of the lattice is used where rounding allows it") {
-  CHECK(bake::finest_cell(mesh_between(0, kWidth)) == 1);
-  CHECK(bake::finest_cell(mesh_between(-26, 26)) == 52 / kWidth);
+  CHECK(bake::finest_cell(bake::extent_of(mesh_between(0, kWidth))) == 1);
+  CHECK(bake::finest_cell(bake::extent_of(mesh_between(-26, 26))) == 52 / kWidth);
   // Both ends are halfway between cells and round away from each other.
   const bake::SourceMesh halves = mesh_between(-0.5, kWidth - 0.5);
-  CHECK(!bake::fits(halves, 1));
-  CHECK(bake::finest_cell(halves) <= 1 + 1e-14);
+  CHECK(!bake::fits(bake::extent_of(halves), 1));
+  CHECK(bake::finest_cell(bake::extent_of(halves)) <= 1 + 1e-14);
 }

@@ -41,7 +41,7 @@ bake::SourceMesh bumpy(std::uint32_t squares) {
 TEST_CASE("neither mesh is farther from the other than certified, and that is within the limit") {
   Random random(test_seed());
   for (const Specimen& specimen : specimens()) {
-    const double cell = bake::finest_cell(specimen.mesh);
+    const double cell = finest_cell_of(specimen.mesh);
     Coarsening coarsening(specimen.mesh, cell);
     std::size_t before = specimen.mesh.triangles.size();
     for (const double limit : {0.01, 0.1, 0.5, 2.0}) {
@@ -82,7 +82,7 @@ TEST_CASE("the least limit is certified") {
   for (const Specimen& specimen : specimens()) {
     for (const double parts : {1.0, 8.0, 1000.0}) {
       CAPTURE(specimen.name, parts);
-      Coarsening coarsening(specimen.mesh, parts * bake::finest_cell(specimen.mesh));
+      Coarsening coarsening(specimen.mesh, parts * finest_cell_of(specimen.mesh));
       coarsening.coarsen(coarsening.rounding());
       CHECK(coarsening.deviation().most <= coarsening.rounding());
     }
@@ -91,14 +91,14 @@ TEST_CASE("the least limit is certified") {
 
 TEST_CASE("what is flat needs few triangles") {
   const bake::SourceMesh mesh = box({0, 0, 0}, {80, 50, 20}, 16);
-  Coarsening coarsening(mesh, bake::finest_cell(mesh));
+  Coarsening coarsening(mesh, finest_cell_of(mesh));
   coarsening.coarsen(0.1);
   CHECK(coarsening.mesh().triangles.size() == 12);
 }
 
 TEST_CASE("a shell stays, however small") {
   const bake::SourceMesh mesh = many_shells();
-  Coarsening coarsening(mesh, bake::finest_cell(mesh));
+  Coarsening coarsening(mesh, finest_cell_of(mesh));
   coarsening.coarsen(2);
   const bake::SourceMesh coarse = coarsening.mesh();
   for (const auto& vertex : mesh.vertices) {
@@ -119,7 +119,7 @@ TEST_CASE("shells that rounding makes a point, an edge or a sheet are simplified
 
 TEST_CASE("repeated triangles are there once") {
   const bake::SourceMesh mesh = repeated(hills(12, 12));
-  Coarsening coarsening(mesh, bake::finest_cell(mesh));
+  Coarsening coarsening(mesh, finest_cell_of(mesh));
   coarsening.coarsen(0.02);
   bake::SourceMesh coarse = coarsening.mesh();
   for (bake::TriangleCorners& corners : coarse.triangles) {
@@ -132,7 +132,7 @@ TEST_CASE("repeated triangles are there once") {
 
 TEST_CASE("the same mesh gives the same coarse mesh, step by step") {
   const bake::SourceMesh mesh = wavy_ring(60, 20, 0.5);
-  const double cell = bake::finest_cell(mesh);
+  const double cell = finest_cell_of(mesh);
   Coarsening a(mesh, cell);
   Coarsening b(mesh, cell);
   for (const double limit : {0.2, 0.3}) {
@@ -150,7 +150,7 @@ TEST_CASE("no more than half as many triangles again as the simplifier's own, wh
   for (const Specimen& specimen : specimens()) {
     for (const double limit : {0.1, 0.5}) {
       CAPTURE(specimen.name, limit);
-      Coarsening coarsening(specimen.mesh, bake::finest_cell(specimen.mesh));
+      Coarsening coarsening(specimen.mesh, finest_cell_of(specimen.mesh));
       const std::size_t estimate = coarsening.estimate(limit);
       coarsening.coarsen(limit);
       CHECK(2 * coarsening.mesh().triangles.size() <= 3 * estimate + 16);

@@ -82,9 +82,8 @@ TEST_CASE("no point of the file is farther from the image than told, dropped tri
   int dropped = 0;
   int on_others = 0;
   for_rounds(rounds(400, 20'000), [&](Random& random, int) {
-    InputMesh input;
-    input.mesh = any_soup(random);
-    input.degenerate = tool::degenerate_triangles(input.mesh);
+    const bake::SourceMesh soup = any_soup(random);
+    const InputMesh input = tool::input_of("", soup, tool::degenerate_triangles(soup));
     BakeOptions options;
     options.cell = 0.5;
     options.drop_degenerate = random.below(4) != 0;
@@ -118,15 +117,15 @@ TEST_CASE("no point of the file is farther from the image than told, dropped tri
 }
 
 TEST_CASE("triangles that lie on others are dropped without deviation") {
-  InputMesh input;
-  input.mesh.vertices = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}, {4, 4, 0}, {0, 4, 0}};
   // A needle along the diagonal, one along half an edge, a point, and a triangle turned over.
-  input.mesh.triangles = {{0, 1, 2}, {2, 1, 3}, {1, 2, 4}, {2, 5, 5}, {3, 3, 3}, {0, 2, 1}};
-  input.degenerate = tool::degenerate_triangles(input.mesh);
+  const bake::SourceMesh mesh = {
+      {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}, {4, 4, 0}, {0, 4, 0}},
+      {{0, 1, 2}, {2, 1, 3}, {1, 2, 4}, {2, 5, 5}, {3, 3, 3}, {0, 2, 1}}};
   BakeOptions options;
   options.cell = 0.5;
   options.drop_degenerate = options.drop_duplicate = true;
-  const BakedMesh baked = tool::bake(input, options);
+  const BakedMesh baked =
+      tool::bake(tool::input_of("", mesh, tool::degenerate_triangles(mesh)), options);
   const BakedOne& tree = std::get<BakedOne>(baked.tree);
   CHECK(tree.triangles.size() == 2);
   CHECK(tree.deviation < 1e-9);

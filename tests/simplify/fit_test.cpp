@@ -24,7 +24,7 @@ struct Meshes {
   std::vector<Coarsening> all() const {
     std::vector<Coarsening> meshes;
     for (const bake::SourceMesh& source : sources) {
-      meshes.emplace_back(source, bake::finest_cell(source));
+      meshes.emplace_back(source, finest_cell_of(source));
     }
     return meshes;
   }
@@ -103,22 +103,4 @@ TEST_CASE("what can't fit is said not to") {
   const Meshes meshes;
   std::vector<Coarsening> all = meshes.all();
   CHECK_FALSE(simplify::fit(all, 16, 20, {2, 5}, bytes_of));
-}
-
-TEST_CASE("the table's lengths ascend and its triangles descend, from the mesh as it is") {
-  const Meshes meshes;
-  std::vector<Coarsening> all = meshes.all();
-  const std::vector<simplify::LengthRow> rows = simplify::length_table(all, 1.5, {2, 5}, bytes_of);
-  REQUIRE(rows.size() >= 4);
-  CHECK(rows.front().length == 0);
-  CHECK(rows.front().triangles ==
-        meshes.sources[0].triangles.size() + meshes.sources[1].triangles.size());
-  CHECK(rows.back().length == 1);
-  CHECK(rows[rows.size() - 2].length == 0.5);
-  CHECK(rows[rows.size() - 3].length == 0.2);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    CHECK(rows[i].length > rows[i - 1].length);
-    CHECK(rows[i].triangles <= rows[i - 1].triangles);
-    CHECK(rows[i].bytes[0] > rows[i].bytes[1]);
-  }
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bake/mesh.hpp"
+#include "bake/quantise.hpp"
 #include "simplify/nearest.hpp"
 #include "support/surface.hpp"
 #include "support/test.hpp"
@@ -106,6 +106,10 @@ inline bake::SourceMesh loose(const bake::SourceMesh& mesh) {
     apart.triangles.push_back({base, base + 1, base + 2});
   }
   return apart;
+}
+
+inline double finest_cell_of(const bake::SourceMesh& mesh) {
+  return bake::finest_cell(bake::extent_of(mesh));
 }
 
 struct Specimen {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "flashbvh/image.hpp"
 
@@ -12,20 +13,6 @@ namespace {
 
 constexpr double kMaxWidth = 2.0 * kMaxCoordinate;
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-};
-
-Range range_of(const SourceMesh& mesh, std::size_t axis) {
-  Range range;
-  for (const auto& vertex : mesh.vertices) {
-    range.low = std::min(range.low, vertex[axis]);
-    range.high = std::max(range.high, vertex[axis]);
-  }
-  return range;
-}
-
 /// The nearest multiple of the cell, in cells; halves away from zero. The factor makes up for the
 /// rounding of the coordinate, the cell and their quotient, half a unit in the last place each. So
 /// a mesh in another unit is the same on its lattice.
@@ -33,32 +20,74 @@ double nearest(double coordinate, double cell) {
   return std::round(coordinate / cell * (1 + 0x1p-51));
 }
 
+struct Range {
+  double low;
+  double high;
+};
+
+/// The ends of the rounded mesh along an axis, in cells.
+Range rounded_range(const Extent& extent, std::size_t axis, double cell) {
+  return {nearest(extent.low[axis], cell), nearest(extent.high[axis], cell)};
+}
+
 /// The lattice point in the middle of the rounded mesh.
-std::int32_t middle(const Range& range, double cell) {
-  const double low = nearest(range.low, cell);
-  const double high = nearest(range.high, cell);
-  return static_cast<std::int32_t>(std::floor((low + high) / 2));
+double middle(const Range& range) {
+  return std::floor((range.low + range.high) / 2);
 }
 
 /// The cell with which no axis of the mesh is over `width` cells wide or reaches further than
 /// `origin`, before rounding.
-double cell_of(const SourceMesh& mesh, double width, double origin) {
-  double cell = std::numeric_limits<double>::min();
+double cell_of(const Extent& extent, double width, double origin) {
+  auto cell = static_cast<double>(std::numeric_limits<float>::min());
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Range range = range_of(mesh, axis);
-    cell = std::max({cell, (range.high - range.low) / width, std::fabs(range.low) / origin,
-                     std::fabs(range.high) / origin});
+    const double low = extent.low[axis];
+    const double high = extent.high[axis];
+    cell =
+        std::max({cell, (high - low) / width, std::fabs(low) / origin, std::fabs(high) / origin});
   }
   return cell;
 }
 
+/// An upper bound of the distance of a point from its lattice point.
+double distance_off(const std::array<double, 3>& point, double cell) {
+  constexpr double rounding = 1 + 0x1p-50;  // of a sum of squares and its root
+  double squared = 0;
+  double sum = 0;
+  double longest = 0;
+  for (const double coordinate : point) {
+    const double off = std::fabs(std::fma(-nearest(coordinate, cell), cell, coordinate));
+    squared += off * off;
+    sum += off;
+    longest = std::max(longest, off);
+  }
+  return sum == longest ? longest : std::sqrt(squared) * rounding;
+}
+
 }  // namespace
 
-bool fits(const SourceMesh& mesh, double cell) {
+std::array<double, 3> Extent::size() const {
+  std::array<double, 3> size{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Range range = range_of(mesh, axis);
-    const double low = nearest(range.low, cell);
-    const double high = nearest(range.high, cell);
+    size[axis] = std::max(high[axis] - low[axis], 0.0);
+  }
+  return size;
+}
+
+Extent extent_of(const SourceMesh& mesh) {
+  constexpr double most = std::numeric_limits<double>::infinity();
+  Extent extent = {{most, most, most}, {-most, -most, -most}};
+  for (const auto& vertex : mesh.vertices) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      extent.low[axis] = std::min(extent.low[axis], vertex[axis]);
+      extent.high[axis] = std::max(extent.high[axis], vertex[axis]);
+    }
+  }
+  return extent;
+}
+
+bool fits(const Extent& extent, double cell) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = rounded_range(extent, axis, cell);
     if (!(high - low <= kMaxWidth) || !(std::fabs(low) <= kMaxOrigin) ||
         !(std::fabs(high) <= kMaxOrigin)) {
       return false;
@@ -67,34 +96,36 @@ bool fits(const SourceMesh& mesh, double cell) {
   return true;
 }
 
-double finest_cell(const SourceMesh& mesh) {
-  const double full = cell_of(mesh, kMaxWidth, kMaxOrigin);
+double finest_cell(const Extent& extent) {
+  const double full = cell_of(extent, kMaxWidth, kMaxOrigin);
   // If the ends of the mesh lie halfway between cells, rounding widens it by one cell; a slightly
   // larger cell keeps the ends off the halves.
   for (const double cell : {full, full * (1 + 0x1p-48)}) {
-    if (fits(mesh, cell)) {
+    if (fits(extent, cell)) {
       return cell;
     }
   }
-  return cell_of(mesh, kMaxWidth - 1, kMaxOrigin - 1);
+  return cell_of(extent, kMaxWidth - 1, kMaxOrigin - 1);
 }
 
-std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell) {
-  std::vector<bool> is_out(mesh.vertices.size(), false);
+std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, const Extent& extent, double cell) {
+  std::array<double, 3> origin{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Range range = range_of(mesh, axis);
-    const double origin = std::floor((nearest(range.low, cell) + nearest(range.high, cell)) / 2);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      const double at = nearest(mesh.vertices[i][axis], cell);
-      if (!(std::fabs(at - origin) <= kMaxCoordinate) || !(std::fabs(at) <= kMaxOrigin)) {
-        is_out[i] = true;
+    origin[axis] = middle(rounded_range(extent, axis, cell));
+  }
+  const auto is_out = [&](std::uint32_t vertex) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double at = nearest(mesh.vertices[vertex][axis], cell);
+      if (!(std::fabs(at - origin[axis]) <= kMaxCoordinate) || !(std::fabs(at) <= kMaxOrigin)) {
+        return true;
       }
     }
-  }
+    return false;
+  };
   std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const TriangleCorners& corners = mesh.triangles[i];
-    if (is_out[corners[0]] || is_out[corners[1]] || is_out[corners[2]]) {
+    if (std::any_of(corners.begin(), corners.end(), is_out)) {
       found.push_back(static_cast<std::uint32_t>(i));
     }
   }
@@ -123,29 +154,21 @@ std::uint16_t sixteenths_above(double deviation, double cell) {
 }
 
 double deviation(const SourceMesh& mesh, double cell) {
-  constexpr double rounding = 1 + 0x1p-50;  // of a sum of squares and its root
   double most = 0;
   for (const auto& vertex : mesh.vertices) {
-    double squared = 0;
-    double sum = 0;
-    double longest = 0;
-    for (const double coordinate : vertex) {
-      const double off = std::fabs(std::fma(-nearest(coordinate, cell), cell, coordinate));
-      squared += off * off;
-      sum += off;
-      longest = std::max(longest, off);
-    }
-    most = std::max(most, sum == longest ? longest : std::sqrt(squared) * rounding);
+    most = std::max(most, distance_off(vertex, cell));
   }
   return most;
 }
 
-LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
+Rounding round_to_lattice(const SourceMesh& mesh, const Extent& extent, double cell) {
+  if (!fits(extent, cell)) {
+    return {{}, out_of_range(mesh, extent, cell)};
+  }
   LatticeMesh rounded;
   rounded.cell = cell;
-  rounded.deviation = deviation(mesh, cell);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    rounded.origin[axis] = middle(range_of(mesh, axis), cell);
+    rounded.origin[axis] = static_cast<std::int32_t>(middle(rounded_range(extent, axis, cell)));
   }
   std::map<std::array<std::int16_t, 3>, std::uint32_t> joined;
   std::vector<std::uint32_t> index_of(mesh.vertices.size());
@@ -161,12 +184,13 @@ LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell) {
       rounded.vertices.push_back({at[0], at[1], at[2]});
     }
     index_of[i] = entry->second;
+    rounded.deviation = std::max(rounded.deviation, distance_off(mesh.vertices[i], cell));
   }
   for (const TriangleCorners& triangle : mesh.triangles) {
     rounded.triangles.push_back(
         {index_of[triangle[0]], index_of[triangle[1]], index_of[triangle[2]]});
   }
-  return rounded;
+  return {std::move(rounded), {}};
 }
 
 }  // namespace flashbvh::bake

@@ -5,18 +5,30 @@
 
 namespace flashbvh::bake {
 
-/// A cell with which `mesh` fits the lattice, in the mesh's unit: its largest extent over
-/// 2 * kMaxCoordinate. Rounding enlarges it by one part in 2 * kMaxCoordinate - 1 at most. A mesh
-/// without extent fits any cell: its finest cell is the smallest positive normal number.
-double finest_cell(const SourceMesh& mesh);
+/// Where a mesh lies in its frame, by axis, in its unit.
+struct Extent {
+  std::array<double, 3> low;
+  std::array<double, 3> high;
 
-/// True if `mesh` fits the lattice with this cell: at most 2 * kMaxCoordinate cells wide, and
+  /// Zeros for a mesh without vertices.
+  std::array<double, 3> size() const;
+};
+
+/// O(n).
+Extent extent_of(const SourceMesh& mesh);
+
+/// A cell with which the mesh fits the lattice, in the mesh's unit: its largest extent over
+/// 2 * kMaxCoordinate, and no less than firmware can hold in a float. Rounding enlarges it by one
+/// part in 2 * kMaxCoordinate - 1 at most.
+double finest_cell(const Extent& extent);
+
+/// True if the mesh fits the lattice with this cell: at most 2 * kMaxCoordinate cells wide, and
 /// within 2^29 cells of its frame's origin.
-bool fits(const SourceMesh& mesh, double cell);
+bool fits(const Extent& extent, double cell);
 
 /// The numbers of the triangles that reach out of the lattice around the mesh's middle with this
 /// cell, ascending; none if the mesh fits.
-std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, double cell);
+std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, const Extent& extent, double cell);
 
 /// The least float that is not below the length; FLT_MAX for a longer one.
 float float_above(double length);
@@ -29,8 +41,14 @@ std::uint16_t sixteenths_above(double deviation, double cell);
 /// if no vertex moves.
 double deviation(const SourceMesh& mesh, double cell);
 
+/// A rounded mesh, or the triangles that the lattice can't hold.
+struct Rounding {
+  LatticeMesh mesh;
+  std::vector<std::uint32_t> out_of_range;
+};
+
 /// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero (also halves
-/// that are inexact by rounding), and joins vertices that coincide. Precondition: fits(mesh, cell).
-LatticeMesh round_to_lattice(const SourceMesh& mesh, double cell);
+/// that are inexact by rounding), and joins vertices that coincide. `extent`: the mesh's.
+Rounding round_to_lattice(const SourceMesh& mesh, const Extent& extent, double cell);
 
 }  // namespace flashbvh::bake

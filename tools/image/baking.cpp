@@ -2,147 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 #include <utility>
 
 #include "bake/build_tree.hpp"
 #include "bake/image_bytes.hpp"
-#include "bake/quantise.hpp"
-#include "simplify/deviation.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-/// The largest cell that moves no vertex further than `deviation`, half the diagonal of a cell, but
-/// for the rounding of doubles.
-double sure_cell(double deviation) {
-  return deviation * 2 / std::sqrt(3.0) * (1 - 0x1p-48);
-}
-
-/// A length for messages.
-std::string text_of(double length, const BakeOptions& options) {
-  return shortest(length) + (options.unit.empty() ? "" : " " + options.unit);
-}
-
-void check_range(const InputMesh& input, double cell, const BakeOptions& options) {
-  if (bake::fits(input.mesh, cell)) {
-    return;
-  }
-  throw UserError(input.path, "is too large for a cell of ", text_of(cell, options),
-                  ": out of range are ", triangle_list(bake::out_of_range(input.mesh, cell)),
-                  "; the finest that it fits is --cell ", shortest(finest_cell(input)));
-}
-
-void check_deviation(const InputMesh& input, const bake::LatticeMesh& rounded,
-                     const BakeOptions& options, double dropped) {
-  const std::optional<double>& most = options.max_deviation;
-  if (!most || rounded.deviation <= *most) {
-    return;
-  }
-  if (dropped > 0) {
-    throw UserError(input.path, "triangles to drop lie up to ", text_of(dropped, options),
-                    " from all others, --max-deviation allows ", text_of(*most, options),
-                    "; leave --drop out, or repair the mesh");
-  }
-  const double cell = sure_cell(*most - input.reading_error());
-  throw UserError(input.path, "rounding moves a vertex by ", text_of(rounded.deviation, options),
-                  ", --max-deviation allows ", text_of(*most, options),
-                  cell >= finest_cell(input)
-                      ? "; a cell of " + text_of(cell, options) + " or less keeps to that"
-                      : "; the mesh is too large for so fine a cell: cut it in parts");
-}
-
-/// Triangles by their vertices, and their edges and corners, as edges without length.
-class Covered {
- public:
-  void add(const bake::TriangleCorners& corners) {
-    triangles_.insert(sorted(corners));
-    for (const std::uint32_t from : corners) {
-      for (const std::uint32_t to : corners) {
-        edges_.insert({from, to});
-      }
-    }
-  }
-
-  bool has(const bake::TriangleCorners& corners) const {
-    return triangles_.count(sorted(corners)) != 0;
-  }
-  /// True for a triangle without area if two of its edges are there: they contain the third.
-  bool has_line(const bake::TriangleCorners& corners) const {
-    const auto& [p, q, r] = corners;
-    return edges_.count({p, q}) + edges_.count({q, r}) + edges_.count({r, p}) >= 2;
-  }
-
- private:
-  static bake::TriangleCorners sorted(bake::TriangleCorners corners) {
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
-
-  std::set<bake::TriangleCorners> triangles_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
-};
-
-/// These triangles, in cells.
-bake::SourceMesh in_cells(const bake::LatticeMesh& mesh, const TriangleIds& numbers) {
-  const bake::LatticeMesh part = part_of(mesh, numbers);
-  bake::SourceMesh made;
-  for (const Vertex& v : part.vertices) {
-    made.vertices.push_back({1.0 * v.x, 1.0 * v.y, 1.0 * v.z});
-  }
-  made.triangles = part.triangles;
-  return made;
-}
-
-/// RoundedMesh::dropped. A triangle without area in the file is a line there, once rounded too.
-double dropped_distance(const bake::LatticeMesh& mesh, const MeshDefects& defects,
-                        const TriangleIds& kept, const TriangleIds& dropped) {
-  Covered covered;
-  for (const std::uint32_t triangle : kept) {
-    covered.add(mesh.triangles[triangle]);
-  }
-  TriangleIds apart;
-  for (const std::uint32_t triangle : dropped) {
-    const bake::TriangleCorners& corners = mesh.triangles[triangle];
-    const auto is_in = [&](const TriangleIds& ids) {
-      return std::binary_search(ids.begin(), ids.end(), triangle);
-    };
-    const bool is_line = is_in(defects.degenerate) || is_in(defects.collapsed);
-    if (!covered.has(corners) && !(is_line && covered.has_line(corners))) {
-      apart.push_back(triangle);
-    }
-  }
-  return apart.empty()
-             ? 0
-             : simplify::farthest_from(in_cells(mesh, kept), in_cells(mesh, apart)) * mesh.cell;
-}
-
-/// Removes triangles as the options say, and unused vertices.
-void drop(RoundedMesh& rounded, const InputMesh& input, const BakeOptions& options) {
-  bake::LatticeMesh& mesh = rounded.lattice;
-  const MeshDefects& defects = rounded.defects;
-  std::vector<bool> dropped(mesh.triangles.size(), false);
-  const auto mark = [&](const TriangleIds& triangles, bool wanted) {
-    for (const std::uint32_t triangle : triangles) {
-      dropped[triangle] = dropped[triangle] || wanted;
-    }
-  };
-  mark(defects.degenerate, options.drop_degenerate);
-  mark(defects.collapsed, options.drop_degenerate);
-  mark(defects.duplicates, options.drop_duplicate);
-  TriangleIds left_out;
-  for (std::size_t i = 0; i < dropped.size(); ++i) {
-    (dropped[i] ? left_out : rounded.kept).push_back(static_cast<std::uint32_t>(i));
-  }
-  if (rounded.kept.empty()) {
-    throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
-  }
-  rounded.dropped = dropped_distance(mesh, defects, rounded.kept, left_out);
-  mesh = part_of(mesh, rounded.kept);
-}
 
 constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
 
@@ -172,8 +40,8 @@ void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
 }
 
 /// About a 500th of the mesh, to one digit: hardly visible, and makes a large mesh small.
-double offered_length(const bake::SourceMesh& mesh) {
-  const double length = bake::finest_cell(mesh) * 128;
+double offered_length(const InputMesh& input) {
+  const double length = input.finest_cell * 128;
   const double power = std::pow(10, std::floor(std::log10(length)));
   return std::floor(length / power) * power;
 }
@@ -194,38 +62,12 @@ AnyBakedTree lay_out(const bake::BuildTree& tree, const bake::LatticeMesh& mesh,
   return bake::lay_out<Index, Layout::post_indexed>(tree, mesh);
 }
 
-InputMesh in_place_of(const InputMesh& input, const simplify::Coarsening& coarse) {
-  InputMesh made;
-  made.path = input.path;
-  made.mesh = coarse.mesh();
-  return made;
-}
-
 BakeOptions without_limit(BakeOptions options) {
   options.max_deviation = std::nullopt;
   return options;
 }
 
 }  // namespace
-
-double finest_cell(const InputMesh& input) {
-  return std::max(bake::finest_cell(input.mesh),
-                  static_cast<double>(std::numeric_limits<float>::min()));
-}
-
-RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options) {
-  const double cell = options.cell.value_or(finest_cell(input));
-  check_range(input, cell, options);
-  RoundedMesh rounded;
-  rounded.lattice = bake::round_to_lattice(input.mesh, cell);
-  rounded.lattice.deviation += input.reading_error();
-  check_deviation(input, rounded.lattice, options, 0);
-  rounded.defects = defects_of(input.mesh, rounded.lattice, input.degenerate);
-  drop(rounded, input, options);
-  rounded.lattice.deviation += rounded.dropped;
-  check_deviation(input, rounded.lattice, options, rounded.dropped);
-  return rounded;
-}
 
 AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
                         const BakeOptions& options) {
@@ -245,7 +87,7 @@ AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
 }
 
 std::string offer_of(const InputMesh& input, const BakeOptions& options, double length) {
-  const double cell = options.cell.value_or(finest_cell(input));
+  const double cell = options.cell.value_or(input.finest_cell);
   simplify::Coarsening coarsening(input.mesh, cell);
   coarsening.coarsen(std::max(length, coarsening.rounding()));
   BakeOptions own = options;
@@ -263,7 +105,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   const std::size_t count = rounded.lattice.triangles.size();
   if (options.index_width == IndexWidth::bits_16 && count > kMost16) {
     throw UserError(input.path, count, " triangles, but 16-bit indices reach ", kMost16, "; ",
-                    offer_of(input, options, offered_length(input.mesh)),
+                    offer_of(input, options, offered_length(input)),
                     options.offers_wide_indices ? "; or use --index-bits 32" : "");
   }
   return {build_tree(input, rounded, options), std::move(rounded.defects), rounded.dropped};
@@ -271,7 +113,7 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
 
 double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,
                     const BakeOptions& options, const std::string& name, bool levels) {
-  const InputMesh made = coarse.is_original() ? input : in_place_of(input, coarse);
+  const InputMesh made = coarse.is_original() ? input : input_of(input.path, coarse.mesh());
   const BakeOptions own = without_limit(options);
   try {
     AnyBakedTree tree = build_tree(made, round_mesh(made, own), own);
@@ -288,8 +130,8 @@ double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,
 
 BakedMesh bake(const InputMesh& input, const BakeOptions& options,
                const simplify::Coarsening& coarse) {
-  MeshDefects defects = round_mesh(input, options).defects;
-  const InputMesh made = in_place_of(input, coarse);
+  MeshDefects defects = defects_of(input.mesh, coarse.rounded(), input.degenerate);
+  const InputMesh made = input_of(input.path, coarse.mesh());
   RoundedMesh rounded = round_mesh(made, without_limit(options));
   rounded.lattice.deviation = coarse.deviation().most + input.reading_error() + rounded.dropped;
   if (!std::isfinite(rounded.lattice.deviation)) {

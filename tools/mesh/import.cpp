@@ -44,12 +44,13 @@ const Format* format_of(const std::string& path) {
   return found == kFormats.end() ? nullptr : found;
 }
 
-InputMesh input_of(bake::SourceMesh mesh, const std::string& path, const FileMesh& file,
-                   const Units& units) {
-  const double precision = units.converted(file.precision, path, file.unit);
-  InputMesh input = {path, {}, std::move(mesh), {}, precision, file.unit};
-  input.degenerate = degenerate_triangles(input.mesh);
-  units.convert(input.mesh, path, file.unit);
+InputMesh converted(bake::SourceMesh mesh, const std::string& path, const FileMesh& file,
+                    const Units& units) {
+  TriangleIds degenerate = degenerate_triangles(mesh);
+  units.convert(mesh, path, file.unit);
+  InputMesh input = input_of(path, std::move(mesh), std::move(degenerate),
+                             units.converted(file.precision, path, file.unit));
+  input.unit = file.unit;
   return input;
 }
 
@@ -90,9 +91,16 @@ double InputMesh::reading_error() const {
   return std::sqrt(3.0) * precision;
 }
 
+InputMesh input_of(std::string path, bake::SourceMesh mesh, TriangleIds degenerate,
+                   double precision) {
+  const bake::Extent extent = bake::extent_of(mesh);
+  return {std::move(path),       {},       std::move(mesh), extent, bake::finest_cell(extent),
+          std::move(degenerate), precision};
+}
+
 InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings) {
   FileMesh file = import_with(units, path, warnings);
-  InputMesh input = input_of(std::move(file.mesh), path, file, units);
+  InputMesh input = converted(std::move(file.mesh), path, file, units);
   input.bodies = std::move(file.bodies);
   return input;
 }
@@ -103,7 +111,7 @@ std::vector<InputMesh> read_bodies(const std::string& path, const Units& units,
   std::vector<bake::SourceMesh> meshes = meshes_of_bodies(file);
   std::vector<InputMesh> inputs;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    inputs.push_back(input_of(std::move(meshes[i]), path, file, units));
+    inputs.push_back(converted(std::move(meshes[i]), path, file, units));
     inputs.back().path = concat(path, ", body ", i, " ", tool::quoted(file.bodies[i]));
     inputs.back().bodies = {file.bodies[i]};
   }

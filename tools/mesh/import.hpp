@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bake/mesh.hpp"
+#include "bake/quantise.hpp"
 #include "mesh/defects.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "mesh/units.hpp"
@@ -30,6 +30,8 @@ struct InputMesh {
   std::string path;                 ///< with the body's name for one of the file's bodies
   std::vector<std::string> bodies;  ///< their names in the file
   bake::SourceMesh mesh;            ///< converted to the common unit
+  bake::Extent extent;              ///< of the mesh
+  double finest_cell;               ///< with which it fits the lattice
   TriangleIds degenerate;           ///< before conversion
   double precision = 0;    ///< bound on the reader's rounding of a coordinate, in the common unit
   Unit unit = Unit::none;  ///< that the file carries
@@ -37,6 +39,10 @@ struct InputMesh {
   /// A bound on the distance of a vertex from the file's, by the reader's rounding.
   double reading_error() const;
 };
+
+/// `path`: for messages. `degenerate`: triangles without area that are not due to rounding.
+InputMesh input_of(std::string path, bake::SourceMesh mesh, TriangleIds degenerate = {},
+                   double precision = 0);
 
 /// Reads a mesh with import_mesh() and converts it to the common unit.
 InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings);

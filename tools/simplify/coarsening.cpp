@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "bake/quantise.hpp"
 #include "bake/surface.hpp"
@@ -22,14 +23,13 @@ constexpr int kPasses = 24;
 /// A pass that removes less than this part of the triangles is the last one.
 constexpr double kLastPass = 0.003;
 
-/// Rounds vertices and joins those that coincide.
-bake::SourceMesh on_lattice(const bake::SourceMesh& mesh, double cell) {
-  const bake::LatticeMesh rounded = bake::round_to_lattice(mesh, cell);
+/// In its unit.
+bake::SourceMesh placed_in_frame(const bake::LatticeMesh& rounded) {
   bake::SourceMesh placed;
   for (const Vertex& vertex : rounded.vertices) {
-    placed.vertices.push_back({(rounded.origin[0] + vertex.x) * cell,
-                               (rounded.origin[1] + vertex.y) * cell,
-                               (rounded.origin[2] + vertex.z) * cell});
+    placed.vertices.push_back({(rounded.origin[0] + vertex.x) * rounded.cell,
+                               (rounded.origin[1] + vertex.y) * rounded.cell,
+                               (rounded.origin[2] + vertex.z) * rounded.cell});
   }
   placed.triangles = rounded.triangles;
   return placed;
@@ -112,8 +112,11 @@ void drop_repeated(bake::SourceMesh& mesh) {
 }  // namespace
 
 Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
-    : lattice_error_(bake::deviation(mesh, cell)), cell_(cell) {
-  const bake::SourceMesh placed = on_lattice(mesh, cell);
+    : Coarsening(mesh, bake::round_to_lattice(mesh, bake::extent_of(mesh), cell).mesh) {}
+
+Coarsening::Coarsening(const bake::SourceMesh& mesh, bake::LatticeMesh rounded)
+    : rounded_(std::make_shared<const bake::LatticeMesh>(std::move(rounded))) {
+  const bake::SourceMesh placed = placed_in_frame(*rounded_);
   margin_ = kErrors * std::max(arithmetic_error(mesh), arithmetic_error(placed));
   std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
   const std::vector<std::uint32_t> first =
@@ -163,8 +166,8 @@ void Coarsening::collapse(Shell& shell, double limit) const {
       part.by = nearest.number(part.by);
     }
     const std::size_t before = shell.coarse.triangles.size();
-    const std::size_t gone =
-        collapse_edges(shell.coarse, parts, shell.nearest, cell_, limit - margin_, is_changed);
+    const std::size_t gone = collapse_edges(shell.coarse, parts, shell.nearest, rounded_->cell,
+                                            limit - margin_, is_changed);
     if (gone == 0 || static_cast<double>(gone) < kLastPass * static_cast<double>(before)) {
       return;
     }

@@ -5,6 +5,7 @@
 // (collapse.hpp). The coarse mesh's vertices lie on the lattice, so certificates cover rounding.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "bake/mesh.hpp"
@@ -14,15 +15,19 @@ namespace flashbvh::simplify {
 
 class Coarsening {
  public:
-  /// Lengths are in the mesh's unit. Precondition: bake::fits(mesh, cell).
+  /// `rounded`: the mesh on the lattice. Lengths are in the mesh's unit.
+  Coarsening(const bake::SourceMesh& mesh, bake::LatticeMesh rounded);
+  /// Precondition: the mesh fits the lattice with this cell.
   Coarsening(const bake::SourceMesh& mesh, double cell);
 
   /// The least limit: the motion by rounding to the lattice, and the rounding of doubles.
-  double rounding() const { return lattice_error_ + 3 * margin_; }
+  double rounding() const { return rounded_->deviation + 3 * margin_; }
   /// Coarsens as far as possible with every point of the original within `limit`, which is at least
   /// rounding() and the last limit. Deterministic.
   void coarsen(double limit);
 
+  /// The original on the lattice.
+  const bake::LatticeMesh& rounded() const { return *rounded_; }
   /// True before the first coarsen(): use the original then; mesh() is only close to it.
   bool is_original() const { return limit_ == 0; }
   /// Closed if the original is; vertices on the lattice, none unused.
@@ -47,9 +52,8 @@ class Coarsening {
   static void propose(Shell& shell, double limit);
   void collapse(Shell& shell, double limit) const;
 
-  double lattice_error_;  ///< the motion by rounding to the lattice
-  double margin_;         ///< kErrors times the arithmetic error of the whole mesh
-  double cell_;
+  std::shared_ptr<const bake::LatticeMesh> rounded_;  ///< of copies, too
+  double margin_;  ///< kErrors times the arithmetic error of the whole mesh
   std::vector<Shell> shells_;
   double limit_ = 0;  ///< of the last coarsen()
 };

@@ -21,7 +21,6 @@ constexpr double kBytesOfTriangle = 17;
 constexpr double kBegin = 0.6;
 /// Lengths below this multiple of the rounding leave a mesh unchanged.
 constexpr double kAboveRounding = 1.5;
-constexpr std::size_t kMostRows = 6;
 
 double most_rounding(const std::vector<Coarsening>& meshes) {
   double most = 0;
@@ -164,39 +163,6 @@ double likely_length(const std::vector<Coarsening>& meshes, double most, double 
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
                        const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
   return Fitting{meshes, most, longest, leaf_sizes, bytes_of}.made();
-}
-
-std::vector<LengthRow> length_table(std::vector<Coarsening>& meshes, double longest,
-                                    const std::vector<std::uint32_t>& leaf_sizes,
-                                    const BytesOf& bytes_of) {
-  std::vector<LengthRow> rows;
-  const auto add = [&](double length) {
-    LengthRow row = {length, triangles_of(meshes), {}};
-    for (const std::uint32_t leaf_size : leaf_sizes) {
-      row.bytes.push_back(bytes_of(meshes, leaf_size));
-    }
-    rows.push_back(std::move(row));
-  };
-  add(0);
-  std::vector<double> lengths;
-  constexpr std::array<double, 3> kDigits = {5, 2, 1};
-  for (int power = static_cast<int>(std::floor(std::log10(longest))); lengths.size() < kMostRows;
-       --power) {
-    for (const double digit : kDigits) {
-      const double length = power < 0 ? digit / std::pow(10, -power) : digit * std::pow(10, power);
-      if (length <= longest && lengths.size() < kMostRows) {
-        lengths.push_back(length);
-      }
-    }
-  }
-  const double shortest = kAboveRounding * most_rounding(meshes);
-  for (auto length = lengths.rbegin(); length != lengths.rend(); ++length) {
-    if (*length > shortest) {
-      coarsen_all(meshes, *length);
-      add(*length);
-    }
-  }
-  return rows;
 }
 
 }  // namespace flashbvh::simplify

@@ -1,4 +1,4 @@
-// Finds the least coarsening that fits flash, and tabulates the cost of lengths.
+// Finds the least coarsening that fits flash.
 #pragma once
 
 #include <cstddef>
@@ -34,18 +34,5 @@ double likely_length(const std::vector<Coarsening>& meshes, double most, double 
 /// the least length of any. None if they do not fit with `longest`.
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
                        const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of);
-
-/// The cost of a length.
-struct LengthRow {
-  double length;
-  std::size_t triangles;
-  std::vector<double> bytes;  ///< for each leaf size
-};
-
-/// Rows for 0, and for 1, 2 and 5 times powers of ten up to `longest`, as far down as they make
-/// sense for the meshes. Coarsens the meshes.
-std::vector<LengthRow> length_table(std::vector<Coarsening>& meshes, double longest,
-                                    const std::vector<std::uint32_t>& leaf_sizes,
-                                    const BytesOf& bytes_of);
 
 }  // namespace flashbvh::simplify

@@ -100,29 +100,4 @@ bool DrawnMesh::is_nearer(const DrawnMesh& other, const tool::Transform& frame,
   return !nodes_.empty() && !other.nodes_.empty() && is_nearer(Query{other, frame, distance}, 0, 0);
 }
 
-double DrawnMesh::distance_to(const Vector3& p) const {
-  double least = HUGE_VAL;
-  approach(p, 0, least);
-  return least;
-}
-
-void DrawnMesh::approach(const Vector3& p, std::uint32_t number, double& least) const {
-  const Node& node = nodes_[number];
-  double squared = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double apart = std::max(std::fabs(p[i] - node.centre[i]) - node.half[i], 0.0);
-    squared += apart * apart;
-  }
-  if (std::sqrt(squared) >= least) {
-    return;
-  }
-  for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-    least = std::min(least, std::sqrt(squared_distance(p, triangles_[i])));
-  }
-  if (node.count == 0) {
-    approach(p, number + 1, least);
-    approach(p, node.first, least);
-  }
-}
-
 }  // namespace flashbvh::test

@@ -18,8 +18,6 @@ class DrawnMesh {
 
   /// `frame`: the frame of `other` in this mesh's frame.
   bool is_nearer(const DrawnMesh& other, const tool::Transform& frame, double distance) const;
-  /// The distance of the mesh's nearest point. The mesh has a triangle.
-  double distance_to(const Vector3& p) const;
 
  private:
   struct Node {
@@ -37,7 +35,6 @@ class DrawnMesh {
   void build(std::uint32_t first, std::uint32_t count);
   double gap(const Query& query, const Node& a, const Node& b) const;
   bool is_nearer(const Query& query, std::uint32_t a, std::uint32_t b) const;
-  void approach(const Vector3& p, std::uint32_t number, double& least) const;
   bool are_leaves_nearer(const Query& query, const Node& a, const Node& b) const;
 
   std::vector<Node> nodes_;

@@ -128,9 +128,7 @@ namespace {
 
 /// A mesh as `bake` makes it with the workcell's cell.
 BakedMesh baked_body(const bake::SourceMesh& mesh, double simplify, bool drop) {
-  InputMesh input;
-  input.mesh = mesh;
-  input.degenerate = degenerate_triangles(mesh);
+  const InputMesh input = input_of("", mesh, degenerate_triangles(mesh));
   BakeOptions options;
   options.cell = kWorkcellCell;
   options.drop_degenerate = drop;

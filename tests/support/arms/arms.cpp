@@ -184,12 +184,9 @@ using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
 
 BakedArm::BakedArm(const Model& model, double cell) : model_(model), cell_(cell) {
   for (const ModelLink& link : model.links) {
-    InputMesh input;
-    input.path = link.name;
-    input.mesh = link.mesh;
     BakeOptions options;
     options.cell = cell;
-    baked_.push_back(tool::bake(input, options));
+    baked_.push_back(tool::bake(input_of(link.name, link.mesh), options));
     Baked& tree = std::get<Baked>(baked_.back().tree);
     tree.unit = Unit::m;
     meshes_.push_back(tree.view());

@@ -6,7 +6,6 @@
 
 #include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
-#include "cli/length_table.hpp"
 #include "cli/mesh/bake_options.hpp"
 #include "cli/mesh/bake_simplified.hpp"
 #include "cli/mesh/bake_table.hpp"
@@ -26,12 +25,6 @@ void check_size(const BakeOrder& order, const std::string& mesh, std::uint64_t b
     throw UserError(mesh,
                     "the array would be over 2 GiB; use --format image, or simplify it: "
                     "--simplify, --fit");
-  }
-  if (order.max_bytes && static_cast<std::int64_t>(bytes) > *order.max_bytes) {
-    throw UserError(mesh, "takes ", bytes, " bytes, --max-bytes allows ", *order.max_bytes,
-                    "; --fit ", *order.max_bytes,
-                    " simplifies it as little as that takes, "
-                    "or give a larger --leaf-size, which makes the worst pose more expensive");
   }
 }
 
@@ -147,8 +140,7 @@ constexpr double kRoomToBend = 2;
 /// The results of a call, for the output.
 struct Outcome {
   std::vector<BakeRow> rows;
-  double simplified = 0;                     ///< the allowed deviation
-  std::vector<simplify::LengthRow> lengths;  ///< with --dry-run
+  double simplified = 0;  ///< the allowed deviation
 };
 
 /// Does all the work except writing. `options`: the order's, completed with the cell that all
@@ -158,11 +150,11 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   const std::vector<double> weights = weights_of(order.meshes);
   const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
   const bool simplifies = order.simplify || order.fit;
-  Progress progress((simplifies ? 3 : 2) * weight, order.progress);
+  Progress progress((simplifies ? 3 : 2) * weight, false);
   const auto [meshes, parts] = read_parts(order, weights, progress, warnings);
   double finest = 0;
   for (const InputMesh& mesh : meshes) {
-    finest = std::max(finest, finest_cell(mesh));
+    finest = std::max(finest, mesh.finest_cell);
   }
   options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
   std::vector<std::string> names(parts.size());
@@ -180,7 +172,7 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
     BakedMesh baked =
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
     outcome.rows.push_back(bake_one(order, baked, mesh.path, parts[i].name, files));
-    outcome.rows.back().size = size_of(mesh.mesh);
+    outcome.rows.back().size = mesh.extent.size();
     outcome.rows.back().source_triangles = mesh.mesh.triangles.size();
     warn_of_mesh(mesh, baked.defects, options, warnings);
     if (baked.dropped > *options.cell / 16) {
@@ -192,27 +184,19 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
                baked.tree);
   }
   warn_of_odd_sizes(meshes, outcome.rows, order.units.common(), warnings);
-  if (order.dry_run && !order.deformable) {
-    outcome.lengths = lengths_of(order, meshes, names, options);
-  }
   return outcome;
 }
 
 void print_outcome(const BakeOrder& order, const BakeOptions& options, const Outcome& outcome,
                    const Warnings& warnings) {
   if (order.json) {
-    print_bake_json(outcome.rows, *options.cell, order.units, warnings,
-                    order.dry_run ? json_of({outcome.lengths, order.leaf_sizes}) : Json());
+    print_bake_json(outcome.rows, *options.cell, order.units, warnings);
     return;
   }
   print_bake_table(outcome.rows, order.units);
   std::cout << "cell " << order.units.with_unit(*options.cell) << "; flash: bytes of the image\n";
   if (outcome.simplified > 0) {
     print_simplified(outcome.rows, outcome.simplified, options.leaf_size, order.units);
-  }
-  if (order.dry_run && !outcome.lengths.empty()) {
-    std::cout << "\n";
-    print_lengths({outcome.lengths, order.leaf_sizes}, order.units.common());
   }
   if (order.deformable) {
     print_bending(outcome.rows);

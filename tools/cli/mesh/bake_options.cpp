@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "cli/length_table.hpp"
+#include "cli/simplify_options.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -23,7 +23,6 @@ struct Arguments {
   std::optional<std::uint32_t> leaf_size;
   std::optional<std::uint32_t> arity;
   std::string index_bits = "16";
-  std::optional<std::string> max_bytes;
   std::optional<std::string> max_deviation;
   std::optional<std::string> simplify;
   std::optional<std::string> fit;
@@ -101,15 +100,12 @@ BakeOrder order_of(const Arguments& arguments) {
   order.units = Units(arguments.units, order.meshes);
   order.options = options_of(arguments);
   order.options.unit = order.units.common();
-  if (arguments.max_bytes) {
-    order.max_bytes = bytes_of("--max-bytes", *arguments.max_bytes);
-  }
   if (arguments.simplify) {
     order.simplify = length_of("--simplify", *arguments.simplify,
                                static_cast<double>(std::numeric_limits<float>::min()));
   }
   if (arguments.fit) {
-    order.fit = bytes_of("--fit", *arguments.fit);
+    order.fit = bytes_to_fit(*arguments.fit);
   }
   check_simplify_or_fit(order.simplify.has_value(), order.fit.has_value());
   if (order.deformable && (order.simplify || order.fit)) {
@@ -117,7 +113,10 @@ BakeOrder order_of(const Arguments& arguments) {
                     "keeps the file's vertices, which the program moves; "
                     "simplify the mesh before it is given shape keys or bones");
   }
-  order.leaf_sizes = shown_leaf_sizes(order.options.leaf_size, arguments.leaf_size.has_value());
+  order.leaf_sizes = {order.options.leaf_size};
+  if (!arguments.leaf_size && order.options.leaf_size < kLargeLeaf) {
+    order.leaf_sizes.push_back(kLargeLeaf);
+  }
   order.writes_c = arguments.format != "image";
   order.writes_images = arguments.format != "c";
   return order;
@@ -125,7 +124,6 @@ BakeOrder order_of(const Arguments& arguments) {
 
 /// Declares options that define how meshes are read, simplified and refused.
 void add_mesh_options(CLI::App& command, Arguments& a) {
-  add_option(command, "--max-bytes", a.max_bytes, "N", "Refuse to write if an image is larger");
   add_option(
       command, "--max-deviation", a.max_deviation, "LENGTH",
       "Refuse to write if rounding moves a vertex further, or a simplified mesh lies further "
@@ -148,7 +146,6 @@ void add_mesh_options(CLI::App& command, Arguments& a) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_progress(command, a.order.progress);
 }
 
 }  // namespace
@@ -169,9 +166,8 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   add_option(command, "MESH", a.order.meshes, "FILE", "Mesh files")->required();
   add_option(command, "-o,--output", a.order.folder, "DIR",
              "Folder for the results; made if there is none");
-  command.add_flag(
-      "--dry-run", a.order.dry_run,
-      "Print the table, what is wrong and what --simplify would save, and write no image");
+  command.add_flag("--dry-run", a.order.dry_run,
+                   "Print the table and what is wrong, and write no image");
   add_json(command, a.order.json, "Print the table as one JSON object");
   add_choice(command, "--format", a.format, {"c", "image", "both"},
              "What to write: the image as an array of C and C++ (c), as a binary file (image),\nor "

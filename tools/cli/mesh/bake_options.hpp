@@ -22,14 +22,12 @@ struct BakeOrder {
   bool levels = false;                    ///< stored in images of post-indexed trees
   bool dry_run = false;                   ///< writes no image
   bool deformable = false;                ///< the default cell leaves space for deformation
-  std::optional<std::int64_t> max_bytes;  ///< of an image
   std::optional<double> simplify;         ///< the largest deviation of a simplified mesh
-  std::optional<std::int64_t> fit;        ///< bytes of all images; simplifies as little as needed
-  std::vector<std::uint32_t> leaf_sizes;  ///< for --fit, and columns of the table of lengths
+  std::optional<double> fit;              ///< bytes of all images; simplifies as little as needed
+  std::vector<std::uint32_t> leaf_sizes;  ///< for --fit
   Units units;
   BakeOptions options;
-  bool progress = false;  ///< shows the progress bar at once
-  bool json = false;      ///< prints the table as an object
+  bool json = false;  ///< prints the table as an object
 };
 
 /// Declares the options; passes their values to `run`. UserError if they contradict each other.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "bake/quantise.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "text/numbers.hpp"
 #include "text/parallel.hpp"
@@ -15,7 +14,7 @@ namespace {
 double side_of_largest(const std::vector<InputMesh>& meshes) {
   double longest = 0;
   for (const InputMesh& mesh : meshes) {
-    longest = std::max(longest, longest_side(size_of(mesh.mesh)));
+    longest = std::max(longest, longest_side(mesh.extent.size()));
   }
   return longest;
 }
@@ -29,13 +28,11 @@ double reading_error(const std::vector<InputMesh>& meshes) {
   return most;
 }
 
-std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& meshes, double cell) {
+std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& meshes,
+                                              const BakeOptions& options) {
   std::vector<simplify::Coarsening> all;
   for (const InputMesh& mesh : meshes) {
-    if (!bake::fits(mesh.mesh, cell)) {
-      return {};  // bake() reports the error
-    }
-    all.emplace_back(mesh.mesh, cell);
+    all.emplace_back(mesh.mesh, lattice_of(mesh, options));
   }
   return all;
 }
@@ -54,8 +51,9 @@ simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>&
   };
 }
 
-Simplified simplified_to(double length, const std::vector<InputMesh>& meshes, double cell) {
-  Simplified made{coarsenings(meshes, cell), length};
+Simplified simplified_to(double length, const std::vector<InputMesh>& meshes,
+                         const BakeOptions& options) {
+  Simplified made{coarsenings(meshes, options), length};
   for (std::size_t i = 0; i < made.meshes.size(); ++i) {
     const double least = made.meshes[i].rounding() + meshes[i].reading_error();
     if (length < least) {
@@ -73,22 +71,22 @@ Simplified simplified_to(double length, const std::vector<InputMesh>& meshes, do
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                              const std::vector<std::string>& names, BakeOptions& options) {
   if (order.simplify) {
-    return simplified_to(*order.simplify, meshes, *options.cell);
+    return simplified_to(*order.simplify, meshes, options);
   }
   if (!order.fit) {
     return {};
   }
-  Simplified made{coarsenings(meshes, *options.cell), 0};
+  Simplified made{coarsenings(meshes, options), 0};
   const double twentieth = simplify::kLongestPart * side_of_largest(meshes);
   const double allowed = options.max_deviation
                              ? std::max(*options.max_deviation - reading_error(meshes), 0.0)
                              : HUGE_VAL;
   const bool is_limited = allowed < twentieth;
   const double longest = is_limited ? allowed : twentieth;
-  const auto found = simplify::fit(made.meshes, static_cast<double>(*order.fit), longest,
-                                   order.leaf_sizes, bytes_of(order, meshes, names, options));
+  const auto found = simplify::fit(made.meshes, *order.fit, longest, order.leaf_sizes,
+                                   bytes_of(order, meshes, names, options));
   if (!found) {
-    throw UserError(concat("--fit ", *order.fit), "is not reached by simplifying to ",
+    throw UserError("--fit " + fixed(*order.fit, 0), "is not reached by simplifying to ",
                     significant(is_limited ? *options.max_deviation : twentieth, 3),
                     is_limited ? ", --max-deviation" : ", a twentieth of the largest mesh",
                     "; give more bytes",
@@ -101,18 +99,6 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
     made.length = found->length + reading_error(meshes);
   }
   return made;
-}
-
-std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
-                                            const std::vector<InputMesh>& meshes,
-                                            const std::vector<std::string>& names,
-                                            const BakeOptions& options) {
-  const double longest = simplify::kLongestPart * side_of_largest(meshes);
-  std::vector<simplify::Coarsening> all = coarsenings(meshes, *options.cell);
-  return longest > 0 && !all.empty()
-             ? simplify::length_table(all, longest, order.leaf_sizes,
-                                      bytes_of(order, meshes, names, options))
-             : std::vector<simplify::LengthRow>();
 }
 
 }  // namespace flashbvh::tool

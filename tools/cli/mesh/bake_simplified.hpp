@@ -1,4 +1,4 @@
-// Simplifies meshes for --simplify, --fit and --dry-run of `flashbvh bake`.
+// Simplifies meshes for --simplify and --fit of `flashbvh bake`.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,5 @@ struct Simplified {
 /// result. `names`: of the images.
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
                              const std::vector<std::string>& names, BakeOptions& options);
-
-/// The sizes of the images for deviations up to simplify::kLongestPart of the largest mesh.
-std::vector<simplify::LengthRow> lengths_of(const BakeOrder& order,
-                                            const std::vector<InputMesh>& meshes,
-                                            const std::vector<std::string>& names,
-                                            const BakeOptions& options);
 
 }  // namespace flashbvh::tool

@@ -62,7 +62,7 @@ void print_bake_table(const std::vector<BakeRow>& rows, const Units& units) {
 }
 
 void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
-                     const Warnings& warnings, const Json& lengths) {
+                     const Warnings& warnings) {
   Json all = {{"unit", units.common()}, {"cell", cell}, {"meshes", Json::array()}};
   for (const BakeRow& row : rows) {
     all["meshes"].push_back({{"name", row.mesh},
@@ -76,9 +76,6 @@ void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units&
                              {"size", row.size},
                              {"ram_to_bend", row.bending.ram_bytes},
                              {"refit_instructions", row.bending.refit_instructions}});
-  }
-  if (!lengths.is_null()) {
-    all["simplified"] = lengths;
   }
   all["warnings"] = json_of(warnings);
   print_object(all);

@@ -31,9 +31,8 @@ struct BakeRow {
 void print_bake_table(const std::vector<BakeRow>& rows, const Units& units);
 
 /// Prints the rows, the cell and the warnings as one JSON object to standard output.
-/// `lengths`: the table of --dry-run, or null.
 void print_bake_json(const std::vector<BakeRow>& rows, double cell, const Units& units,
-                     const Warnings& warnings, const Json& lengths);
+                     const Warnings& warnings);
 
 /// Prints the effect of simplifying to `length`, for all meshes together.
 void print_simplified(const std::vector<BakeRow>& rows, double length, std::uint32_t leaf_size,

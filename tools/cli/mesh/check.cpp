@@ -12,7 +12,6 @@
 #include "cli/json.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "image/image_file.hpp"
-#include "image/output_name.hpp"
 #include "mesh/defects.hpp"
 #include "mesh/import.hpp"
 #include "mesh/units.hpp"
@@ -44,7 +43,7 @@ class Comparison {
  public:
   Comparison(const ImageFile& image, const InputMesh& input)
       : vertices_(vertices_of(image.tree())),
-        rounded_(bake::round_to_lattice(input.mesh, image.cell())) {
+        rounded_(bake::round_to_lattice(input.mesh, input.extent, image.cell()).mesh) {
     const MeshDefects defects = defects_of(input.mesh, rounded_, input.degenerate);
     for (const TriangleIds& numbers : {defects.degenerate, defects.collapsed}) {
       degenerate_.insert(numbers.begin(), numbers.end());
@@ -155,7 +154,6 @@ void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh, Warn
 struct CheckArguments {
   std::string image;
   std::string mesh;
-  std::string body;
   std::vector<std::string> units;
   bool json = false;
 };
@@ -167,29 +165,13 @@ struct CheckResult {
   ExitCode exit_code = kSuccess;
 };
 
-/// Reads the mesh as `bake` does.
-InputMesh read_mesh_or_body(const CheckArguments& arguments, Warnings& warnings) {
-  const Units units(arguments.units, {arguments.mesh});
-  if (arguments.body.empty()) {
-    return read_mesh(arguments.mesh, units, warnings);
-  }
-  const std::vector<InputMesh> bodies = read_bodies(arguments.mesh, units, warnings);
-  const std::vector<OutputName> names = body_names(arguments.mesh, bodies);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (names[i].stem == arguments.body) {
-      return bodies[i];
-    }
-  }
-  throw UserError("--body " + arguments.body, "is none of ", arguments.mesh, "; it has ",
-                  joined(names, [](const OutputName& name) { return name.stem; }));
-}
-
 /// Adds the result of comparing the mesh with the image.
 void compare(const CheckArguments& arguments, const ImageFile& image,
              const std::vector<SourceTriangle>& triangles, CheckResult& result, Json& facts,
              Warnings& warnings) {
-  const InputMesh input = read_mesh_or_body(arguments, warnings);
-  const bool is_small = bake::fits(input.mesh, image.cell());
+  const InputMesh input =
+      read_mesh(arguments.mesh, Units(arguments.units, {arguments.mesh}), warnings);
+  const bool is_small = bake::fits(input.extent, image.cell());
   std::string difference = "the mesh is too large for the image's cell";
   LeftOut left_out;
   if (is_small) {
@@ -225,9 +207,6 @@ CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& w
   result.text = concat("well-formed, ", triangles.size(), " triangles, ", image.header().node_count,
                        " nodes");
   facts = {{"kind", "mesh"}, {"triangles", triangles.size()}, {"nodes", image.header().node_count}};
-  if (arguments.mesh.empty() && !arguments.body.empty()) {
-    throw UserError("--body " + arguments.body, "names a body of no file; give --mesh, too");
-  }
   if (!arguments.mesh.empty()) {
     compare(arguments, image, triangles, result, facts, warnings);
   }
@@ -248,7 +227,7 @@ bake::LatticeMesh mesh_of(const Mesh& link) {
 
 /// Checks an image of a robot; adds its properties to `facts`.
 CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
-  if (!arguments.mesh.empty() || !arguments.body.empty()) {
+  if (!arguments.mesh.empty()) {
     throw UserError(arguments.image,
                     "is a robot's image, which --mesh can't be compared to; leave --mesh out");
   }
@@ -321,7 +300,6 @@ void add_check(CLI::App& app) {
       check);
   add_image(command, a.image, "FILE", "Image (.fbvh, .robot)");
   add_option(command, "--mesh", a.mesh, "FILE", "The mesh file that it was baked from");
-  command.add_option("--body", a.body, "The body of that file alone, as `bake --split` names it");
   add_unit_option(command, a.units);
   add_json(command, a.json, "Print one JSON object, of an image that is not well-formed, too");
   add_example(command, "check baked/plate.fbvh --mesh plate.obj",

@@ -42,18 +42,6 @@ Json flash_of(AnyBakedTree tree, const std::string& path, std::uint32_t leaf_siz
       tree);
 }
 
-Json box_of(const bake::SourceMesh& mesh) {
-  auto lower = mesh.vertices.front();
-  auto upper = lower;
-  for (const auto& vertex : mesh.vertices) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      lower[axis] = std::min(lower[axis], vertex[axis]);
-      upper[axis] = std::max(upper[axis], vertex[axis]);
-    }
-  }
-  return {{"lower", lower}, {"upper", upper}};
-}
-
 Json defects_as_json(const MeshDefects& defects) {
   return {{"degenerate", defects.degenerate.size()},
           {"collapsed", defects.collapsed.size()},
@@ -66,13 +54,13 @@ Json defects_as_json(const MeshDefects& defects) {
 /// Names and values, in the order of both outputs.
 Json facts_of(const InputMesh& mesh, Warnings& warnings) {
   BakeOptions options;
-  options.cell = finest_cell(mesh);
+  options.cell = mesh.finest_cell;
   Json facts = {{"name", mesh.path},
                 {"triangles", mesh.mesh.triangles.size()},
                 {"vertices", mesh.mesh.vertices.size()},
                 {"bodies", mesh.bodies},
-                {"box", box_of(mesh.mesh)},
-                {"size", size_of(mesh.mesh)},
+                {"box", {{"lower", mesh.extent.low}, {"upper", mesh.extent.high}}},
+                {"size", mesh.extent.size()},
                 {"finest_cell", *options.cell}};
   const RoundedMesh rounded = round_mesh(mesh, options);
   warn_of_mesh(mesh, rounded.defects, options, warnings);

@@ -115,17 +115,6 @@ void warn_of_place(const std::array<std::int32_t, 3>& origin, const std::string&
   }
 }
 
-Size size_of(const bake::SourceMesh& mesh) {
-  Size size{};
-  for (std::size_t axis = 0; axis < 3 && !mesh.vertices.empty(); ++axis) {
-    const auto [least, most] =
-        std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
-                            [&](const auto& u, const auto& v) { return u[axis] < v[axis]; });
-    size[axis] = (*most)[axis] - (*least)[axis];
-  }
-  return size;
-}
-
 double longest_side(const Size& size) {
   return *std::max_element(size.begin(), size.end());
 }

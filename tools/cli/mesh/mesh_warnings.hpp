@@ -32,9 +32,6 @@ using Size = std::array<double, 3>;
 
 double longest_side(const Size& size);
 
-/// The size in the mesh's unit; zeros if the mesh has no vertex.
-Size size_of(const bake::SourceMesh& mesh);
-
 /// "0.21 x 0.1 x 0.1 m", with three digits each. `unit` may be empty.
 std::string size_text(const Size& size, const std::string& unit);
 

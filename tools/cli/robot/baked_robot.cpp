@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "cli/length_table.hpp"
 #include "cli/progress.hpp"
 #include "cli/robot/robot_arguments.hpp"
 #include "cli/robot/robot_warnings.hpp"
 #include "cli/robot/simplified_links.hpp"
+#include "cli/simplify_options.hpp"
 #include "flashbvh/clearance.hpp"
 #include "image/fine_length.hpp"
 #include "robot/baked/robot_image.hpp"

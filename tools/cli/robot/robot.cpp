@@ -106,11 +106,7 @@ void make_robot(const OutputArguments& arguments) {
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name.stem);
   const std::size_t bytes = image.size() * sizeof image[0];
-  const LengthTable lengths = {
-      arguments.dry_run ? link_lengths(baked, arguments) : std::vector<simplify::LengthRow>(),
-      shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size)};
   const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
-  const LengthTable* const shown_lengths = arguments.dry_run ? &lengths : nullptr;
   FileSet files(files_read(arguments, baked.model));
   if (!arguments.dry_run) {
     add_files(arguments, name, baked, image, files);
@@ -124,14 +120,14 @@ void make_robot(const OutputArguments& arguments) {
     files.add(arguments.written_srdf, srdf_of(baked.model, lines));
   }
   if (!arguments.page.empty()) {
-    files.add(arguments.page, robot_page(baked, image, robot_json(baked, flash, nullptr)));
+    files.add(arguments.page, robot_page(baked, image, robot_json(baked, flash)));
   }
   files.write([&] {
     warnings.print();
     if (arguments.json) {
-      print_object(robot_json(baked, flash, shown_lengths));
+      print_object(robot_json(baked, flash));
     } else {
-      print_robot(baked, flash, shown_lengths);
+      print_robot(baked, flash);
     }
     flush_output();
   });

@@ -160,7 +160,7 @@ Json joint_json(const Model& model, std::size_t number) {
 
 }  // namespace
 
-void print_robot(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths) {
+void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
   print_unguarded(robot.model, robot.unguarded);
   print_links(robot);
   print_joints(robot.model);
@@ -176,13 +176,9 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash, const LengthT
     std::cout << "--leaf-size " << kLargeLeaf << ": " << *flash.smaller
               << " bytes of flash; queries take up to three times the work\n";
   }
-  if (lengths != nullptr) {
-    std::cout << "\n";
-    print_lengths(*lengths, "m");
-  }
 }
 
-Json robot_json(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths) {
+Json robot_json(const BakedRobot& robot, const RobotFlash& flash) {
   const Model& model = robot.model;
   Json json = {{"name", model.name},
                {"not_guarded", unguarded_json(model, robot.unguarded)},
@@ -207,9 +203,6 @@ Json robot_json(const BakedRobot& robot, const RobotFlash& flash, const LengthTa
     json["flash_bytes_leaf_size_5"] = *flash.smaller;
   }
   json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
-  if (lengths != nullptr) {
-    json["lengths"] = json_of(*lengths);
-  }
   return json;
 }
 

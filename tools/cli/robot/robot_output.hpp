@@ -3,7 +3,6 @@
 #pragma once
 
 #include "cli/json.hpp"
-#include "cli/length_table.hpp"
 #include "cli/robot/baked_robot.hpp"
 
 namespace flashbvh::tool {
@@ -16,10 +15,10 @@ struct RobotFlash {
   std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if to be printed
 };
 
-/// Prints tables to standard output. `lengths`: may be null.
-void print_robot(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths);
+/// Prints tables to standard output.
+void print_robot(const BakedRobot& robot, const RobotFlash& flash);
 /// The same facts, for --json and pages.
-Json robot_json(const BakedRobot& robot, const RobotFlash& flash, const LengthTable* lengths);
+Json robot_json(const BakedRobot& robot, const RobotFlash& flash);
 
 /// Prints a robot's image in the same formats.
 void print_robot_file(const RobotFile& file);

@@ -25,7 +25,7 @@ Size size_in_link(const Model& model, const ModelLink& link, bake::SourceMesh me
       vertex = placed(to_link, vertex);
     }
   }
-  return size_of(mesh);
+  return bake::extent_of(mesh).size();
 }
 
 /// The largest distance of a joint from its parent, or range of a prismatic joint, in metres.

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "bake/quantise.hpp"
-#include "cli/length_table.hpp"
 #include "cli/robot/robot_arguments.hpp"
+#include "cli/simplify_options.hpp"
 #include "text/numbers.hpp"
 #include "text/parallel.hpp"
 
@@ -19,7 +19,7 @@ constexpr double kRoomForParts = 1.5;
 double longest_of(const Model& model) {
   double longest = 0;
   for (const ModelLink& link : model.links) {
-    longest = std::max(longest, longest_side(size_of(link.mesh)));
+    longest = std::max(longest, longest_side(bake::extent_of(link.mesh).size()));
   }
   return simplify::kLongestPart * longest;
 }
@@ -79,9 +79,8 @@ SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArg
     expected_ = length_;
   } else {
     add(model);
-    expected_ = kRoomForParts * simplify::likely_length(
-                                    meshes_, static_cast<double>(bytes_of("--fit", *arguments.fit)),
-                                    longest_of(model));
+    expected_ = kRoomForParts *
+                simplify::likely_length(meshes_, bytes_to_fit(*arguments.fit), longest_of(model));
   }
 }
 
@@ -126,7 +125,7 @@ std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t ow
     add(model);
   }
   if (arguments_.fit) {
-    const auto most = static_cast<double>(bytes_of("--fit", *arguments_.fit));
+    const double most = bytes_to_fit(*arguments_.fit);
     const auto own = static_cast<double>(own_bytes);
     if (own >= most) {
       throw UserError("--fit " + *arguments_.fit, "is less than the robot takes without any mesh, ",
@@ -140,24 +139,6 @@ std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t ow
                          length_ == 0 ? nullptr : &meshes_[i]);
   });
   return links;
-}
-
-std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
-                                              const RobotArguments& arguments) {
-  std::vector<simplify::Coarsening> meshes;
-  for (const ModelLink& link : robot.model.links) {
-    meshes.emplace_back(link.mesh, robot.cell);
-  }
-  std::vector<simplify::LengthRow> rows =
-      simplify::length_table(meshes, longest_of(robot.model),
-                             shown_leaf_sizes(arguments.leaf_size, arguments.has_leaf_size),
-                             bytes_of_links(robot.model, robot.cell, arguments.urdf));
-  for (simplify::LengthRow& row : rows) {
-    for (double& bytes : row.bytes) {
-      bytes += static_cast<double>(robot.own_bytes);
-    }
-  }
-  return rows;
 }
 
 }  // namespace flashbvh::tool

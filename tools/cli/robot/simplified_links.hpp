@@ -40,8 +40,4 @@ class SimplifiedLinks {
   std::vector<simplify::Coarsening> meshes_;  ///< empty: no link is simplified
 };
 
-/// Deviations and the sizes of the image, for all links and parts together.
-std::vector<simplify::LengthRow> link_lengths(const BakedRobot& robot,
-                                              const RobotArguments& arguments);
-
 }  // namespace flashbvh::tool

@@ -125,17 +125,14 @@ double robot_cell(const Model& model, const std::optional<double>& wanted,
   }
   double finest = std::max(finest_for_frames, finest_for_reaches(model));
   for (const ModelLink& link : model.links) {
-    finest = std::max(finest, finest_cell(link_input(link, path)));
+    finest = std::max(finest, bake::finest_cell(bake::extent_of(link.mesh)));
   }
   return wanted.value_or(finest);
 }
 
 InputMesh link_input(const ModelLink& link, const std::string& path) {
-  return {at_element(path, "link", link.name),
-          {},
-          link.mesh,
-          degenerate_triangles(link.mesh),
-          link.precision};
+  return input_of(at_element(path, "link", link.name), link.mesh, degenerate_triangles(link.mesh),
+                  link.precision);
 }
 
 double link_deviation(const ModelLink& link, double cell) {

@@ -14,9 +14,7 @@ BakedPart bake_part(const InputMesh& mesh, double cell, std::uint32_t leaf_size)
 }
 
 BakedPart bake_part(const bake::SourceMesh& mesh, double cell) {
-  InputMesh input;
-  input.mesh = mesh;
-  return bake_part(input, cell, bake::kDefaultLeafSize);
+  return bake_part(input_of("", mesh), cell, bake::kDefaultLeafSize);
 }
 
 std::vector<WholeMesh> views_of(const std::vector<BakedPart>& parts) {

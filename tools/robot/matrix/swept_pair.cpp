@@ -194,7 +194,7 @@ SweptPair swept_pair(const Model& model, std::size_t a, std::size_t b, double ce
     }
     const bake::SourceMesh& mesh_a = swept.links[a].mesh;
     const bake::SourceMesh& mesh_b = swept.links[b].mesh;
-    if (bake::fits(mesh_a, cell) && bake::fits(mesh_b, cell)) {
+    if (bake::fits(bake::extent_of(mesh_a), cell) && bake::fits(bake::extent_of(mesh_b), cell)) {
       return {swept, a, b, cell, bake_part(mesh_a, cell), bake_part(mesh_b, cell)};
     }
   }

@@ -1,0 +1,158 @@
+#include "image/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "simplify/deviation.hpp"
+#include "text/messages.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// The largest cell that moves no vertex further than `deviation`, half the diagonal of a cell, but
+/// for the rounding of doubles.
+double sure_cell(double deviation) {
+  return deviation * 2 / std::sqrt(3.0) * (1 - 0x1p-48);
+}
+
+void check_deviation(const InputMesh& input, const RoundedMesh& rounded,
+                     const BakeOptions& options) {
+  const std::optional<double>& most = options.max_deviation;
+  if (!most || rounded.lattice.deviation <= *most) {
+    return;
+  }
+  const double moved = rounded.lattice.deviation - rounded.dropped;
+  if (moved <= *most) {
+    throw UserError(input.path, "triangles to drop lie up to ", text_of(rounded.dropped, options),
+                    " from all others, --max-deviation allows ", text_of(*most, options),
+                    "; leave --drop out, or repair the mesh");
+  }
+  const double cell = sure_cell(*most - input.reading_error());
+  throw UserError(input.path, "rounding moves a vertex by ", text_of(moved, options),
+                  ", --max-deviation allows ", text_of(*most, options),
+                  cell >= input.finest_cell
+                      ? "; a cell of " + text_of(cell, options) + " or less keeps to that"
+                      : "; the mesh is too large for so fine a cell: cut it in parts");
+}
+
+/// Triangles by their vertices, and their edges and corners, as edges without length.
+class Covered {
+ public:
+  void add(const bake::TriangleCorners& corners) {
+    triangles_.insert(sorted(corners));
+    for (const std::uint32_t from : corners) {
+      for (const std::uint32_t to : corners) {
+        edges_.insert({from, to});
+      }
+    }
+  }
+
+  bool has(const bake::TriangleCorners& corners) const {
+    return triangles_.count(sorted(corners)) != 0;
+  }
+  /// True for a triangle without area if two of its edges are there: they contain the third.
+  bool has_line(const bake::TriangleCorners& corners) const {
+    const auto& [p, q, r] = corners;
+    return edges_.count({p, q}) + edges_.count({q, r}) + edges_.count({r, p}) >= 2;
+  }
+
+ private:
+  static bake::TriangleCorners sorted(bake::TriangleCorners corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+  std::set<bake::TriangleCorners> triangles_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
+};
+
+/// These triangles, in cells.
+bake::SourceMesh in_cells(const bake::LatticeMesh& mesh, const TriangleIds& numbers) {
+  const bake::LatticeMesh part = part_of(mesh, numbers);
+  bake::SourceMesh made;
+  for (const Vertex& v : part.vertices) {
+    made.vertices.push_back({1.0 * v.x, 1.0 * v.y, 1.0 * v.z});
+  }
+  made.triangles = part.triangles;
+  return made;
+}
+
+/// RoundedMesh::dropped. A triangle without area in the file is a line there, once rounded too.
+double dropped_distance(const bake::LatticeMesh& mesh, const MeshDefects& defects,
+                        const TriangleIds& kept, const TriangleIds& dropped) {
+  Covered covered;
+  for (const std::uint32_t triangle : kept) {
+    covered.add(mesh.triangles[triangle]);
+  }
+  TriangleIds apart;
+  for (const std::uint32_t triangle : dropped) {
+    const bake::TriangleCorners& corners = mesh.triangles[triangle];
+    const auto is_in = [&](const TriangleIds& ids) {
+      return std::binary_search(ids.begin(), ids.end(), triangle);
+    };
+    const bool is_line = is_in(defects.degenerate) || is_in(defects.collapsed);
+    if (!covered.has(corners) && !(is_line && covered.has_line(corners))) {
+      apart.push_back(triangle);
+    }
+  }
+  return apart.empty()
+             ? 0
+             : simplify::farthest_from(in_cells(mesh, kept), in_cells(mesh, apart)) * mesh.cell;
+}
+
+/// Removes triangles as the options say, and unused vertices.
+void drop(RoundedMesh& rounded, const InputMesh& input, const BakeOptions& options) {
+  bake::LatticeMesh& mesh = rounded.lattice;
+  const MeshDefects& defects = rounded.defects;
+  std::vector<bool> dropped(mesh.triangles.size(), false);
+  const auto mark = [&](const TriangleIds& triangles, bool wanted) {
+    for (const std::uint32_t triangle : triangles) {
+      dropped[triangle] = dropped[triangle] || wanted;
+    }
+  };
+  mark(defects.degenerate, options.drop_degenerate);
+  mark(defects.collapsed, options.drop_degenerate);
+  mark(defects.duplicates, options.drop_duplicate);
+  TriangleIds left_out;
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    (dropped[i] ? left_out : rounded.kept).push_back(static_cast<std::uint32_t>(i));
+  }
+  if (rounded.kept.empty()) {
+    throw UserError(input.path, "--drop leaves no triangle; use a finer --cell or drop less");
+  }
+  rounded.dropped = dropped_distance(mesh, defects, rounded.kept, left_out);
+  mesh = part_of(mesh, rounded.kept);
+}
+
+}  // namespace
+
+std::string text_of(double length, const BakeOptions& options) {
+  return shortest(length) + (options.unit.empty() ? "" : " " + options.unit);
+}
+
+bake::LatticeMesh lattice_of(const InputMesh& input, const BakeOptions& options) {
+  const double cell = options.cell.value_or(input.finest_cell);
+  bake::Rounding rounding = bake::round_to_lattice(input.mesh, input.extent, cell);
+  if (!rounding.out_of_range.empty()) {
+    throw UserError(input.path, "is too large for a cell of ", text_of(cell, options),
+                    ": out of range are ", triangle_list(rounding.out_of_range),
+                    "; the finest that it fits is --cell ", shortest(input.finest_cell));
+  }
+  return std::move(rounding.mesh);
+}
+
+RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options) {
+  RoundedMesh rounded;
+  rounded.lattice = lattice_of(input, options);
+  rounded.lattice.deviation += input.reading_error();
+  rounded.defects = defects_of(input.mesh, rounded.lattice, input.degenerate);
+  drop(rounded, input, options);
+  rounded.lattice.deviation += rounded.dropped;
+  check_deviation(input, rounded, options);
+  return rounded;
+}
+
+}  // namespace flashbvh::tool
