@@ -8,6 +8,7 @@
 #include "guide_08.cpp"
 #include "guide_09.cpp"
 #include "guide_10.cpp"
+#include "guide_11.cpp"
 // Uses what stands before it.
 #include <initializer_list>
 
@@ -85,6 +86,12 @@ int main() {
   const float folded[] = {0, 0.2f, 2.9f, 1.5f};
   if (!arm.start(upright) || !arm.tick(upright) || arm.start(folded)) {
     return 5;
+  }
+  flashbvh::PairQuery::Pair by_volume[64];
+  if (pairs_by_volume(lowered_to(0), by_volume).count !=
+          flashbvh::count_pairs(plate, peg, lowered_to(0)).count ||
+      pairs_by_volume(lowered_to(3), by_volume).count != 0) {
+    return 9;
   }
   const flashbvh::Mesh& body = arm_robot.meshes[cell_arm_link_gripper];
   flashbvh::Frame cart_at = flashbvh::kIdentityFrame;
