@@ -15,7 +15,6 @@ expensive=-clang-analyzer-*,-performance-unnecessary-value-param
 expensive=$expensive,-bugprone-stringview-nullptr,-bugprone-reserved-identifier
 [ "${1:-}" != --deep ] || { steps=225000; expensive=; }
 status=0
-python=$(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')
 
 # lint NAME CHECKS SOURCE...    checks the sources as one text, because they include the same headers;
 # reports findings by source and line.
@@ -26,7 +25,7 @@ lint() {
   cat "$@" >"$text"
   # shellcheck disable=SC2046
   clang-tidy --quiet --config-file=.clang-tidy --checks="$checks" "$text" -- -std=c++17 \
-    -Wno-unknown-warning-option -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools -Itests -I$texts -isystem "$python" \
+    -Wno-unknown-warning-option -Xclang -analyzer-config -Xclang max-nodes=$steps -Ilib/include -Itools -Itests -I$texts \
     $(printf '%s\n' "$@" | sed 's#/[^/]*$##; s/^/-I/' | sort -u) >"$text.found" || status=1
   python3 tools/lint_places.py "$text" "$@" <"$text.found"
 }
@@ -43,14 +42,8 @@ for room in tools/*/; do
   case $(basename "$room") in
     bake | cli | evaluate | image | mesh | robot | text) ;;
     # tools/compare needs the headers of OPCODE; tools/npm has no source.
-    compare | npm) ;;
+    compare | npm | python) ;;
     viewer) lint viewer "$expensive" tools/viewer/live_section.cpp ;; # arm.cpp is for another machine
-    python)
-      if [ -e "$python/Python.h" ] && [ -e /usr/include/pybind11/pybind11.h ]; then
-        lint python "$expensive" tools/python/*.cpp
-      else
-        echo "tools/python is left out: apt-get install python3-dev pybind11-dev"
-      fi ;;
     *) lint "$(basename "$room")" "$expensive" "$room"*.cpp ;;
   esac
 done

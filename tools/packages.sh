@@ -42,6 +42,6 @@ riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
 # The Python package and its tests.
-python_packages="pybind11-dev python3-dev python3-matplotlib python3-numpy mypy"
+python_packages="python3-numpy"
 # Checks the proofs (tools/prove.sh).
 proof_packages="coq gappa cvc5"

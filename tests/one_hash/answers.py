@@ -1,23 +1,20 @@
-"""answers.py FOLDER: the hash of sequence.cpp, by the Python package; FOLDER: the files that one_hash writes."""
+"""answers.py PROGRAM: the hash of sequence.cpp by the Python package, on the files that the program one_hash writes;
+fails if it is not the program's."""
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
 
 import flashbvh
 
-BLOCK, WORK, PRIME = 1000, 150, 16777619
-NO_PAIR = 0xFFFF
+COUNT, BLOCK, WORK, PRIME, NO_PAIR = "10000", 1000, 150, 16777619, 0xFFFF
 
 
 def fine(lengths, cell):
     """The lengths in 1/256 cell, as columns of words."""
-    steps = np.rint(lengths / cell * 256).astype(np.int64) & 0xFFFFFFFF
-    return steps.reshape(len(steps), -1)
-
-
-def pair_words(pairs):
-    return pairs[:, :1] | pairs[:, 1:] << 16
+    return np.rint(lengths / cell * 256).astype(np.int64).reshape(len(lengths), -1)
 
 
 def intersections(a, b, poses):
@@ -26,17 +23,11 @@ def intersections(a, b, poses):
 
 def distances(a, b, poses):
     found = flashbvh.distance(a, b, poses)
-    return [fine(found.distance, a.cell), fine(found.upper, a.cell), pair_words(found.triangles),
+    return [fine(found.distance, a.cell), fine(found.upper, a.cell), found.triangles @ [[1], [1 << 16]],
             fine(found.point_a, a.cell), fine(found.point_b, a.cell)]
 
 
-def first_pairs(a, b, poses):
-    pairs = flashbvh.first_pair(a, b, poses)
-    return [pairs[:, :1] >= 0, pair_words(np.maximum(pairs, 0))]
-
-
 def periods(robot, values):
-    """The first period primes, like flashbvh.Guard.check()."""
     checked = flashbvh.Guard(robot).check(values, work=WORK)
     pairs = np.where(checked.pairs < 0, NO_PAIR, checked.pairs)
     return [checked.verdicts[:, None], pairs[:, None], fine(checked.distances, robot.cell), checked.work[:, None]]
@@ -44,26 +35,23 @@ def periods(robot, values):
 
 def words_of(folder):
     meshes = [flashbvh.Baked.load(folder / f"{name}.fbvh") for name in ("torus", "lump", "gear")]
-    rows = np.fromfile(folder / "poses", "<f4").astype(float).reshape(-1, 12)
+    rows = np.fromfile(folder / "poses", "<f4").reshape(-1, 12)
     poses = np.tile(np.eye(4), (len(rows), 1, 1))
-    poses[:, :3, :3] = rows[:, :9].reshape(-1, 3, 3)
-    poses[:, :3, 3] = rows[:, 9:]
-    kinds = intersections, distances, first_pairs
-    for block in range(-(-len(poses) // BLOCK)):
+    poses[:, :3, :3], poses[:, :3, 3] = rows[:, :9].reshape(-1, 3, 3), rows[:, 9:]
+    kinds = intersections, distances
+    for block in range(len(poses) // BLOCK):
         a = block // len(kinds) % len(meshes)
         yield kinds[block % len(kinds)](meshes[a], meshes[(a + 1) % len(meshes)],
                                         poses[block * BLOCK:(block + 1) * BLOCK])
     robot = flashbvh.Robot.load(folder / "arm.robot")
-    yield periods(robot, np.fromfile(folder / "values", "<f4").astype(float).reshape(-1, len(robot.joint_names)))
+    yield periods(robot, np.fromfile(folder / "values", "<f4").reshape(-1, 4))
 
 
-def main(folder):
+with tempfile.TemporaryDirectory() as written:
+    wanted = subprocess.run([sys.argv[1], COUNT, COUNT, written], check=True, stdout=subprocess.PIPE, text=True).stdout
     value = 2166136261
-    for columns in words_of(Path(folder)):
-        for word in np.hstack([column.astype(np.uint32) for column in columns]).ravel().tolist():
-            value = (value ^ word) * PRIME & 0xFFFFFFFF
-    print(f"{value:08X}")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    for columns in words_of(Path(written)):
+        for word in np.hstack(columns).ravel().tolist():
+            value = (value ^ word & 0xFFFFFFFF) * PRIME & 0xFFFFFFFF
+print(f"{wanted.strip()} C++\n{value:08X} CPython")
+sys.exit(f"{value:08X}" != wanted.strip())

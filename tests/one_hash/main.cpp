@@ -1,7 +1,7 @@
 // one_hash    prints the hash of kQueries queries and kPeriods periods; exits with 0 if it is the
 //             hash of every core and every language
-// one_hash QUERIES PERIODS FOLDER    prints the hash of these counts; writes the input of answers.*
-//             to FOLDER: images, poses and joint values
+// one_hash QUERIES PERIODS FOLDER    prints the hash of these counts, of the kinds of queries that
+//             Python has; writes the input of answers.py to FOLDER: images, poses and joint values
 #include "sequence.hpp"
 #include "support/print.hpp"
 
@@ -44,7 +44,7 @@ int write_and_print(std::uint32_t queries, std::uint32_t periods, const std::str
   for (const Image& image : kImage) {
     is_good = is_good && write(folder + "/" + image.name, image.words, image.bytes);
   }
-  print(Hexadecimal(hash_of(queries, periods)).text, "\n");
+  print(Hexadecimal(hash_of(queries, periods, kKindsOfPython)).text, "\n");
   return is_good ? 0 : 2;
 }
 #endif

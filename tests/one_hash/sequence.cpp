@@ -51,16 +51,16 @@ void add_query(Kind kind, const Mesh& a, const Mesh& b, const Pose& pose, Hash& 
   }
 }
 
-void add_queries(uint32_t count, Hash& hash) {
+void add_queries(uint32_t count, uint32_t kinds, Hash& hash) {
   const Mesh meshes[] = {view_unchecked<Mesh>(torus_image), view_unchecked<Mesh>(lump_image),
                          view_unchecked<Mesh>(gear_image)};
   const float cells = cells_per_unit(meshes[0].cell_bits);
   Poses poses;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t block = i / kBlock;
-    const uint32_t a = block / kKinds % kMeshes;
+    const uint32_t a = block / kinds % kMeshes;
     const PoseFloats at = poses.next();
-    add_query(static_cast<Kind>(block % kKinds), meshes[a], meshes[(a + 1) % kMeshes],
+    add_query(static_cast<Kind>(block % kinds), meshes[a], meshes[(a + 1) % kMeshes],
               pose_of(at.rotation, at.translation, cells), hash);
   }
 }
@@ -86,9 +86,9 @@ void add_periods(uint32_t count, Hash& hash) {
 
 }  // namespace
 
-uint32_t hash_of(uint32_t queries, uint32_t periods) {
+uint32_t hash_of(uint32_t queries, uint32_t periods, uint32_t kinds) {
   Hash hash;
-  add_queries(queries, hash);
+  add_queries(queries, kinds, hash);
   add_periods(periods, hash);
   return hash.value();
 }

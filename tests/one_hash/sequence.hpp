@@ -16,6 +16,8 @@ constexpr uint64_t kSeed = 0x6F6E6568617368u;
 constexpr uint32_t kBlock = 1000;
 enum class Kind : uint8_t { intersects, distance, first_pair };
 constexpr uint32_t kKinds = 3;
+/// The first of them, which Python has, too.
+constexpr uint32_t kKindsOfPython = 2;
 constexpr uint32_t kMeshes = 3;
 /// The budgets of the first period, the largest that is a limit, and of those that follow.
 constexpr uint32_t kAllWork = UINT32_MAX - 1;
@@ -93,8 +95,8 @@ class Trajectory {
   int32_t velocity_[kVariables] = {};
 };
 
-/// The hash of this number of queries, then of periods.
-uint32_t hash_of(uint32_t queries, uint32_t periods);
+/// The hash of this number of queries, of so many kinds, then of periods.
+uint32_t hash_of(uint32_t queries, uint32_t periods, uint32_t kinds = kKinds);
 
 /// The baked images, for other programs.
 struct Image {

@@ -1,36 +1,63 @@
-"""The common part of baked meshes and robots: an image."""
-from __future__ import annotations
-
+"""The common part of baked meshes and robots: an image; and arrays of arguments."""
 import os
-from typing import Generic, TypeVar, Union
+from pathlib import Path
 
-from . import _native
+import numpy as np
 
-Path = Union[str, bytes, "os.PathLike[str]"]
-Native = TypeVar("Native", _native.Baked, _native.Robot)
+from ._c import Error
 
 
-class Image(Generic[Native]):
-    """A binary image, which firmware uses in place."""
+class Image:
+    """A binary image, which firmware uses in place. May be shared by threads, and pickled."""
 
-    def __init__(self, native: Native) -> None:
-        self._native: Native = native
-
-    def save(self, path: Path) -> None:
-        """Writes the image (.fbvh, .robot), completely or not at all. Raises Error on failure."""
-        self._native.save(path)
-
-    @property
-    def image(self) -> bytes:
+    def __init__(self, image: bytes, place: str = "image") -> None:
+        size = int.from_bytes(image[8:12], "little")
+        if size < len(image):
+            raise Error(f"{place}: has bytes after its image")
+        self.image = bytes(image)
         """The bytes of the image file."""
-        return self._native.image
+        self._words = np.frombuffer(self.image + bytes(-len(image) % 4), "<u4").copy()
+        self._view = self._words.ctypes.data, len(image)
 
-    @property
-    def name(self) -> str:
-        """Name of the mesh, without folder and extension, or of the robot."""
-        return self._native.name
+    @classmethod
+    def load(cls, source):
+        """Opens an image file, or an image as bytes, and validates it.
 
-    @property
-    def cell(self) -> float:
-        """Size of a lattice cell: of a mesh in its unit, of a robot in metres."""
-        return self._native.cell
+        Raises Error with the status if it is no image of this kind, damaged, or of another version.
+        """
+        if isinstance(source, bytes):
+            return cls(source)
+        try:
+            return cls(Path(source).read_bytes(), os.fsdecode(source))
+        except OSError as error:
+            raise Error(f"{os.fsdecode(source)}: can't be read: {error.strerror}") from None
+
+    def save(self, path) -> None:
+        """Writes the image (.fbvh, .robot), completely or not at all. Raises OSError on failure."""
+        part = Path(f"{os.fsdecode(path)}.part")
+        part.write_bytes(self.image)
+        part.replace(os.fsdecode(path))
+
+    def __reduce__(self):
+        return (type(self).load, (self.image,))
+
+
+def numbers(given, ends_in, name):
+    """An array of finite float64, of a shape that ends so. Raises ValueError that names the argument."""
+    try:
+        array = np.asarray(given)
+    except ValueError:
+        raise ValueError(f"{name}: is no array") from None
+    if array.dtype.kind not in "fiu":
+        raise ValueError(f"{name}: has the dtype {array.dtype}; give numbers")
+    inner = len(ends_in)
+    if array.ndim not in (inner, inner + 1) or array.shape[array.ndim - inner:] != ends_in:
+        raise ValueError(f"{name}: has the shape {array.shape}; give {ends_in} or {('N', *ends_in)}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: holds a number that is not finite")
+    return np.ascontiguousarray(array, float).reshape(array.shape)
+
+
+def rounded(values):
+    """To the nearest integers, halves away from 0, as C rounds."""
+    return np.trunc(values + np.copysign(0.5, values))
