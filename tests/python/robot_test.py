@@ -11,7 +11,7 @@ import flashbvh
 from flashbvh import Error, Robot, Verdict
 from support import ARM, Case, box, lines
 
-PAGE = Path(__file__).parents[2] / "lib/docs/python.md"
+PAGE = Path(__file__).parents[2] / "lib/docs/guide.md"
 
 
 class RobotTest(Case):
