@@ -66,10 +66,6 @@ FileMesh import_with(const Units& units, const std::string& path, Warnings& warn
 
 const char* const kMeshFormats = "STL, OBJ, PLY, DAE, glTF, GLB, 3MF";
 
-bool is_mesh_name(const std::string& path) {
-  return format_of(path) != nullptr;
-}
-
 FileMesh import_mesh(const std::string& path, Warnings& warnings) {
   const std::string bytes = read_file(path);
   const Format* const format = format_of(path);

@@ -15,9 +15,6 @@ namespace flashbvh::tool {
 /// The formats that are read, for messages.
 extern const char* const kMeshFormats;
 
-/// True if the extension is that of a format of meshes.
-bool is_mesh_name(const std::string& path);
-
 /// Reads a mesh file. Keeps all triangles in the file's order, also those without area and repeated
 /// ones. Cuts polygons into triangles in place. Joins equal vertices, in order of first use. Omits
 /// points and lines with a warning; PLY refuses polygons of fewer than three corners.

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <numeric>
 
+#include "bake/bending.hpp"
 #include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
 #include "cli/mesh/bake_options.hpp"
@@ -44,8 +45,9 @@ void add_files(const Baked& baked, const BakeOrder& order, const OutputName& nam
   }
 }
 
-BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& path,
-                 const OutputName& name, FileSet& files) {
+/// Adds the mesh's files, and returns what --json prints of it.
+Json bake_one(const BakeOrder& order, BakedMesh& mesh, const InputMesh& input,
+              const OutputName& name, FileSet& files) {
   return std::visit(
       [&](auto& baked) {
         if (order.deformable) {
@@ -54,20 +56,22 @@ BakeRow bake_one(const BakeOrder& order, BakedMesh& mesh, const std::string& pat
         baked.unit = order.units.unit();
         baked.name = name.stem.substr(0, bake::kMaxNameSize);
         const std::uint64_t image = image_size(baked, order.levels);
-        check_size(order, path, image);
+        check_size(order, input.path, image);
         if (!order.dry_run) {
           add_files(baked, order, name, files);
         }
-        return BakeRow{name.stem,
-                       image,
-                       baked.triangles.size(),
-                       baked.triangles.size(),
-                       baked.vertices.size(),
-                       baked.nodes.size(),
-                       baked.depth,
-                       baked.deviation,
-                       {},
-                       bake::bending_cost(baked.view())};
+        const bake::BendingCost bending = bake::bending_cost(baked.view());
+        return Json{{"name", name.stem},
+                    {"flash_bytes", image},
+                    {"triangles", baked.triangles.size()},
+                    {"source_triangles", input.mesh.triangles.size()},
+                    {"vertices", baked.vertices.size()},
+                    {"nodes", baked.nodes.size()},
+                    {"depth", baked.depth},
+                    {"deviation", baked.deviation},
+                    {"size", input.extent.size()},
+                    {"ram_to_bend", bending.ram_bytes},
+                    {"refit_instructions", bending.refit_instructions}};
       },
       mesh.tree);
 }
@@ -121,11 +125,11 @@ Parts read_parts(const BakeOrder& order, const std::vector<double>& weights, Pro
 }
 
 /// Warns of meshes that seem to be in another unit than the others.
-void warn_of_odd_sizes(const std::vector<InputMesh>& meshes, const std::vector<BakeRow>& rows,
-                       const std::string& unit, Warnings& warnings) {
-  std::vector<Size> sizes(rows.size());
-  std::transform(rows.begin(), rows.end(), sizes.begin(),
-                 [](const BakeRow& row) { return row.size; });
+void warn_of_odd_sizes(const std::vector<InputMesh>& meshes, const std::string& unit,
+                       Warnings& warnings) {
+  std::vector<Size> sizes(meshes.size());
+  std::transform(meshes.begin(), meshes.end(), sizes.begin(),
+                 [](const InputMesh& mesh) { return mesh.extent.size(); });
   for (const OddSize& odd : odd_sizes(sizes)) {
     warnings.add(
         meshes[odd.which].path,
@@ -139,7 +143,7 @@ constexpr double kRoomToBend = 2;
 
 /// The results of a call, for the output.
 struct Outcome {
-  std::vector<BakeRow> rows;
+  Json meshes = Json::array();
   double simplified = 0;  ///< the allowed deviation
 };
 
@@ -171,9 +175,7 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
     progress.begin("baking " + mesh.path, parts[i].weight);
     BakedMesh baked =
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
-    outcome.rows.push_back(bake_one(order, baked, mesh.path, parts[i].name, files));
-    outcome.rows.back().size = mesh.extent.size();
-    outcome.rows.back().source_triangles = mesh.mesh.triangles.size();
+    outcome.meshes.push_back(bake_one(order, baked, mesh, parts[i].name, files));
     warn_of_mesh(mesh, baked.defects, options, warnings);
     if (baked.dropped > *options.cell / 16) {
       warnings.add(mesh.path,
@@ -183,23 +185,26 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
     std::visit([&](const auto& tree) { warn_of_place(tree.origin, mesh.path, warnings); },
                baked.tree);
   }
-  warn_of_odd_sizes(meshes, outcome.rows, order.units.common(), warnings);
+  warn_of_odd_sizes(meshes, order.units.common(), warnings);
   return outcome;
 }
 
 void print_outcome(const BakeOrder& order, const BakeOptions& options, const Outcome& outcome,
                    const Warnings& warnings) {
   if (order.json) {
-    print_bake_json(outcome.rows, *options.cell, order.units, warnings);
+    print_object({{"unit", order.units.common()},
+                  {"cell", *options.cell},
+                  {"meshes", outcome.meshes},
+                  {"warnings", json_of(warnings)}});
     return;
   }
-  print_bake_table(outcome.rows, order.units);
+  print_bake_table(outcome.meshes, order.units);
   std::cout << "cell " << order.units.with_unit(*options.cell) << "; flash: bytes of the image\n";
   if (outcome.simplified > 0) {
-    print_simplified(outcome.rows, outcome.simplified, options.leaf_size, order.units);
+    print_simplified(outcome.meshes, outcome.simplified, options.leaf_size, order.units);
   }
   if (order.deformable) {
-    print_bending(outcome.rows);
+    print_bending(outcome.meshes);
   }
 }
 

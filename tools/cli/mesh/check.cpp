@@ -257,10 +257,6 @@ CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
 }
 
 ExitCode check_and_print(const CheckArguments& arguments) {
-  if (is_mesh_name(arguments.image)) {
-    throw UserError(arguments.image,
-                    "is no flashbvh image but a mesh; name its image, and the mesh by --mesh");
-  }
   Warnings warnings;
   Json facts;
   const CheckResult result = is_robot_file_name(arguments.image)

@@ -6,11 +6,9 @@
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
 #include "cli/mesh/image_facts.hpp"
-#include "cli/mesh/info_mesh.hpp"
 #include "cli/mesh/mesh_warnings.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "image/image_file.hpp"
-#include "mesh/import.hpp"
 #include "mesh/units.hpp"
 #include "text/numbers.hpp"
 
@@ -85,9 +83,6 @@ struct InfoArguments {
 
 void info(const InfoArguments& arguments) {
   const auto& [path, json] = arguments;
-  if (is_mesh_name(path)) {
-    return info_of_mesh(path, json);
-  }
   if (is_robot_file_name(path)) {
     return (json ? print_robot_file_json : print_robot_file)(RobotFile(path));
   }
@@ -156,9 +151,8 @@ Json image_facts(const ImageFile& image) {
 
 void add_info(CLI::App& app) {
   auto [command, a] = add_command<InfoArguments>(
-      app, "info",
-      "Print what is in an image of a mesh or a robot,\nor what baking a mesh would take.", info);
-  add_image(command, a.image, "FILE", "Image (.fbvh, .robot) or mesh");
+      app, "info", "Print what is in an image of a mesh or a robot.", info);
+  add_image(command, a.image, "FILE", "Image (.fbvh, .robot)");
   add_json(command, a.json, "As one JSON object");
   add_example(command, "info baked/plate.fbvh", "prints triangles, nodes, box and bytes");
 }
