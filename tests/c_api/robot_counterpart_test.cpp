@@ -29,12 +29,12 @@ static_assert(sizeof(State) == FLASHBVH_GUARD_STATE_SIZE(6, 11, 41), "as in C");
 bool same(flashbvh_status c, Status status) {
   return c == static_cast<flashbvh_status>(status);
 }
+bool same(const GuardAnswer& c, const GuardAnswer& answer) {
+  return memcmp(&c, &answer, sizeof c) == 0;
+}
 template <class Element>
 bool same(const Element* p, const Element* q, uint32_t count) {
   return memcmp(p, q, count * sizeof *p) == 0;
-}
-bool same(const GuardAnswer& c, const GuardAnswer& answer) {
-  return same(&c, &answer, 1);
 }
 bool same(const NearestPoints& c, const NearestPoints& known) {
   return same(&c.point_a, &known.point_a, 1) && same(&c.point_b, &known.point_b, 1) &&
@@ -49,18 +49,8 @@ bool same(const MotionAnswer& c, const MotionAnswer& answer) {
 Mesh meshes[c_arm_LINK_COUNT];
 const Robot robot = view_robot_unchecked(c_arm_robot_image, meshes);
 
-/// Moves by steps that a guard accepts; sometimes jumps, exceeds a limit, or is not a number.
-void move(Random& random, float (&floats)[kVariables]) {
-  const auto i = random.below(kVariables);
-  floats[i] += static_cast<float>(random.between(-100, 100)) / 1000;
-  if (random.below(12) == 0) {
-    floats[i] = static_cast<float>(random.between(-40, 40)) / 10;
-  }
-  if (random.below(12) == 0) {
-    floats[i] = 1e30f;
-  }
-}
-
+/// Values that move by steps that a guard accepts, and sometimes jump, exceed a limit, or are no
+/// number.
 struct Values {
   float floats[kVariables] = {0, 0.3f, 1, 0};
   JointCoordinate values[kVariables];
@@ -69,7 +59,14 @@ struct Values {
     if (floats[random.below(kVariables)] > 6) {
       floats[0] = floats[1] = floats[2] = floats[3] = 0.2f;
     }
-    move(random, floats);
+    const auto i = random.below(kVariables);
+    floats[i] += static_cast<float>(random.between(-100, 100)) / 1000;
+    if (random.below(12) == 0) {
+      floats[i] = static_cast<float>(random.between(-40, 40)) / 10;
+    }
+    if (random.below(12) == 0) {
+      floats[i] = 1e30f;
+    }
     set_values(robot, floats, values);
   }
 };
@@ -119,10 +116,8 @@ TEST_CASE("an image opens in C as in C++, and is viewed as it opens") {
   REQUIRE(flashbvh_open_robot(c_arm_robot_image, size, c_meshes, c_arm_LINK_COUNT, &opened) ==
           FLASHBVH_STATUS_DONE);
   CHECK(same_view(opened, robot));
-  flashbvh_mesh seen_meshes[c_arm_LINK_COUNT];
-  flashbvh_robot seen;
-  flashbvh_view_robot_unchecked(c_arm_robot_image, seen_meshes, &seen);
-  CHECK(same_view(seen, robot));
+  flashbvh_view_robot_unchecked(c_arm_robot_image, c_meshes, &opened);
+  CHECK(same_view(opened, robot));
   for (uint32_t i = 0; i < robot.joint_count; ++i) {
     CHECK(flashbvh_joint_name(c_arm_robot_image, i) == joint_name(c_arm_robot_image, i));
   }
@@ -131,7 +126,6 @@ TEST_CASE("an image opens in C as in C++, and is viewed as it opens") {
   }
   uint32_t mount_number = 0;
   uint32_t unguarded = 99;
-  CHECK(flashbvh_mounts(c_arm_robot_image, nullptr) == mounts(c_arm_robot_image));
   CHECK(flashbvh_mounts(c_arm_robot_image, &mount_number) == mounts(c_arm_robot_image));
   CHECK(mount_number == mount_count(c_arm_robot_image));
   CHECK(flashbvh_unguarded_pairs(c_arm_robot_image, &unguarded) ==
