@@ -3,9 +3,9 @@
 
 cores.py --presets   writes CMakePresets.json
 cores.py --check     fails if CMakePresets.json is not what --presets writes
-cores.py --steps     prints the presets that tools/test.sh tests, the longest first
-cores.py --all       prints the presets that tools/test.sh --all tests
-cores.py PRESET      prints what tools/test.sh tests there: all, arithmetic, digest; release: nothing without --all
+cores.py --measured  prints the presets of boards that tools/test.sh --all measures: figures, stacks and bounds
+cores.py --answers   prints those of all other boards
+cores.py PRESET      prints what tools/test.sh --all tests there: measured, answers (all board tests), digest
 """
 import json
 import pathlib
@@ -75,10 +75,8 @@ def main(argument):
     elif argument == "--check":
         if PRESETS.read_text() != presets():
             sys.exit("CMakePresets.json is not made of ports/cores.json: tools/cores.py --presets writes it")
-    elif argument == "--steps":
-        print(*(core["preset"] for core in CORES if core["tests"] != "release"))
-    elif argument == "--all":
-        print(*(core["preset"] for core in CORES))
+    elif argument in ("--measured", "--answers"):
+        print(*(core["preset"] for core in CORES if (core["tests"] == "measured") == (argument == "--measured")))
     elif argument in (tests := {core["preset"]: core["tests"] for core in CORES}):
         print(tests[argument])
     else:

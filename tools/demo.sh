@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 . tools/packages.sh
 . tools/quietly.sh
 . tools/kr5.sh
-ensure_packages $host_packages $live_packages $board_packages
+ensure_packages $host_packages $live_packages $board_packages $measure_packages
 
 demo=build/demo
 quiet_log=$demo/log
@@ -56,7 +56,7 @@ $flashbvh robot $guarded -o $demo/robot --stop 0.005 --warn 0.03 --pair forearm,
 
 step "5. The guard at 1 kHz, in SysTick's interrupt: the arm is stopped before it hits itself or the fence"
 build $native robot_guard_kr5
-build $board robot_guard_kr5 -DFLASHBVH_KR5="$PWD/${kr5%/*}" -DFLASHBVH_HOST_TOOL="${FLASHBVH_BAKE:-$PWD/$flashbvh}"
+build $board robot_guard_kr5 -DFLASHBVH_KR5="$PWD/${kr5%/*}" -DFLASHBVH_HOST_TOOL="$PWD/$flashbvh"
 arm-none-eabi-size build/$board/bin/robot_guard_kr5.elf
 FLASHBVH_TIMEOUT=300 FLASHBVH_ICOUNT=8 ports/run mps2-an386 build/$board/bin/robot_guard_kr5.elf |
   tee $demo/guarded

@@ -23,7 +23,7 @@ esac
 case $mode in
   print) urdf= ;;
   prepare) ensure_packages $host_packages ;;
-  *) ensure_packages $host_packages $board_packages $riscv_packages ;;
+  *) ensure_packages $host_packages $board_packages $riscv_packages $measure_packages ;;
 esac
 [ $mode = print ] || fetch_kr5 build/kr5
 # FLASHBVH_NATIVE: the preset of the host program that bakes.

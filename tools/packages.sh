@@ -28,16 +28,16 @@ ensure_packages() {
 
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev libminizip-dev
   liburdfdom-dev nlohmann-json3-dev catch2 python3"
-test_packages="ccache clang-format doxygen"
-# The sanitizers and the fuzzer; without the fuzzer, tests only replay the corpora.
-sanitizer_packages="clang lld libclang-rt-14-dev"
-# Exact rationals for the distance oracle.
-oracle_packages="libgmp-dev"
-# Compiles 32-bit programs that run on this machine, for the digest that all compilers must produce.
-digest_packages="g++-i686-linux-gnu"
+# Clang with its sanitizers; exact rationals for oracles.
+test_packages="clang lld libclang-rt-14-dev libgmp-dev ccache"
 # The boards need C++ headers, not the library; the RISC-V compiler has none and uses those of Arm.
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm"
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"
+# Stacks, code and bounds from machine code.
+measure_packages="python3-pyelftools"
+style_packages="clang-format clang-tidy doxygen"
+# Compiles 32-bit programs that run on this machine, for the digest that all compilers must produce.
+digest_packages="g++-i686-linux-gnu"
 # Compiles the WebAssembly of interactive pages.
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
