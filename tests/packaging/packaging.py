@@ -15,23 +15,18 @@ from pathlib import Path
 
 ROOT, FOLDER, FLASHBVH, CMAKE = (os.environ[name] for name in ("ROOT", "FOLDER", "FLASHBVH", "CMAKE"))
 HERE = Path(__file__).resolve().parent
-GENERATORS = "Ninja", "Unix Makefiles"
+LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
 # No package but the compiler's: the build must not look for these.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
         ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom")]
-LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
-IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}"]
-WITH_TOOL = [*IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
-log = ""
-
-
-class Failed(Exception):
-    pass
+IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
+# Flags of a machine that reach firmware by a target alone, like Zephyr's.
+MACHINE = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16"
 
 
 def hold(good, otherwise):
     if not good:
-        raise Failed(otherwise)
+        sys.exit("\n".join([f"FAILED: {otherwise}", *log.splitlines()[-40:]]))
 
 
 def need(*programs):
@@ -50,34 +45,29 @@ def run(*command):
     return done.returncode == 0
 
 
-def cmake(build, *options, source="firmware", generator="Ninja"):
-    return run(CMAKE, "-G", generator, "-S", source, "-B", build, *options)
+def cmake(folder, *options, source="firmware"):
+    return run(CMAKE, "-G", "Ninja", "-S", source, "-B", folder, *options)
 
 
-def configure(build, *options, **more):
-    hold(cmake(build, *options, **more), f"configure: {options}")
+def configure(folder, *options, source="firmware"):
+    hold(cmake(folder, *options, source=source), f"configure: {options}")
 
 
-def refuses(said, *options, **more):
+def refuses(said, *options):
     """CMake fails with this message."""
     shutil.rmtree("wrong", ignore_errors=True)
-    hold(not cmake("wrong", *options, **more), f"accepted: {options}")
-    hold(re.search(said, " ".join(log.split())), f"no '{said}'")
+    hold(not cmake("wrong", *options) and re.search(said, " ".join(log.split())), f"no '{said}'")
 
 
-def build(folder):
-    hold(run(CMAKE, "--build", folder), f"build {folder}")
+def build(folder, *options):
+    hold(run(CMAKE, "--build", folder, *options), f"build {folder}")
 
 
-def bakes(folder, why, baked="parts"):
-    build(folder)
-    hold(f"Baking {baked}" in log, f"not baked: {why}")
-
-
-def rests(folder, why="nothing changed", baked="parts"):
-    """The build does not call the tool."""
-    build(folder)
-    hold(f"Baking {baked}" not in log, f"baked without a reason: {why}")
+def bakes(folder, baked, why):
+    """The build bakes these, and the next one does not."""
+    for times in 1, 0:
+        build(folder)
+        hold(log.count(f"Baking {baked}") == times, f"{why}: baked {baked} otherwise than {times} times")
 
 
 def answers(*programs):
@@ -85,213 +75,70 @@ def answers(*programs):
         hold(run(f"./{program}"), f"wrong answers: {program}")
 
 
-def holds(file, pattern):
-    return re.search(pattern, Path(file).read_text(errors="replace"))
-
-
-def edit(file, *changes):
-    text = Path(file).read_text()
-    for old, new in changes:
-        text = text.replace(old, new)
-    Path(file).write_text(text)
-
-
-def package_in(prefix):
-    return next(Path(prefix).absolute().rglob("flashbvhConfig.cmake")).parent
-
-
-def enter_cross_environment():
-    """Sets the compiler of a cross build in the environment."""
-    need("arm-none-eabi-g++")
-    Path("toolchain.cmake").write_text("set(CMAKE_SYSTEM_NAME Generic)\nset(CMAKE_SYSTEM_PROCESSOR arm)\n"
-                                       "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\n")
-    flags = "-mcpu=cortex-m4 -mthumb -DFOR_THE_TARGET"
-    os.environ.update(CC="arm-none-eabi-gcc", CXX="arm-none-eabi-g++", LDFLAGS="--specs=nosys.specs", CFLAGS=flags,
-                      CXXFLAGS=flags, CMAKE_TOOLCHAIN_FILE=str(Path("toolchain.cmake").absolute()))
-
-
-def for_the_target(program):
-    hold(run("arm-none-eabi-readelf", "-h", program) and re.search("Machine: *ARM", log), f"{program} is no ARM program")
-
-
-def bakes_on_change(baked, program, others, sources, options, header, effect):
-    """With Ninja and with make: bakes if one of the sources, the options or the tool changes, and not if others do.
-    `options`: the first ones and other ones, which have an effect on the header."""
-    Path("tool").mkdir()
-    tool = shutil.copy(FLASHBVH, Path("tool/flashbvh").absolute())  # to be touched
-    for generator in GENERATORS:
-        configure("built", *IN_SOURCES, f"-DFLASHBVH_HOST_TOOL={tool}", options[0], *BARE, generator=generator)
-        bakes("built", "the first time", baked)
-        answers(program)
-        rests("built", baked=baked)
-        configure("built", options[0], generator=generator)
-        rests("built", "configured again", baked)
-        for file in others:
-            Path("firmware", file).touch()
-        rests("built", f"{others} changed", baked)
-        for file in sources:
-            Path("firmware", file).touch()
-            bakes("built", f"{file} changed", baked)
-            rests("built", f"nothing changed since {file}", baked)
-        configure("built", options[1], generator=generator)
-        bakes("built", "an option changed", baked)
-        hold(holds(header, effect), "the option has no effect")
-        rests("built", "nothing changed since the option", baked)
-        Path(tool).touch()
-        bakes("built", "the tool changed", baked)
-        answers(program)
-        shutil.rmtree("built")
+def version():
+    return ".".join(re.findall(r"_(?:MAJOR|MINOR|PATCH) (\d+)", Path(ROOT, "lib/include/flashbvh/version.hpp").read_text()))
 
 
 def add_subdirectory():
-    """add_subdirectory() and flashbvh_add_mesh()."""
-    bakes_on_change("parts", "built/consumer", ["main.cpp"], ["peg.obj"], ["-DOPTIONS=CELL;0.01", "-DOPTIONS=CELL;0.02"],
-                    "built/flashbvh/parts/peg.fbvh.h", "_CELL 0.02 ")
-    # Each error is named.
-    refuses(r"flashbvh_add_mesh\(parts\): give SOURCES mesh... and options with their values; not understood: CEL;1",
-            *WITH_TOOL, "-DOPTIONS=CEL;1")
-    refuses("not understood: CELL", *WITH_TOOL, "-DOPTIONS=CELL")
-    refuses("FLASHBVH_HOST_TOOL: there is no /nowhere/flashbvh; give the path", *IN_SOURCES,
-            "-DFLASHBVH_HOST_TOOL=/nowhere/flashbvh")
-
-
-def robot():
-    """flashbvh_add_robot()."""
-    bakes_on_change("arm", "built/guard", ["guard.cpp", "plate.obj"], ["peg.obj", "arm.urdf"],
-                    ["-DROBOT=STOP;0.001;WARN;0.002", "-DROBOT=LEAF_SIZE;2;CELL;0.0001"],
-                    "built/flashbvh/arm/arm.robot.h", "_CELL (1e-04|0.0001) ")
-    # Each error is named.
-    words = (r"flashbvh_add_robot\(arm\): give URDF file and options with their values, PACKAGE as name=folder, PAIR "
-             "as link,link=length, ZONE as joint=length; not understood:")
-    refuses(f"{words} CEL;1", *WITH_TOOL, "-DROBOT=CEL;1")
-    refuses(f"{words} WAR=1", *WITH_TOOL, "-DROBOT=VISUAL_TOO;WAR=1")
-    refuses(f"{words} CELL", *WITH_TOOL, "-DROBOT=CELL")
-    refuses(f"{words} parts", *WITH_TOOL, "-DROBOT=PACKAGE;parts")
-    edit("firmware/CMakeLists.txt", ("URDF arm.urdf PACKAGE", "PACKAGE"))
-    refuses(words, *WITH_TOOL, "-DROBOT=")
-    edit("firmware/CMakeLists.txt", ("(arm PACKAGE", "(arm-1 URDF arm.urdf PACKAGE"), ("arm::arm", "arm-1"))
-    refuses(r"flashbvh_add_robot\(arm-1\): names in the code begin with the name", *WITH_TOOL, "-DROBOT=")
-
-
-def cells():
-    """Meshes that are queried together need one cell: a program that links two libraries of meshes with different cells
-    fails to configure, and the message gives the fix."""
+    """add_subdirectory(), flashbvh_add_mesh() and flashbvh_add_robot() bake again when a source or an option changes."""
     shutil.copy("firmware/peg.obj", "firmware/tool.obj")
-
-    def of(options, more):
-        """The options of the first library and the second."""
-        shutil.rmtree("built", ignore_errors=True)
-        return [*WITH_TOOL, *BARE, f"-DOPTIONS={options}", f"-DMORE={more}"]
-
-    for options, more in (("", ""), ("CELL;0.01", ""), ("CELL;0.01", "CELL;0.02"),
-                          ("CELL;0.01;FORMAT;both", "CELL;0.02;FORMAT;image")):
-        refuses(r"need the same cell: name them in one flashbvh_add_mesh\(\), or give each the same CELL, written "
-                r'alike; OWN_CELL for meshes that are not\] property of "more" does not agree', *of(options, more))
-    configure("built", *of("CELL;0.01", "CELL;0.01"))
-    configure("built", *of("", "OWN_CELL"))
-    configure("built", *of("OWN_CELL", "CELL;0.01"))
+    options = [*IN_SOURCES, *BARE, "-DMORE=CELL;0.01"]
+    configure("built", *options, "-DOPTIONS=CELL;0.01", "-DROBOT=STOP;0.001;WARN;0.002")
     build("built")
-    answers("built/consumer")
-    # A C compiler accepts them, too.
-    edit("firmware/CMakeLists.txt", ("LANGUAGES CXX", "LANGUAGES C CXX"))
-    configure("built", *of("CELL;0.01", "CELL;0.01;FORMAT;c"))
-    build("built")
-    hold(Path("built/flashbvh/more/tool.fbvh.c").exists(), "no C")
-    hold(not Path("built/flashbvh/more/tool.fbvh").exists(), "an image that was not requested")
-
-
-def cross():
-    """A cross build with its compiler, flags and toolchain file in the environment: they apply to the library and the
-    baked code, not to the tool, which the project builds for this machine."""
-    enter_cross_environment()
-    configure("built", *IN_SOURCES, "-DOPTIONS=CELL;0.01")
-    bakes("built", "the first time")
-    for_the_target("built/consumer")
-    hold(holds("built/build.ninja", "FOR_THE_TARGET"), "the flags don't reach the firmware")
-    host = Path("built/flashbvh-host")
-    hold(os.access(host / "bin/flashbvh", os.X_OK), "no tool")
-    for file in "CMakeCache.txt", "build.ninja":
-        hold(not holds(host / file, "FOR_THE_TARGET"), f"the target's flags reach the tool: {file}")
-    rests("built")
+    answers("built/consumer", "built/guard")
+    for file, baked in ("plate.obj", "parts"), ("peg.obj", "parts"), ("arm.urdf", "arm"), ("peg.obj", "arm"):
+        Path("firmware", file).touch()
+        bakes("built", baked, f"{file} changed")
+    configure("built", "-DROBOT=STOP;0.001;CELL;0.0001")
+    bakes("built", "arm", "an option changed")
+    # Each error is named. Meshes that are queried together need one cell.
+    mesh, arm = r"flashbvh_add_mesh\(parts\): give SOURCES mesh", r"flashbvh_add_robot\(arm\): give URDF file"
+    refuses(mesh + ".* not understood: CEL;1", *options, "-DOPTIONS=CEL;1")
+    refuses(arm + ".* not understood: CEL;1", *options, "-DOPTIONS=CELL;0.01", "-DROBOT=CEL;1")
+    refuses("FLASHBVH_HOST_TOOL: there is no /nowhere/flashbvh; give the path", *options, "-DFLASHBVH_HOST_TOOL=/nowhere/flashbvh")
+    refuses(r"need the same cell: name them in one flashbvh_add_mesh\(\)", *options, "-DOPTIONS=CELL;0.02")
+    configure("apart", *options, "-DOPTIONS=CELL;0.02;OWN_CELL")
 
 
 def find_package():
-    """An installed package: natively with its libraries and its tool; in a cross build it compiles the libraries for
-    the target. It can be moved, and contains no path of the machine that built it."""
-    made = Path("made").absolute()
+    """`lib` and `tools` build without `tests`. What they install can be moved, and has no path of the machine that built
+    it. Natively a project links its libraries; crossing it compiles them for the flags of the targets FLASHBVH_LINK."""
     need("arm-none-eabi-g++")
-    hold(run(CMAKE, "--install", f"{FOLDER}/cross/built/flashbvh-host", "--prefix", made), "install")
+    Path("copy").mkdir()
+    shutil.copy(f"{ROOT}/CMakeLists.txt", "copy")
+    for folder in "lib", "tools":
+        shutil.copytree(f"{ROOT}/{folder}", f"copy/{folder}")
+    configure("library", "-DFLASHBVH_BUILD_TESTS=OFF", "-DFLASHBVH_WASM_COMPILER=OFF", source="copy")
+    build("library")
+    made = Path("made").absolute()
+    hold(run(CMAKE, "--install", "library", "--prefix", made), "install")
     prefix = made.rename(made.parent / "moved here")
-    # A path that begins there; "${folder}/project" does not refer to a checkout in /project.
-    place = rf"(^|[^A-Za-z0-9_.}}/-])({re.escape(ROOT)}|{re.escape(FOLDER)})(/|[^A-Za-z0-9_.-]|$)"
     for folder in prefix / "include", prefix / "share", *prefix.glob("lib*/cmake"):
         for file in filter(Path.is_file, folder.rglob("*")):
-            hold(not re.search(place, file.read_text(errors="replace"), re.M), f"absolute paths: {file}")
-    hold(run(prefix / "bin/flashbvh", "--version") and "flashbvh" in log, "no tool")
-    version = re.match(r"flashbvh (\d+\.\d+)", log)[1]
-    hold(any(prefix.rglob("libflashbvh.a")), "no library")
-
+            hold(FOLDER not in file.read_text(errors="replace"), f"absolute paths: {file}")
     at = f"-DCMAKE_PREFIX_PATH={prefix}"
-    configure("built", at, f"-DVERSION={version}", "-DROBOT=STOP;0.001", *BARE)
-    bakes("built", "the first time")
+    configure("built", at, f"-DVERSION={version()}", "-DROBOT=STOP;0.001", *BARE)
+    build("built")
     answers("built/consumer", "built/guard")
-    rests("built")
-    (prefix / "bin/flashbvh").touch()
-    bakes("built", "the tool changed")
     refuses('compatible with requested version "99"', at, "-DVERSION=99")
-
-    enter_cross_environment()
-    configure("cross", f"-Dflashbvh_DIR={package_in(prefix)}", "-DROBOT=")
-    bakes("cross", "the first time, crossing")
-    for_the_target("cross/consumer")
-    for_the_target("cross/guard")
-
-
-def machine_target():
-    """The machine's flags reach firmware only by a target, like Zephyr's: FLASHBVH_LINK passes them to the library and
-    the baked meshes, from sources and from a package."""
-    enter_cross_environment()
-    os.environ.update(CXXFLAGS="", CFLAGS="")
-    flags = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16"
-    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
-    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
-    for way in "add_subdirectory", "find_package":
-        configure(way, f"-DWAY={way}", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}",
-                  f"-Dflashbvh_DIR={package_in('prefix')}", f"-DMACHINE={flags}", "-DROBOT=",
-                  "-DFLASHBVH_LINK=machine", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *BARE)
-        commands = [line for line in Path(f"{way}/compile_commands.json").read_text().splitlines()
-                    if '"command"' in line]
-        hold(len(commands) > 10, f"few sources: {way}")
-        for command in commands:
-            hold(flags.split(";")[-1] in command, f"compiled for another machine: {way}: {command}")
-        build(way)
-        for_the_target(f"{way}/consumer")
-    # Without it, linking fails.
-    configure("wrong", *WITH_TOOL, f"-DMACHINE={flags}", *BARE)
-    hold(not run(CMAKE, "--build", "wrong"), "linked with a library for another machine")
+    Path("toolchain.cmake").write_text("set(CMAKE_SYSTEM_NAME Generic)\nset(CMAKE_SYSTEM_PROCESSOR arm)\n"
+                                       "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\n")
+    os.environ.update(CC="arm-none-eabi-gcc", CXX="arm-none-eabi-g++")
+    configure("cross", "-DCMAKE_TOOLCHAIN_FILE=../toolchain.cmake", f"-Dflashbvh_DIR={next(prefix.rglob('flashbvhConfig.cmake')).parent}",
+              f"-DMACHINE={MACHINE}", "-DFLASHBVH_LINK=machine", "-DROBOT=", *BARE)
+    hold(run(CMAKE, "--build", "cross", "--", "-v", "consumer", "guard") or "crt0" in log, "cross")
+    compiled = [line for line in log.splitlines() if re.search(r" -c /", line)]
+    hold(len(compiled) > 50, "few sources")
+    hold(all(MACHINE.split(";")[-1] in line for line in compiled), "compiled for another machine")
 
 
-def runtime_only():
-    """Firmware that links prebaked arrays needs neither the tool nor assimp, CLI11, nlohmann_json, urdfdom or
-    Catch2, whichever way it includes the library."""
-    hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "-o", "baked", "--format", "c"), "bake")
-    configure("library", "-DFLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
-    build("library")
-    hold(run(CMAKE, "--install", "library", "--prefix", "prefix"), "install")
-    hold(not Path("prefix/bin").exists(), "a program was installed")
-    at = f"-DCMAKE_PREFIX_PATH={Path('prefix').absolute()}"
-    for way in "add_subdirectory", "fetch_content", "find_package":  # FetchContent from a local folder
-        configure(way, f"-DWAY={way}", f"-DFLASHBVH_ROOT={ROOT}", f"-DBAKED={Path('baked').absolute()}", at, *BARE)
-        build(way)
-        answers(f"{way}/consumer")
-        hold(not Path(way, "flashbvh-host").exists(), "the tool was built")
-    # The package without the tool reports that it needs one to bake, and uses a given one.
-    refuses("set FLASHBVH_HOST_TOOL to its path", at)
-    configure("with_tool", at, f"-DFLASHBVH_HOST_TOOL={FLASHBVH}")
-    bakes("with_tool", "the first time")
-    answers("with_tool/consumer")
-    # flashbvh's own build does look for them, and its message names the option to avoid this.
-    refuses("assimp not found: apt-get install .*FLASHBVH_BUILD_TOOL=OFF", *BARE, source=ROOT)
+def lib_alone():
+    """`lib`, copied alone, builds by its CMake file and by `g++ -c` of its sources."""
+    shutil.copytree(f"{ROOT}/lib", "alone")
+    configure("built", "-Werror=dev", source="alone")
+    build("built")
+    hold(Path("built/libflashbvh_robot.a").exists(), "no library")
+    hold(run(*LAUNCHER.split(), "g++", "-std=c++17", "-Ialone/include", "-c", *Path("alone/src").glob("*/*.cpp")), "g++ -c")
 
 
 def two_files():
@@ -348,10 +195,6 @@ def copied():
     hold(run(*make, "run"), "C")
 
 
-def version():
-    return ".".join(re.findall(r"_(?:MAJOR|MINOR|PATCH) (\d+)", Path(ROOT, "lib/include/flashbvh/version.hpp").read_text()))
-
-
 def manifests():
     """Each manifest has the library's version and names what is there; ESP-IDF and Zephyr are given all sources."""
     hold(run(f"{ROOT}/tools/amalgamation.py", "two"), "two files")
@@ -377,15 +220,6 @@ def manifests():
         hold(run(CMAKE, f"-DFILE={lib / file}", *(f"-D{option}=y" for option in options), "-P", "calls.cmake"), file)
         named = {Path(name).resolve() for name in re.findall(r"[^;\n]+\.cpp", log)}
         hold(named == given, f"{file}, {options}: other sources")
-
-
-def lib_alone():
-    """`lib`, copied alone, builds by its CMake file and by `g++ -c` of its sources."""
-    shutil.copytree(f"{ROOT}/lib", "alone")
-    configure("built", "-Werror=dev", source="alone")
-    build("built")
-    hold(Path("built/libflashbvh_robot.a").exists(), "no library")
-    hold(run(*LAUNCHER.split(), "g++", "-std=c++17", "-Ialone/include", "-c", *Path("alone/src").glob("*/*.cpp")), "g++ -c")
 
 
 def npm():
@@ -435,17 +269,7 @@ def enter(way):
     os.environ.update(CMAKE_C_COMPILER_LAUNCHER=str(launcher), CMAKE_CXX_COMPILER_LAUNCHER=str(launcher))
 
 
-WAYS = (add_subdirectory, cells, machine_target, runtime_only, robot, warnings, cross, find_package, two_files,
-        copied, manifests, lib_alone, npm)
-THOROUGH_WAYS = (machine_target, cross, find_package, npm)
-
 if __name__ == "__main__":
-    chosen = next(way for way in WAYS if way.__name__ == sys.argv[1])
-    if chosen in THOROUGH_WAYS and not os.environ.get("FLASHBVH_THOROUGH"):
-        print(f"left out: FLASHBVH_THOROUGH=1 ctest --preset native-sanitize -R packaging/{chosen.__name__}")
-        sys.exit(77)
-    enter(chosen.__name__)
-    try:
-        chosen()
-    except Failed as failure:
-        sys.exit("\n".join([f"FAILED: {failure}", *log.splitlines()[-40:]]))
+    way = globals()[sys.argv[1]]
+    enter(way.__name__)
+    way()
