@@ -42,14 +42,14 @@ fetch_ode() {
   tar -xf "$apt"/ode_*.orig.tar.* -C "$ode" --strip-components=1
 }
 
-# on_board BOARD FIGURES OUTPUT: measures instructions on a board for the meshes of a folder, for page.py.
+# on_board BOARD: measures instructions on a board, for page.py.
 on_board() {
-  quietly cmake -S tools/compare -B "$folder/$3" -G Ninja -DFLASHBVH_BOARD="$1" \
+  quietly cmake -S tools/compare -B "$folder/$1" -G Ninja -DFLASHBVH_BOARD="$1" \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/ports/toolchain/arm-none-eabi.cmake" \
-    -DCOMPARE_ODE_SOURCE="$ode" -DCOMPARE_FIGURES="$2"
-  quietly cmake --build "$folder/$3"
-  FLASHBVH_TIMEOUT=600 FLASHBVH_ICOUNT=8 ports/run "$1" "$folder/$3/bin/compare_firmware.elf" \
-    >"$folder/$3.txt"
+    -DCOMPARE_ODE_SOURCE="$ode" -DCOMPARE_FIGURES="$PWD/build/figures"
+  quietly cmake --build "$folder/$1"
+  FLASHBVH_TIMEOUT=600 FLASHBVH_ICOUNT=8 ports/run "$1" "$folder/$1/bin/compare_firmware.elf" \
+    >"$folder/$1.txt"
 }
 
 boards="mps2-an386 mps2-an500"
@@ -60,8 +60,7 @@ measure() {
   fetch_ode
   FLASHBVH_NATIVE=$native quietly tools/figures.sh --prepare
   for board in $boards; do
-    on_board "$board" "$PWD/build/figures" "$board"
-    on_board "$board" "$PWD/build/figures/meshes" "$board-others"
+    on_board "$board"
   done
 }
 

@@ -1,30 +1,53 @@
 #!/bin/sh
-# figures.sh [PRESET...]             measures what queries cost, prints it, and writes tests/figures/budgets.csv
-#                                    and the pages that show it
-# figures.sh --check [PRESET...]     measures and prints, and fails if a budget is not kept
-# figures.sh --print [PRESET...]     prints what the tests left in the build folders
-# figures.sh --trees [PRESET]        whole queries on trees of other leaf sizes and arities: the table of
-#                                    lib/docs/decisions.md; default: Cortex-M4F
-# figures.sh --prepare               makes build/figures, which builds are given to measure a robot:
-#                                    cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
+# figures.sh [PRESET...]           measures what calls cost, writes tests/figures/budgets.csv, its page, and the proven
+#                                  constants of the library
+# figures.sh --check [PRESET...]   measures, and fails if a budget is not kept
+# figures.sh --prepare             makes build/figures, a robot's links, which builds are given to measure them:
+#                                  cmake --preset cortex-m4f -DFLASHBVH_KR5_FIGURES="$PWD/build/figures"
 #
-# PRESET: of CMakePresets.json; all boards by default. budgets.csv holds the figures that it names; to hold
-# another one, add a row with its name. Installs what is missing.
+# PRESET: native cortex-m4f cortex-m0 cortex-m3 rv32imac by default. To hold another figure that a program prints, add a
+# row with its name to budgets.csv. Installs what is missing.
 set -eu
 cd "$(dirname "$0")/.."
 . tools/packages.sh
+. tools/quietly.sh
 . tools/kr5.sh
 
 mode=write
 case ${1:-} in
-  --check | --print | --prepare | --trees) mode=${1#--}; shift ;;
-  -*) sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  --check | --prepare) mode=${1#--}; shift ;;
+  -*) sed -n '2,9s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
-case $mode in
-  print) urdf= ;;
-  prepare) ensure_packages $host_packages ;;
-  *) ensure_packages $host_packages $board_packages $riscv_packages $measure_packages ;;
-esac
-[ $mode = print ] || fetch_kr5 build/kr5
-# FLASHBVH_NATIVE: the preset of the host program that bakes.
-exec python3 -B tests/figures/figures.py measure $mode "$urdf" "${FLASHBVH_NATIVE:-native}" "$@"
+native=${FLASHBVH_NATIVE:-native} # the preset of the host program that bakes
+folder=$PWD/build/figures
+quiet_log=$PWD/build/figures.log
+figures() {
+  python3 -B tests/figures/figures.py "$@"
+}
+
+ensure_packages $host_packages
+mkdir -p "$folder"
+fetch_kr5 build/kr5
+quietly cmake --preset "$native"
+quietly cmake --build --preset "$native" --target flashbvh_tool
+flashbvh=$PWD/build/$native/bin/flashbvh
+quietly "$flashbvh" bake "$kr5/bicep.STL" "$kr5/forearm.STL" "$kr5/palm.STL" "$kr5/wrist.STL" -o "$folder"
+# Without the neighbours that can collide: the motions avoid contact of all other pairs.
+quietly "$flashbvh" robot "$urdf" --zone shoulder_pitch=0.15 --name kr5_arm -o "$folder/robot"
+[ $mode != prepare ] || exit 0
+
+ensure_packages $board_packages $riscv_packages $measure_packages
+[ $# -gt 0 ] || set -- native cortex-m4f cortex-m0 cortex-m3 rv32imac
+outputs=
+for preset; do
+  echo "Measuring $preset"
+  quietly cmake --preset "$preset" -DFLASHBVH_HOST_TOOL="$flashbvh" -DFLASHBVH_KR5_FIGURES="$folder"
+  quietly cmake --build --preset "$preset" --target figures
+  quietly ctest --preset "$preset" -R "figures: measured|memory, and both stacks|bound: no run takes more"
+  outputs="$outputs build/$preset/figures.txt build/$preset/memory.txt build/$preset/bound_measured.txt"
+  [ $mode = check ] || [ ! -e "build/$preset/bound.txt" ] ||
+    python3 -B proofs/time/shipped.py "build/$preset/bound.txt" lib/include/flashbvh/plain --write
+done
+[ $mode = check ] || figures write $outputs
+figures check $outputs
+figures page --check

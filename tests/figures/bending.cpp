@@ -1,9 +1,9 @@
 // A deformable sheet of 1,012 triangles: the costs of a refit, and of queries against itself, flat
 // and crumpled.
+#include "costs.hpp"
 #include "flashbvh/deformable.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/self.hpp"
-#include "report.hpp"
 #include "sheet.fbvh.h"
 #include "support/random.hpp"
 
@@ -49,12 +49,12 @@ bool measure_all(DeformableMesh& bent, const char* how) {
 }
 
 }  // namespace
-}  // namespace figures
 
-int main() {
-  DeformableMesh bent(figures::sheet, figures::nodes, figures::vertices);
-  const bool flat = figures::measure_all(bent, "flat");
-  figures::crumple();
-  const bool crumpled = figures::measure_all(bent, "crumpled");
-  return figures::print_all("bending", flat && crumpled);
+bool measure_bending() {
+  DeformableMesh bent(sheet, nodes, vertices);
+  const bool flat = measure_all(bent, "flat");
+  crumple();
+  return measure_all(bent, "crumpled") && flat;
 }
+
+}  // namespace figures

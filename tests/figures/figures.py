@@ -1,144 +1,183 @@
-"""figures.py COMMAND: the costs of queries on each core.
+"""figures.py COMMAND: what calls cost on the measured cores.
 
-    run OUTPUT PROGRAM...     runs measuring programs, by the command in RUN if they are firmware, and writes their
-                              output (results.py) to OUTPUT. Fails if a program does
-    hold OUTPUT...            compares those OUTPUTs of programs that exist with budgets.csv; lists figures that
-                              differ by more than 2 %, either way, and counts that differ at all, and fails if
-                              there are any
-    pages [--check]           writes the tables of README.md and lib/docs/*.md that show budgets.csv (pages.py);
-                              --check fails if this would change them
-    measure MODE URDF NATIVE [PRESET...]    see tools/figures.sh
+    run OUTPUT PROGRAM...   runs the measuring programs, by the command in RUN if they are firmware, and writes their
+                            output to OUTPUT. Fails if a program does
+    check OUTPUT...         compares those OUTPUTs of programs that exist with budgets.csv; lists figures that differ by
+                            more than 2 %, either way, and counts that differ at all, and fails if there are any
+    write OUTPUT...         writes the figures of OUTPUTs that have a row into budgets.csv, and the page
+    page [--check]          writes the tables of lib/docs/figures.md; --check fails if this would change them
+
+These lines of a program count:
+    core CORE                      the core of the following figures
+    figure NAME VALUE              a value that depends on the core: instructions, bytes
+    count NAME VALUE               a value that is equal on every core and this machine
+    code|stack|object WORD... VALUE          from proofs/stack, as figures
+    measured NAME OBSERVED of PROVEN, ...    from proofs/time
 """
-import difflib
+import csv
+import io
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
-import pages
-from robot import BUILD, FOLDER, ROOT, Robot, boards, quietly
-from results import ALL, BUDGETS, Refused, budgets, measured_in
+BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
+PAGE = BUDGETS.parents[2] / "lib/docs/figures.md"
+SLACK = 2  # percent
+ALL = "all"  # the column of counts
 
-DOCS = ROOT / "lib/docs"
-SHIPPED = ROOT / "proofs/time/shipped.py"
-COSTS = ROOT / "lib/include/flashbvh/plain"
-# The measuring tests: the figures, the memory (proofs/stack) and the bounds (proofs/time).
-TESTS = "figures: .* measured|memory, and both stacks|bound: no run takes more"
+
+class Refused(Exception):
+    pass
 
 
 def run(output, *programs):
-    output = Path(output)
-    output.parent.mkdir(parents=True, exist_ok=True)
-    output.unlink(missing_ok=True)
+    Path(output).unlink(missing_ok=True)
     texts = []
     for program in programs:
         done = subprocess.run([*os.environ.get("RUN", "").split(), program], stdout=subprocess.PIPE, text=True,
-                              errors="replace", env={"FLASHBVH_TIMEOUT": "240", **os.environ})
+                              errors="replace", env={"FLASHBVH_TIMEOUT": "600", **os.environ})
         print(done.stdout, end="", flush=True)
         if done.returncode:
-            sys.exit(f"figures.py: {program} ended with status {done.returncode}")
+            raise Refused(f"{program} ended with status {done.returncode}")
         texts.append(done.stdout)
-    measured_in(texts)
-    output.write_text("".join(texts))
+    Path(output).write_text("".join(texts))
 
 
-def held(measured):
-    """Prints the exceeded budgets; returns whether there are none."""
-    book = budgets()
+def lines_in(texts):
+    """Yields core, name and value of each figure."""
+    core = ""
+    for words in (line.split() for text in texts for line in text.splitlines()):
+        match words:
+            case ["core", core]:
+                pass
+            case ["count", name, value]:
+                yield ALL, name, value
+            case ["figure", name, value]:
+                yield core, name, value
+            case ["code" | "stack" | "object", *_, value] if value.isdecimal():
+                yield core, ".".join(words[:-1]), value
+            case ["measured", name, observed, "of", proven, *_]:
+                yield core, f"runs.{name}.observed", observed
+                yield core, f"runs.{name}.proven", proven.rstrip(",")
+
+
+def measured_in(texts):
+    """The figures by core and name. If several programs print a figure, the largest counts."""
+    values = {}
+    for core, name, value in lines_in(texts):
+        if not value.isdecimal():
+            raise Refused(f"not a number: {name} {value}")
+        known = values.get((core, name), int(value))
+        if core == ALL and known != int(value):
+            raise Refused(f"{name}: {value}, elsewhere {known}: every core has to count the same")
+        values[core, name] = max(known, int(value))
+    return values
+
+
+class Budgets:
+    """budgets.csv: a row per figure, a column per core. The rows are chosen by hand."""
+
+    def __init__(self, text):
+        head, *rows = csv.reader(io.StringIO(text))
+        self.columns = head[1:]
+        self.rows = {name: dict(zip(self.columns, cells)) for name, *cells in rows}
+
+    def text(self):
+        output = io.StringIO()
+        writer = csv.writer(output, lineterminator="\n")
+        writer.writerow(["figure", *self.columns])
+        writer.writerows([name, *cells.values()] for name, cells in self.rows.items())
+        return output.getvalue()
+
+    def missing_in(self, measured):
+        """Budgets missing from a group that was measured: its name is the first word of a figure's. Not every build
+        has each group."""
+        groups = {(core, name.split(".")[0]) for core, name in measured}
+        return [(core, name) for name, cells in self.rows.items() for core, value in cells.items()
+                if value and (core, name.split(".")[0]) in groups and (core, name) not in measured]
+
+    def complaints(self, measured):
+        """Yields a line for each budget that is not kept."""
+        for (core, name), now in measured.items():
+            if name not in self.rows:
+                continue
+            was = self.rows[name].get(core, "")
+            if not was:
+                yield f"{core} {name}: {now}, and has no budget: run tools/figures.sh"
+            elif core == ALL and now != int(was):
+                yield f"{name}: {now}, its budget is {was}: every core has to count the same"
+            elif now * 100 > int(was) * (100 + SLACK):
+                yield f"{core} {name}: {now}, more than {SLACK} % above its budget, {was}"
+            elif now * 100 < int(was) * (100 - SLACK):
+                yield f"{core} {name}: {now}, better than its budget, {was}: run tools/figures.sh"
+        for core, name in self.missing_in(measured):
+            yield f"{core} {name}: has a budget, and was not measured"
+
+    def update(self, measured):
+        for (core, name), value in measured.items():
+            if name in self.rows and core in self.columns:
+                self.rows[name][core] = str(value)
+
+    def table(self, group):
+        """The figures of a group as Markdown, without counts: a mean and its maximum in one row."""
+        rows = {name: cells for name, cells in self.rows.items() if name.split(".")[0] == group and not cells[ALL]}
+        columns = [column for column in self.columns if any(cells[column] for cells in rows.values())]
+        lines = [["", *columns]]
+        for name, cells in rows.items():
+            most = rows.get(name.removesuffix(".mean") + ".max") if name.endswith(".mean") else None
+            if not name.endswith(".max") or name.removesuffix(".max") + ".mean" not in rows:
+                label = name.partition(".")[2].replace(".", ", ") + (" / max" if most else "")
+                lines.append([label, *(" / ".join(f"{int(of[column]):,}" for of in (cells, most) if of and of[column])
+                                       or "-" for column in columns)])
+        widths = [max(map(len, column)) for column in zip(*lines)]
+        lines.insert(1, ["-" * width if i == 0 else "-" * (width - 1) + ":" for i, width in enumerate(widths)])
+        return "".join("| " + " | ".join(cell.rjust(width) if i else cell.ljust(width)
+                                         for i, (cell, width) in enumerate(zip(cells, widths))) + " |\n"
+                       for cells in lines)
+
+    def shown_in(self, page):
+        """The page with its tables rewritten, each below a comment `<!-- GROUP -->`."""
+        return re.sub(r"^<!-- (\w+) -->\n(\|.*\n)*", lambda found: f"<!-- {found[1]} -->\n{self.table(found[1])}", page,
+                      flags=re.M)
+
+
+def check(book, measured):
     complaints = list(book.complaints(measured))
     print("".join(f"{line}\n" for line in complaints), end="")
-    print(f"figures: {len(measured)} measured, {len(book.held(measured))} of them held, "
-          f"{len(complaints)} complaints")
+    held = sum(name in book.rows for _, name in measured)
+    print(f"figures: {held} held, {len(complaints)} complaints")
     return bool(measured) and not complaints
 
 
-def hold(*files):
-    return held(measured_in(Path(file).read_text() for file in files if Path(file).exists()))
-
-
-def write_pages(check):
-    """Writes the pages, or prints how they differ; returns whether none does."""
-    book, good = budgets(), True
-    for page in [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]:
-        old = page.read_text()
-        new = pages.rewritten(book, old)
-        if not check:
-            page.write_text(new)
-        elif new != old:
-            sys.stdout.writelines(difflib.unified_diff(
-                old.splitlines(True), new.splitlines(True), str(page.relative_to(ROOT)), "of budgets.csv", n=0))
-            print(f"figures.py: {page.relative_to(ROOT)} does not show budgets.csv: run figures.py pages",
-                  file=sys.stderr)
-            good = False
-    return good
-
-
-def texts_of(preset):
-    """The output of measuring programs in the preset's build folder; the core comes first."""
-    build = BUILD / preset
-    files = [*sorted((build / "figures").glob("*.txt")), *(build / f"{name}.txt" for name in (
-        "memory", "bound", "bound_measured")), *([FOLDER / "host.txt"] if preset == "native" else [])]
-    texts = [file.read_text() for file in files if file.exists()]
-    if not texts:
-        sys.exit(f"figures.py: nothing measured in build/{preset}: run its tests, or tools/figures.sh")
-    return texts
-
-
-def table_of(measured):
-    """All figures, the cores side by side."""
-    cores = list(dict.fromkeys(core for core, _ in measured))
-    return pages.lines_of([["figure", *cores], *([name, *(pages.grouped(measured.get((core, name), ""))
-                                                          for core in cores)]
-                                                 for name in dict.fromkeys(name for _, name in measured))])
-
-
-def write(measured):
-    """Writes the budgets, the pages, and the library's proven constants."""
-    book = budgets()
-    book.update(measured)
-    BUDGETS.write_text(book.text())
-    write_pages(check=False)
-    bounds = FOLDER / "bounds.txt"
-    bounds.write_text("".join(
-        f"core {core}\n" + "".join(f"bound {name.removeprefix('bound.')} {cells[core]}\n"
-                                   for name, cells in book.rows.items() if name.startswith("bound."))
-        for core in book.columns if core != ALL))
-    quietly(sys.executable, "-B", SHIPPED, bounds, COSTS, "--write")
-
-
-def measure(mode, urdf, native, *presets):
-    robot = Robot(Path(urdf).resolve(), native)
-    if mode in ("prepare", "trees"):
-        robot.prepare(for_boards_alone=mode == "prepare")
-        return robot.trees(*presets or ("cortex-m4f",)) if mode == "trees" else print(FOLDER)
-    presets = presets or ("native", *boards())
-    if mode != "print":
-        robot.prepare(for_boards_alone=False)
-        for preset in presets:
-            robot.measure(preset, TESTS)
-    measured = measured_in(text for preset in presets for text in texts_of(preset))
-    print(table_of(measured))
-    if mode == "write":
-        write(measured)
-    # Also after writing: two boards may have one core.
-    good = [held(measured_in(texts_of(preset))) for preset in presets] if mode != "print" else []
-    return all(good) and write_pages(check=True)
+def write_page(book, only_check):
+    old = PAGE.read_text()
+    new = book.shown_in(old)
+    if not only_check:
+        PAGE.write_text(new)
+    elif new != old:
+        raise Refused(f"{PAGE.name} does not show budgets.csv: run figures.py page")
 
 
 def main(command="", *arguments):
-    try:
-        if command == "run" and len(arguments) > 1:
-            return run(*arguments)
-        if command == "hold" and arguments:
-            return hold(*arguments)
-        if command == "pages" and arguments in ((), ("--check",)):
-            return write_pages(check=bool(arguments))
-        if command == "measure" and len(arguments) > 2:
-            return measure(*arguments)
-    except (OSError, Refused) as why:
-        sys.exit(f"figures.py: {why}")
-    sys.exit(__doc__)
+    if command == "run" and len(arguments) > 1:
+        return run(*arguments)
+    book = Budgets(BUDGETS.read_text())
+    if command == "page":
+        return write_page(book, arguments == ("--check",))
+    if command not in ("check", "write") or not arguments:
+        sys.exit(__doc__)
+    measured = measured_in(Path(file).read_text() for file in arguments if Path(file).exists())
+    if command == "check":
+        return check(book, measured)
+    book.update(measured)
+    BUDGETS.write_text(book.text())
+    return write_page(book, False)
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]) is False)
+    try:
+        sys.exit(main(*sys.argv[1:]) is False)
+    except (OSError, Refused) as why:
+        sys.exit(f"figures.py: {why}")

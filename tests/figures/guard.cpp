@@ -1,11 +1,11 @@
 // The guard of the KR5 at 1 kHz: 20 s of motion at half of the joints' top speed and at a tenth,
-// and certified motions. Exits with 1 if the guard stops a period of a certified motion.
+// and certified motions, of which the guard must stop no period.
 #include "flashbvh/robot/guard.hpp"
 
+#include "costs.hpp"
 #include "flashbvh/robot/image.hpp"
 #include "flashbvh/robot/motion.hpp"
 #include "kr5_arm.robot.h"
-#include "report.hpp"
 #include "support/random.hpp"
 
 using namespace flashbvh;
@@ -107,47 +107,8 @@ class Thousandth {
   uint16_t buckets_[kBuckets] = {};
 };
 
-/// The cost of a period by its work: the least-squares line through all periods with work, and the
-/// mean of those without.
-class PeriodCosts {
- public:
-  void add(uint32_t work, uint32_t instructions) {
-    if (work == 0) {
-      ++passes_;
-      of_passes_ += instructions;
-      return;
-    }
-    ++walks_;
-    work_ += work;
-    squares_ += int64_t{work} * work;
-    of_walks_ += instructions;
-    products_ += int64_t{work} * instructions;
-  }
-
-  /// The cost of a period without work.
-  uint32_t pass() const { return static_cast<uint32_t>(of_passes_ / passes_); }
-  uint32_t hundred_work() const {
-    return static_cast<uint32_t>((walks_ * products_ - work_ * of_walks_) * 100 /
-                                 (walks_ * squares_ - work_ * work_));
-  }
-  /// The cost of a period with work, in addition to the pass and the work.
-  uint32_t walk() const {
-    const int64_t of_work = work_ * hundred_work() / 100;
-    return static_cast<uint32_t>((of_walks_ - of_work) / walks_ - pass());
-  }
-
- private:
-  int64_t passes_ = 0;
-  int64_t of_passes_ = 0;
-  int64_t walks_ = 0;
-  int64_t of_walks_ = 0;
-  int64_t work_ = 0;
-  int64_t squares_ = 0;   ///< of work
-  int64_t products_ = 0;  ///< of work and instructions
-};
-
 /// Returns whether the guard stops no period.
-bool guard_motions(const char* name, uint32_t percent, PeriodCosts& costs) {
+bool guard_motions(const char* name, uint32_t percent) {
   Motions motions(percent);
   Guard guard(robot, guard_memory);
   bool good = guard.prime(motions.values()).verdict == Verdict::free;
@@ -159,8 +120,7 @@ bool guard_motions(const char* name, uint32_t percent, PeriodCosts& costs) {
     const uint32_t instructions =
         measure({{"guard", name}}, [&] { answer = guard.update(motions.values(), kWork); });
     thousandth.add(instructions);
-    costs.add(answer.work, instructions);
-    add_count({{"guard", "work", name}}, answer.work);
+    add_to_digest(answer.work);
     add_to_digest(static_cast<uint32_t>(answer.verdict));
     good = good && answer.status == Status::done && answer.verdict != Verdict::stop;
     unknown += answer.verdict == Verdict::not_yet_known ? 1 : 0;
@@ -193,12 +153,22 @@ bool certify_motions() {
       answer = query.run(UINT32_MAX);
     });
     if (answer.status == Status::done && answer.outcome == MotionOutcome::free) {
-      add_figure({{"motion", "free"}}, instructions);
+      add_figure({{"guard", "certify"}}, instructions);
       ++certified;
     }
   }
-  add_count({{"motion", "certified"}}, certified);
+  add_to_digest(certified);
   return certified != 0;
+}
+
+bool measure_opening() {
+  Robot opened;
+  Status status{};
+  measure({{"guard", "open"}}, [&] {
+    status = open_robot(kr5_arm_robot_image, sizeof kr5_arm_robot_image, meshes, kr5_arm_LINK_COUNT,
+                        opened);
+  });
+  return status == Status::done;
 }
 
 void measure_standing() {
@@ -208,29 +178,19 @@ void measure_standing() {
   Guard guard(robot, guard_memory);
   (void)guard.prime(zeros);
   measure({{"guard", "standing"}}, [&] { (void)guard.update(zeros, kWork); });
-  measure({{"guard", "seal"}}, [&] { guard.seal(); });
+  guard.seal();
   measure({{"guard", "verify"}}, [&] { (void)guard.verify(); });
   add_figure({{"guard", "state"}}, sizeof guard_memory);
 }
 
-/// What a period costs beside its work, and what work adds.
-void add_costs(const PeriodCosts& costs) {
-  print_count({{"guard", "joints"}}, robot.joint_count);
-  print_count({{"guard", "pairs"}}, robot.pair_count);
-  add_figure({{"guard", "pass"}}, costs.pass());
-  add_figure({{"guard", "walk"}}, costs.walk());
-  add_figure({{"guard", "hundred_work"}}, costs.hundred_work());
-}
-
 }  // namespace
-}  // namespace figures
 
-int main() {
-  figures::measure_standing();
-  figures::PeriodCosts costs;
-  const bool half = figures::guard_motions("half", 50, costs);
-  const bool tenth = figures::guard_motions("tenth", 10, costs);
-  figures::add_costs(costs);
-  const bool certified = figures::certify_motions();
-  return figures::print_all("guard", half && tenth && certified);
+bool measure_guard() {
+  const bool opened = measure_opening();
+  measure_standing();
+  const bool half = guard_motions("half", 50);
+  const bool tenth = guard_motions("tenth", 10);
+  return certify_motions() && opened && half && tenth;
 }
+
+}  // namespace figures

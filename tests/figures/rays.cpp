@@ -1,136 +1,132 @@
-// Rays at the KR5's links: single ones aimed at a link's box from outside, and scans of it, fans of
-// rays from one point; and points in the box. Exits with 1 if a hint changes an answer, or
-// any_hit() and nearest_hit() disagree.
+// Rays at links: single ones aimed at a link's box from outside, and a row of them from one point,
+// each with the hit before as hint; and points in the box. A hint must not change an answer.
 #include "flashbvh/ray.hpp"
 
-#include "bicep.fbvh.h"
-#include "flashbvh/image.hpp"
+#include "costs.hpp"
 #include "flashbvh/solid.hpp"
-#include "forearm.fbvh.h"
-#include "palm.fbvh.h"
-#include "ray_sets.hpp"
-#include "report.hpp"
-#include "wrist.fbvh.h"
+#include "links.hpp"
+#include "support/random.hpp"
 
 using namespace flashbvh;
 
 namespace figures {
 namespace {
 
-const Mesh bicep = view_unchecked<Mesh>(bicep_image);
-const Mesh forearm = view_unchecked<Mesh>(forearm_image);
-const Mesh palm = view_unchecked<Mesh>(palm_image);
-const Mesh wrist = view_unchecked<Mesh>(wrist_image);
-
 constexpr uint64_t kSeed = 20240607;
 constexpr uint32_t kOfLink = 128;  ///< aimed rays, and points
-constexpr uint16_t kNone = kNoHint<uint16_t>;
+constexpr int32_t kOfLine = 256;   ///< rays of a row, 45 degrees wide
 
-constexpr Fan kFans[] = {{"grid", 16, 16}, {"line", 1, 256}};
+/// A mesh's box, in its frame.
+struct MeshBox {
+  Point lower;
+  Point upper;
 
-const Mesh* const kLinks[] = {&bicep, &forearm, &palm, &wrist};
-
-/// The cost of a visit, with nothing rejected, and of a triangle that nearest_hit() reaches:
-/// loading and testing it.
-void add_parts(const Mesh& mesh, const Segment& segment, const char* set) {
-  detail::SegmentWalk<Mesh> all(mesh, segment);
-  uint32_t position = 0;
-  const uint32_t instructions = port::instructions_of([&] {
-    while (all.next_triangle(position)) {
-    }
-  });
-  add_quotient({{"ray", "visit"}}, instructions, all.visits());
-
-  detail::SegmentWalk<Mesh> walk(mesh, segment);
-  RayHit<uint16_t> hit = {};
-  SegmentShare nearest = {1, 1};
-  uint32_t count = 0;
-  while (walk.next_triangle(position)) {
-    bool yes = false;
-    measure({{"ray", "triangle"}}, [&] { yes = walk.get_hit(position, hit); });
-    ++count;
-    if (yes && order_along(hit.along, nearest) < 0) {
-      nearest = hit.along;
-      walk.shorten(nearest);
-    }
+  explicit MeshBox(const Mesh& mesh) {
+    const flashbvh::Box root = unpack(mesh.nodes[0].box);
+    const int32_t(&o)[3] = mesh.origin;
+    lower = {root.lower.x + o[0], root.lower.y + o[1], root.lower.z + o[2]};
+    upper = {root.upper.x + o[0], root.upper.y + o[1], root.upper.z + o[2]};
   }
-  add_count({{"ray", "triangles", set}}, count);
+  Point middle() const {
+    return {(lower.x + upper.x) / 2, (lower.y + upper.y) / 2, (lower.z + upper.z) / 2};
+  }
+  int32_t longest_side() const {
+    const int32_t x = upper.x - lower.x;
+    const int32_t y = upper.y - lower.y;
+    const int32_t z = upper.z - lower.z;
+    const int32_t of_xy = x < y ? y : x;
+    return of_xy < z ? z : of_xy;
+  }
+  bool holds(const Point& p) const {
+    return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
+           p.z <= upper.z;
+  }
+};
+
+Point any_point(test::Random& random, const Point& lower, const Point& upper) {
+  const int32_t x = random.between(lower.x, upper.x);
+  const int32_t y = random.between(lower.y, upper.y);
+  return {x, y, random.between(lower.z, upper.z)};
 }
 
-/// Adds a query of the set.
+/// A segment through `by` and equally far beyond it.
+Segment through(const Point& from, const Point& by) {
+  return {from, {2 * by.x - from.x, 2 * by.y - from.y, 2 * by.z - from.z}};
+}
+
+/// A random segment from outside the box, within two of its longest sides, through a point of it.
+Segment any_aimed(test::Random& random, const MeshBox& box) {
+  const int32_t reach = 2 * box.longest_side();
+  const Point m = box.middle();
+  Point from = m;
+  while (box.holds(from)) {
+    from = any_point(random, {m.x - reach, m.y - reach, m.z - reach},
+                     {m.x + reach, m.y + reach, m.z + reach});
+  }
+  return through(from, any_point(random, box.lower, box.upper));
+}
+
+/// Ray `i` of the row whose origin lies one longest side away along each axis.
+Segment of_line(const MeshBox& box, int32_t i) {
+  const int32_t side = box.longest_side();
+  const Point m = box.middle();
+  const int32_t along = side * (2 * i - kOfLine + 1) / (2 * kOfLine);
+  return through({m.x - side, m.y - side, m.z + side}, {m.x + along, m.y - along, m.z});
+}
+
+/// Adds a call of the set.
 template <class Run>
 auto add(const char* what, const char* set, const Run& run) {
   decltype(run()) answer = {};
   measure({{"ray", what, set}}, [&] { answer = run(); });
-  add_count({{"ray", "visits", what, set}}, answer.visits);
+  add_to_digest(answer.visits);
   return answer;
 }
 
-/// Returns whether the answers agree.
-bool measure_ray(const char* set, const Mesh& mesh, const Segment& segment, uint16_t seed) {
+bool measure_aimed(const Mesh& mesh, const Segment& segment) {
+  const char* const set = any_hit(mesh, segment).yes ? "aimed" : "missed";
   const auto cold = add("cold", set, [&] { return nearest_hit(mesh, segment); });
-  const auto hint = add("hint", set, [&] { return nearest_hit(mesh, segment, seed); });
   const auto any = add("any", set, [&] { return any_hit(mesh, segment); });
   measure({{"ray", "crossings", set}}, [&] { (void)signed_crossings(mesh, segment); });
-  add_parts(mesh, segment, set);
-  return cold.status == Status::done && hint.yes == cold.yes && any.yes == cold.yes &&
-         (!cold.yes || hint.hit.triangle == cold.hit.triangle);
-}
-
-bool measure_aimed() {
-  test::Random random(kSeed);
-  bool good = true;
-  for (const Mesh* const link : kLinks) {
-    const Box box(*link);
-    for (uint32_t i = 0; i < kOfLink; ++i) {
-      const Segment segment = any_aimed(random, box);
-      const char* const set = any_hit(*link, segment).yes ? "aimed" : "missed";
-      good = measure_ray(set, *link, segment, kNone) && good;
-    }
-  }
-  return good;
+  return cold.status == Status::done && any.yes == cold.yes;
 }
 
 /// Each ray that hits gets the previous hit as hint; the others leave the hint unchanged.
-bool measure_fan(const Fan& fan) {
-  bool good = true;
-  for (const Mesh* const link : kLinks) {
-    const Box box(*link);
-    uint16_t seed = kNone;
-    for (int32_t i = 0; i < fan.rows * fan.columns; ++i) {
-      const Segment segment = of_fan(fan, box, i / fan.columns, i % fan.columns);
-      const auto found = nearest_hit(*link, segment);
-      if (found.yes) {
-        good = measure_ray(fan.name, *link, segment, seed) && good;
-        seed = found.hit.slot;
-      }
+bool measure_line(const Mesh& mesh, const MeshBox& box) {
+  bool right = true;
+  uint16_t seed = kNoHint<uint16_t>;
+  for (int32_t i = 0; i < kOfLine; ++i) {
+    const Segment segment = of_line(box, i);
+    const auto found = nearest_hit(mesh, segment);
+    if (found.yes) {
+      const auto hint = add("hint", "line", [&] { return nearest_hit(mesh, segment, seed); });
+      right = right && hint.yes && hint.hit.triangle == found.hit.triangle;
+      seed = found.hit.slot;
     }
   }
-  return good;
-}
-
-bool measure_points() {
-  test::Random random(kSeed);
-  bool good = true;
-  for (const Mesh* const link : kLinks) {
-    const Box box(*link);
-    for (uint32_t i = 0; i < kOfLink; ++i) {
-      const Point point = any_point(random, box.lower, box.upper);
-      good = add("inside", nullptr, [&] { return inside(*link, point); }).status == Status::done &&
-             good;
-    }
-  }
-  return good;
+  return right;
 }
 
 }  // namespace
-}  // namespace figures
 
-int main() {
-  bool good = figures::measure_aimed();
-  for (const figures::Fan& fan : figures::kFans) {
-    good = figures::measure_fan(fan) && good;
+bool measure_rays() {
+  const Mesh* const links[] = {kPairs[0].a, kPairs[1].a, kPairs[0].b, kPairs[3].b};
+  test::Random random(kSeed);
+  test::Random random_points(kSeed);
+  bool right = true;
+  for (const Mesh* const link : links) {
+    const MeshBox box(*link);
+    for (uint32_t i = 0; i < kOfLink; ++i) {
+      right = measure_aimed(*link, any_aimed(random, box)) && right;
+    }
+    for (uint32_t i = 0; i < kOfLink; ++i) {
+      const Point point = any_point(random_points, box.lower, box.upper);
+      right = add("inside", nullptr, [&] { return inside(*link, point); }).status == Status::done &&
+              right;
+    }
+    right = measure_line(*link, box) && right;
   }
-  good = figures::measure_points() && good;
-  return figures::print_all("ray", good);
+  return right;
 }
+
+}  // namespace figures

@@ -1,5 +1,5 @@
 // Measures instructions of a query by flashbvh, OPCODE and a tree of floats, for each pair of
-// meshes and class of poses in lib/docs/figures.md. Prints lines:
+// links and class of poses in lib/docs/figures.md. Prints lines:
 //     CORE A-B MOTION CLASS LIBRARY mean most pairs-found
 #include <initializer_list>
 
@@ -7,7 +7,7 @@
 
 #include "insn.hpp"
 #include "library.hpp"
-#include "query_pose.hpp"
+#include "links.hpp"
 #include "text.hpp"
 
 using namespace flashbvh;
@@ -45,7 +45,7 @@ struct Cost {
     most = instructions > most ? instructions : most;
     ++count;
   }
-  void print(const MeshPair& pair, const char* motion, const char* name,
+  void print(const LinkPair& pair, const char* motion, const char* name,
              const char* library) const {
     port::print(FLASHBVH_CORE " ", pair.a_name, "-", pair.b_name, " ", motion, " ", name, " ",
                 library, " ", static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
@@ -62,18 +62,18 @@ struct Named {
   Library& library;
 };
 
-void query_class(const MeshPair& pair, bool is_rotated, uint32_t proximity, const Named& named) {
-  const char* const motion = is_rotated ? "rotated" : "translated";
+void query_class(PoseKey key, const Named& named) {
   Cost all;
   Cost first;
-  for (const QueryPose& query_pose : (is_rotated ? pair.rotated : pair.translated)[proximity]) {
-    named.library.set_pose(pose_of(query_pose));
+  for (key.number = 0; key.number < kPosesOfPair; ++key.number) {
+    named.library.set_pose(key.pose());
     all.add(named.library, false);
     first.add(named.library, true);
   }
-  all.print(pair, motion, kProximityNames[proximity], named.name);
-  if (static_cast<Proximity>(proximity) == Proximity::intersecting) {
-    first.print(pair, motion, "first", named.name);
+  const LinkPair& pair = kPairs[key.pair];
+  all.print(pair, key.motion(), key.proximity_name(), named.name);
+  if (key.proximity == Proximity::intersecting) {
+    first.print(pair, key.motion(), "first", named.name);
   }
 }
 
@@ -84,13 +84,12 @@ int main() {
   const compare::Named all[] = {{"flashbvh", compare::flashbvh_itself()},
                                 {"opcode", compare::opcode()},
                                 {"float", compare::float_tree()}};
-  for (uint32_t p = 0; p < kMeshPairCount; ++p) {
-    const MeshPair& pair = kMeshPairs[p];
+  for (uint32_t p = 0; p < kLinkPairs; ++p) {
     for (const compare::Named& named : all) {
-      named.library.set_meshes(*pair.a, *pair.b);
+      named.library.set_meshes(*kPairs[p].a, *kPairs[p].b);
       for (const bool is_rotated : {false, true}) {
         for (uint32_t i = 0; i < kProximities; ++i) {
-          compare::query_class(pair, is_rotated, i, named);
+          compare::query_class({is_rotated, static_cast<Proximity>(i), p, 0}, named);
         }
       }
     }
