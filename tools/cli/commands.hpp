@@ -64,11 +64,6 @@ inline void add_json(CLI::App& command, bool& to, const char* what) {
   command.add_flag("--json", to, what);
 }
 
-inline void add_progress(CLI::App& command, bool& to) {
-  command.add_flag("--progress", to,
-                   "Show a progress bar at once; default: on a terminal, after a second");
-}
-
 /// The program's exit code; 2 is for UserError.
 enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2, kRefusedValues = 3 };
 

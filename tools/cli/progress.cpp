@@ -17,8 +17,8 @@ constexpr std::size_t kStepWidth = 40;  ///< so that the whole line fits 80 colu
 
 }  // namespace
 
-Progress::Progress(double total, bool always) : total_(total), always_(always) {
-  if (always_ || isatty(STDERR_FILENO) == 0) {
+Progress::Progress(double total) : total_(total) {
+  if (isatty(STDERR_FILENO) == 0) {
     return;
   }
   try {
@@ -48,7 +48,7 @@ void Progress::begin(const std::string& step, double weight) {
   done_ += weight_;
   weight_ = weight;
   step_ = one_line(step);
-  if (always_ || drawn_ || (has_no_thread_ && Clock::now() - began_ > kPatience)) {
+  if (drawn_ || (has_no_thread_ && Clock::now() - began_ > kPatience)) {
     draw();
   }
 }

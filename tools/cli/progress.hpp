@@ -13,8 +13,8 @@ namespace flashbvh::tool {
 /// at the end.
 class Progress {
  public:
-  /// `total`: sum of all steps' weights. `always`: shows the bar at once, on any standard error.
-  Progress(double total, bool always);
+  /// `total`: sum of all steps' weights.
+  explicit Progress(double total);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
@@ -28,7 +28,6 @@ class Progress {
   void draw();
 
   const double total_;
-  const bool always_;
   const Clock::time_point began_ = Clock::now();
   bool has_no_thread_ = false;
   std::mutex mutex_;

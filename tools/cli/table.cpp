@@ -29,6 +29,14 @@ Column number_column(const char* heading, const char* field, int digits) {
   return {heading, [=](const Json& row) { return number_of(row.at(field), digits); }, true};
 }
 
+std::string pair_text(const Json& row) {
+  return word_of(row["a"]) + " - " + word_of(row["b"]);
+}
+
+Column pair_column(const char* heading) {
+  return {heading, pair_text};
+}
+
 void print_table(const Json& rows, const std::vector<Column>& columns) {
   if (rows.empty()) {
     return;

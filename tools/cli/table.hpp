@@ -21,6 +21,10 @@ Column word_column(const char* heading, const char* field);
 /// A field that is a number, with at most `digits` significant digits; null is "-".
 Column number_column(const char* heading, const char* field, int digits = 6);
 
+/// "upper - fore": the links `a` and `b` of a row.
+std::string pair_text(const Json& row);
+Column pair_column(const char* heading);
+
 /// Prints columns as wide as their widest cell, to standard output; nothing if there are no rows.
 void print_table(const Json& rows, const std::vector<Column>& columns);
 

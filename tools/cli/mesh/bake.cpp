@@ -10,9 +10,9 @@
 #include "cli/mesh/bake_options.hpp"
 #include "cli/mesh/bake_simplified.hpp"
 #include "cli/mesh/bake_table.hpp"
-#include "cli/mesh/mesh_warnings.hpp"
 #include "cli/progress.hpp"
 #include "image/c_writer.hpp"
+#include "image/mesh_warnings.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -154,7 +154,7 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   const std::vector<double> weights = weights_of(order.meshes);
   const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
   const bool simplifies = order.simplify || order.fit;
-  Progress progress((simplifies ? 3 : 2) * weight, false);
+  Progress progress((simplifies ? 3 : 2) * weight);
   const auto [meshes, parts] = read_parts(order, weights, progress, warnings);
   double finest = 0;
   for (const InputMesh& mesh : meshes) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "cli/simplify_options.hpp"
+#include "image/simplify_options.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 

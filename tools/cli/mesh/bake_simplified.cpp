@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "cli/mesh/mesh_warnings.hpp"
+#include "image/mesh_warnings.hpp"
 #include "text/numbers.hpp"
 #include "text/parallel.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "cli/mesh/mesh_warnings.hpp"
 #include "cli/table.hpp"
+#include "image/mesh_warnings.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {

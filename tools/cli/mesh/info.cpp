@@ -6,9 +6,9 @@
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
 #include "cli/mesh/image_facts.hpp"
-#include "cli/mesh/mesh_warnings.hpp"
 #include "cli/robot/robot_output.hpp"
 #include "image/image_file.hpp"
+#include "image/mesh_warnings.hpp"
 #include "mesh/units.hpp"
 #include "text/numbers.hpp"
 
@@ -84,7 +84,7 @@ struct InfoArguments {
 void info(const InfoArguments& arguments) {
   const auto& [path, json] = arguments;
   if (is_robot_file_name(path)) {
-    return (json ? print_robot_file_json : print_robot_file)(RobotFile(path));
+    return print_robot_file(RobotFile(path), json);
   }
   const ImageFile image(path);
   const Json facts = image_facts(image);

@@ -1,62 +1,21 @@
 // flashbvh audit: reports which pairs of links an SRDF may disable.
-#include <iomanip>
 #include <iostream>
 
 #include "cli/commands.hpp"
-#include "cli/json.hpp"
-#include "cli/robot/baked_robot.hpp"
-#include "cli/robot/robot_arguments.hpp"
+#include "cli/robot/robot_options.hpp"
+#include "cli/table.hpp"
 #include "robot/audit/audit.hpp"
+#include "robot/pipeline/decide.hpp"
+#include "robot/pipeline/warnings.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-struct AuditArguments : RobotArguments {
+struct AuditArguments : RobotRequest {
   std::string written;
   bool json = false;
 };
-
-/// Prints a table in columns as wide as their widest cell, and an empty line; nothing if there are
-/// no rows below the heading. The last column is not padded.
-void print_columns(const std::vector<std::vector<std::string>>& rows) {
-  if (rows.size() == 1) {
-    return;
-  }
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-      widths[i] = std::max(widths[i], row[i].size() + 2);
-    }
-  }
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      std::cout << std::left << std::setw(static_cast<int>(widths[i])) << row[i];
-    }
-    std::cout << "\n";
-  }
-  std::cout << "\n";
-}
-
-std::string pair_text(const Model& model, std::size_t a, std::size_t b) {
-  return model.links[a].name + " - " + model.links[b].name;
-}
-
-void print_audit(const Model& model, const std::string& srdf, const Audit& audit) {
-  std::vector<std::vector<std::string>> lines = {{"pair", "line", "SRDF", "verdict", "reason"}};
-  for (const AuditedLine& line : audit.lines) {
-    lines.push_back({pair_text(model, line.pair.a, line.pair.b), concat(line.line.line),
-                     line.line.reason.empty() ? "-" : line.line.reason, name_of(line.verdict),
-                     line.why});
-  }
-  print_columns(lines);
-  std::vector<std::vector<std::string>> missing = {{"missing", "SRDF", "reason"}};
-  for (const MissingLine& line : audit.missing) {
-    missing.push_back({pair_text(model, line.line.a, line.line.b), line.line.reason, line.why});
-  }
-  print_columns(missing);
-  std::cout << srdf << ": " << summary_of(audit) << "\n";
-}
 
 Json triangle_json(const FileTriangle& triangle) {
   return {{"source", triangle.source}, {"triangle", triangle.triangle}};
@@ -81,8 +40,8 @@ Json line_json(const Model& model, const AuditedLine& line) {
   return json;
 }
 
-void print_audit_json(const Model& model, const std::string& srdf, const Audit& audit,
-                      const Warnings& warnings) {
+Json audit_json(const Model& model, const std::string& srdf, const Audit& audit,
+                const Warnings& warnings) {
   Json json = {{"robot", model.name},
                {"srdf", srdf},
                {"ok", audit.count(LineVerdict::refuted) == 0},
@@ -102,27 +61,45 @@ void print_audit_json(const Model& model, const std::string& srdf, const Audit& 
                                {"reason", missing.why}});
   }
   json["warnings"] = json_of(warnings);
-  print_object(json);
+  return json;
+}
+
+/// `place`: the SRDF, or the robot without one.
+void print_audit(const Json& json, const std::string& place, const std::string& summary) {
+  const Column srdf = {"SRDF", [](const Json& row) {
+                         const std::string reason = row["srdf_reason"];
+                         return reason.empty() ? "-" : reason;
+                       }};
+  print_table(json["lines"], {pair_column("pair"), number_column("line", "line"), srdf,
+                              word_column("verdict", "verdict"), word_column("reason", "reason")});
+  std::cout << (json["lines"].empty() ? "" : "\n");
+  print_table(json["missing"], {pair_column("missing"), srdf, word_column("reason", "reason")});
+  std::cout << (json["missing"].empty() ? "" : "\n") << place << ": " << summary << "\n";
 }
 
 ExitCode audit_srdf(const AuditArguments& arguments) {
   Warnings warnings;
   Model model = described_robot(arguments, warnings);
   const std::vector<DisabledPair> disabled = std::exchange(model.disabled, {});
-  const BakedRobot robot = decided_robot(std::move(model), arguments, warnings);
+  Progress progress(steps_of(model));
+  const Prepared robot = prepare(std::move(model), arguments, shown_by(progress), warnings);
+  const Decided decided = decide(robot, arguments, 0, shown_by(progress));
+  warn_of_late_zones(robot.model, decided, arguments.urdf, "undecided", warnings);
   const std::vector<WholeMesh> meshes = views_of(robot.wholes);
-  const DecidedPairs decided = {robot.model, meshes, robot.cell, robot.pairs, robot.late_joints};
-  const Audit audit = audit_of(decided, disabled);
+  const DecidedPairs pairs = {robot.model, meshes, robot.cell, decided.pairs, decided.late_joints};
+  const Audit audit = audit_of(pairs, disabled);
   FileSet files(files_read(arguments, robot.model));
   if (!arguments.written.empty()) {
-    files.add(arguments.written, srdf_of(robot.model, srdf_lines(decided)));
+    files.add(arguments.written, srdf_of(robot.model, srdf_lines(pairs)));
   }
   files.write([&] {
     warnings.print();
+    const Json json = audit_json(robot.model, arguments.srdf, audit, warnings);
     if (arguments.json) {
-      print_audit_json(robot.model, arguments.srdf, audit, warnings);
+      print_object(json);
     } else {
-      print_audit(robot.model, arguments.srdf, audit);
+      print_audit(json, arguments.srdf.empty() ? arguments.urdf : arguments.srdf,
+                  summary_of(audit));
     }
     flush_output();
   });
@@ -138,13 +115,13 @@ void add_audit(CLI::App& app) {
       "Exit code 0: no line is refuted; 1: in some two links can collide.",
       audit_srdf);
   add_described_options(command, "ROBOT", a);
-  add_option(command, "SRDF", a.srdf, "FILE.srdf", "The SRDF of the robot")->required();
+  add_option(command, "SRDF", a.srdf, "FILE.srdf", "The SRDF of the robot, if it has one");
   add_time(command, a, "What is not decided by then is undecided");
   add_option(command, "--write", a.written, "FIXED.srdf",
              "Write an SRDF of all pairs that no planner has to check, and of nothing else");
   add_json(command, a.json, "One JSON object");
-  add_progress(command, a.progress);
-  add_example(command, "audit arm.urdf arm.srdf", "prints a verdict for each disabled pair");
+  add_example(command, "audit arm.urdf --write arm.srdf",
+              "writes arm.srdf, and prints what it disables");
 }
 
 }  // namespace flashbvh::tool

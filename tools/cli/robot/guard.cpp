@@ -1,13 +1,15 @@
 // flashbvh guard: runs a trajectory through firmware's guard on the desktop.
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
+#include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/json.hpp"
-#include "cli/robot/baked_robot.hpp"
 #include "cli/robot/guard_output.hpp"
-#include "cli/robot/robot_warnings.hpp"
+#include "cli/robot/robot_options.hpp"
+#include "cli/table.hpp"
+#include "robot/baked/robot_file.hpp"
+#include "robot/pipeline/baked_robot.hpp"
+#include "robot/pipeline/warnings.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
 
@@ -46,15 +48,12 @@ std::string metres_text(const GuardedTrajectory& guarded, std::uint32_t fine) {
   return significant(unit_length(fine, cell_of(guarded.robot)), 4);
 }
 
-/// "  first at line 3, upper - fore".
-std::string first_of(const GuardedTrajectory& guarded, std::size_t kind, std::size_t first) {
-  const GuardAnswer& answer = guarded.answers[first];
-  std::string text = concat("  first at line ", guarded.trajectory.line(first));
-  if (kind == kRefusedKind || answer.pair == kNoPair) {
-    return text;
-  }
-  text += ", " + links_of(guarded, answer.pair);
-  if (kind != static_cast<std::size_t>(Verdict::not_yet_known)) {
+/// "first at line 3, upper - fore, at least 0.01 m apart".
+std::string first_of_unknown(const GuardedTrajectory& guarded, const ReplaySummary& summary,
+                             std::size_t kind) {
+  const std::string text = first_of(guarded, summary, kind);
+  const GuardAnswer& answer = guarded.answers[summary.first[kind]];
+  if (kind != static_cast<std::size_t>(Verdict::not_yet_known) || answer.pair == kNoPair) {
     return text;
   }
   return text + (answer.distance == 0
@@ -63,32 +62,16 @@ std::string first_of(const GuardedTrajectory& guarded, std::size_t kind, std::si
 }
 
 void print_counts(const GuardedTrajectory& guarded) {
-  const ReplaySummary counts = summary_of(guarded.answers);
+  const ReplaySummary summary = summary_of(guarded.answers);
+  Json rows = Json::array();
   for (const std::size_t kind : kKindsInOrder) {
-    std::cout << std::left << std::setw(15) << kKindNames[kind] << std::right << std::setw(9)
-              << counts.periods[kind]
-              << (kind == 0 || counts.periods[kind] == 0
-                      ? ""
-                      : first_of(guarded, kind, counts.first[kind]))
-              << "\n";
+    const bool has_first = kind != 0 && summary.periods[kind] != 0;
+    rows.push_back({{"verdict", kKindNames[kind]},
+                    {"periods", summary.periods[kind]},
+                    {"first", has_first ? first_of_unknown(guarded, summary, kind) : ""}});
   }
-}
-
-/// "0.35 to 0.81".
-std::string times_of_stretch(const GuardedTrajectory& guarded, const Stretch& stretch) {
-  return shortest(guarded.trajectory.time(stretch.first)) + " to " +
-         shortest(guarded.trajectory.time(stretch.last));
-}
-
-void print_stretch(const GuardedTrajectory& guarded, const Stretch& stretch) {
-  const bool is_refused = stretch.pair == kNoPair;
-  std::cout << std::left << std::setw(9) << guarded.trajectory.line(stretch.first) << std::setw(9)
-            << guarded.trajectory.line(stretch.last) << std::setw(15) << kKindNames[stretch.kind]
-            << std::setw(12) << (is_refused ? "-" : metres_text(guarded, stretch.kept))
-            << std::setw(12) << (stretch.closest ? metres_text(guarded, *stretch.closest) : "-")
-            << (is_refused ? "-" : links_of(guarded, stretch.pair))
-            << (guarded.trajectory.has_times() ? "  " + times_of_stretch(guarded, stretch) : "")
-            << "\n";
+  print_table(rows, {word_column("verdict", "verdict"), number_column("periods", "periods"),
+                     word_column("", "first")});
 }
 
 /// Prints the stretches that are not free.
@@ -98,12 +81,20 @@ void print_stretches(const GuardedTrajectory& guarded) {
   if (stretches.empty()) {
     return;
   }
-  std::cout << "\nfrom     to       verdict        known m     closest m   links"
-            << (guarded.trajectory.has_times() ? ", " + guarded.trajectory.time_name() : "")
-            << "\n";
-  for (const Stretch& stretch : worst_of(stretches, kShownLines)) {
-    print_stretch(guarded, stretch);
+  std::vector<Column> columns = {
+      number_column("from", "from"),
+      number_column("to", "to"),
+      word_column("verdict", "verdict"),
+      number_column("known m", "distance", 4),
+      number_column("closest m", "closest", 4),
+      {"links", [](const Json& row) { return row["a"].is_null() ? "-" : pair_text(row); }}};
+  if (guarded.trajectory.has_times()) {
+    columns.push_back({guarded.trajectory.time_name(), [](const Json& row) {
+                         return shortest(row["from_time"]) + " to " + shortest(row["to_time"]);
+                       }});
   }
+  std::cout << "\n";
+  print_table(stretches_json(guarded, worst_of(stretches, kShownLines)), columns);
   if (stretches.size() > kShownLines) {
     std::cout << "and " << stretches.size() - kShownLines << " more: --report has a table\n";
   }
@@ -129,37 +120,28 @@ void print_work(const GuardedTrajectory& guarded) {
   }
 }
 
-void print_motion(const GuardedTrajectory& guarded, std::size_t i) {
-  const CertifiedMotion& motion = guarded.motions[i];
-  std::cout << "  to line " << guarded.trajectory.line(i + 1) << ": ";
-  if (motion.answer.status != Status::done) {
-    std::cout << "refused\n";
-    return;
+/// "to line 5: upper - fore hit 0.3 of the way on, at turn 0, fold 2.9".
+std::string motion_text(const Json& motion) {
+  const std::string line = concat("  to line ", motion["to"].dump(), ": ");
+  if (motion["outcome"] == "refused") {
+    return line + "refused";
   }
-  std::cout << links_of(guarded, motion.answer.pair)
-            << (motion.answer.outcome == MotionOutcome::hit ? " hit " : " close ")
-            << significant(motion.part, 4) << " of the way on, at ";
-  for (std::size_t v = 0; v < motion.values.size(); ++v) {
-    std::cout << (v == 0 ? "" : ", ") << variable_name(guarded, v) << " "
-              << significant(motion.values[v], 6);
-  }
-  std::cout << "\n";
+  return concat(line, pair_text(motion), " ", motion["outcome"].get<std::string>(), " ",
+                significant(motion["part"], 4), " of the way on, at ",
+                joined(motion["values"].items(), [](const auto& value) {
+                  return value.key() + " " + significant(value.value().template get<double>(), 6);
+                }));
 }
 
 void print_motions(const GuardedTrajectory& guarded) {
-  const auto& motions = guarded.motions;
-  const auto free = std::count_if(motions.begin(), motions.end(), is_free);
-  const std::size_t others = motions.size() - static_cast<std::size_t>(free);
-  std::cout << "\nmotions from line to line: " << free << " free, " << others << " not\n";
-  std::size_t shown = 0;
-  for (std::size_t i = 0; i < motions.size() && shown < kShownLines; ++i) {
-    if (!is_free(motions[i])) {
-      print_motion(guarded, i);
-      ++shown;
-    }
+  const Json others = motions_json(guarded);
+  std::cout << "\nmotions from line to line: " << guarded.motions.size() - others.size()
+            << " free, " << others.size() << " not\n";
+  for (std::size_t i = 0; i < std::min(others.size(), kShownLines); ++i) {
+    std::cout << motion_text(others[i]) << "\n";
   }
-  if (shown < others) {
-    std::cout << "  and " << others - shown << " more: --json has all\n";
+  if (others.size() > kShownLines) {
+    std::cout << "  and " << others.size() - kShownLines << " more: --json has all\n";
   }
 }
 
@@ -206,7 +188,7 @@ ExitCode exit_code_of(const GuardedTrajectory& guarded) {
   return is_free_all ? kSuccess : kCheckFailed;
 }
 
-struct GuardArguments : RobotArguments {
+struct GuardArguments : RobotRequest {
   std::string trajectory;
   std::string page;
   std::uint32_t work = kAllWork;
@@ -214,58 +196,63 @@ struct GuardArguments : RobotArguments {
   bool json = false;
 };
 
+/// The image of a robot, and what was read for it.
 struct Guarded {
-  BakedRobot robot;
+  Model model;  ///< of the URDF, or of the image
+  std::unique_ptr<RobotFile> file;
   Trajectory trajectory;
+  std::vector<std::string> inputs;
 };
 
-/// A robot read from an image, as it was baked. UserError if it is no image, or if `command` was
-/// given options of add_robot_options(), which are for baking.
-BakedRobot opened_robot(const std::string& path, const CLI::App& command, Warnings& warnings) {
-  for (const char* const option :
-       {"--package", "--visual-too", "--srdf", "--believe", "--cell", "--leaf-size", "--simplify",
-        "--fit", "--stop", "--warn", "--pair", "--zone", "--time"}) {
+/// Opens an image. UserError if it is none, or if options for baking were given.
+Guarded opened(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
+  const std::string& path = arguments.urdf;
+  for (const char* const option : {"--package", "--stop", "--warn"}) {
     if (command.count(option) != 0) {
       throw UserError(path, "is baked already, ", option,
                       " is for a URDF; leave it out, or bake again with `flashbvh robot`");
     }
   }
-  BakedRobot made;
-  made.file = std::make_unique<RobotFile>(path);
-  made.model = made.file->model();
-  made.cell = made.file->cell();
-  made.sizes = link_sizes(made.model, made.robot().meshes, made.cell);
-  made.unguarded = made.file->unguarded();
-  warn_of_unguarded(made, path, warnings);
-  return made;
+  auto file = std::make_unique<RobotFile>(path);
+  Model model = file->model();
+  warn_of_unguarded(model, file->unguarded(), path, warnings);
+  Trajectory trajectory = read_trajectory(arguments.trajectory, model, warnings);
+  return {std::move(model), std::move(file), std::move(trajectory), {path, arguments.trajectory}};
 }
 
-/// Reads the trajectory before it bakes.
-Guarded read_guarded(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
-  if (is_robot_file_name(arguments.urdf)) {
-    BakedRobot robot = opened_robot(arguments.urdf, command, warnings);
-    Trajectory trajectory = read_trajectory(arguments.trajectory, robot.model, warnings);
-    return {std::move(robot), std::move(trajectory)};
-  }
+/// Bakes a URDF, once the trajectory is read.
+Guarded baked(const GuardArguments& arguments, Warnings& warnings) {
   Model model = described_robot(arguments, warnings);
   Trajectory trajectory = read_trajectory(arguments.trajectory, model, warnings);
-  return {baked_robot(std::move(model), arguments, warnings), std::move(trajectory)};
+  std::vector<std::string> inputs = files_read(arguments, model);
+  inputs.push_back(arguments.trajectory);
+  Progress progress(steps_of(model));
+  BakedRobot robot = baked_robot(std::move(model), arguments, shown_by(progress), warnings);
+  const std::vector<std::uint32_t> words = image_of(robot, robot.model.name);
+  const std::string bytes(reinterpret_cast<const char*>(words.data()),
+                          words.size() * sizeof words[0]);
+  return {std::move(robot.model), std::make_unique<RobotFile>(arguments.urdf, bytes),
+          std::move(trajectory), std::move(inputs)};
 }
 
 ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& command) {
   Warnings warnings;
-  const auto& [robot, trajectory] = read_guarded(arguments, command, warnings);
-  const std::vector<GuardAnswer> answers = replay(robot.robot(), trajectory, arguments.work);
+  const Guarded given = is_robot_file_name(arguments.urdf) ? opened(arguments, command, warnings)
+                                                           : baked(arguments, warnings);
+  const Robot& robot = given.file->robot();
+  const std::vector<GuardAnswer> answers = replay(robot, given.trajectory, arguments.work);
   const auto motions =
-      arguments.motion ? certify(robot.robot(), trajectory) : std::vector<CertifiedMotion>();
-  const std::vector<std::uint32_t> image =
-      arguments.page.empty() ? std::vector<std::uint32_t>() : image_of(robot, robot.model.name);
-  const GuardedTrajectory guarded = {
-      robot.model,    robot.robot(),    image,   arguments.trajectory, trajectory, answers,
-      arguments.work, arguments.motion, motions, robot.unguarded};
-  std::vector<std::string> read = files_read(arguments, robot.model);
-  read.push_back(arguments.trajectory);
-  FileSet files(std::move(read));
+      arguments.motion ? certify(robot, given.trajectory) : std::vector<CertifiedMotion>();
+  const GuardedTrajectory guarded = {given.model,
+                                     robot,
+                                     given.file->words(),
+                                     arguments.trajectory,
+                                     given.trajectory,
+                                     answers,
+                                     arguments.motion,
+                                     motions,
+                                     given.file->unguarded()};
+  FileSet files(given.inputs);
   if (!arguments.page.empty()) {
     files.add(arguments.page, guard_page(guarded));
   }
@@ -290,8 +277,10 @@ void add_guard(CLI::App& app) {
       [&app](const GuardArguments& given) {
         return guard_trajectory(given, *app.get_subcommand("guard"));
       });
-  add_robot_options(command, "ROBOT", a);
-  command.get_option("ROBOT")->description("The robot (URDF), or its image (.robot)");
+  add_described_options(command, "ROBOT", a);
+  command.get_option("ROBOT")->description(
+      "The robot's image (.robot), or the robot (URDF), baked as by `flashbvh robot`");
+  add_distances(command, a);
   add_option(command, "TRAJECTORY", a.trajectory, "FILE.csv",
              "A CSV: a line with the joints' names, then one a period with their values, in "
              "radians\nand metres")

@@ -43,25 +43,6 @@ Json metres_json(const GuardedTrajectory& guarded, std::optional<std::uint32_t> 
   return fine ? Json(unit_length(*fine, cell_of(guarded.robot))) : Json();
 }
 
-Json stretches_json(const GuardedTrajectory& guarded) {
-  Json all = Json::array();
-  for (const Stretch& stretch : stretches_of(guarded.robot, guarded.trajectory, guarded.answers)) {
-    Json json = {{"from", guarded.trajectory.line(stretch.first)},
-                 {"to", guarded.trajectory.line(stretch.last)}};
-    if (guarded.trajectory.has_times()) {
-      json["from_time"] = guarded.trajectory.time(stretch.first);
-      json["to_time"] = guarded.trajectory.time(stretch.last);
-    }
-    json["verdict"] = kVerdictNames[stretch.kind];
-    add_pair(guarded, stretch.pair, json);
-    const bool is_refused = stretch.pair == kNoPair;
-    json["distance"] = is_refused ? Json() : metres_json(guarded, stretch.kept);
-    json["closest"] = metres_json(guarded, stretch.closest);
-    all.push_back(json);
-  }
-  return all;
-}
-
 Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
   const GuardAnswer& answer = guarded.answers[i];
   Json json = {{"line", guarded.trajectory.line(i)}};
@@ -102,21 +83,60 @@ double links_deviation(const Robot& robot) {
   return unit_length(most, cell_of(robot));
 }
 
+std::string first_of(const GuardedTrajectory& guarded, const ReplaySummary& summary,
+                     std::size_t kind) {
+  const GuardAnswer& answer = guarded.answers[summary.first[kind]];
+  const std::string text = concat("first at line ", guarded.trajectory.line(summary.first[kind]));
+  if (kind == kRefusedKind || answer.pair == kNoPair) {
+    return text;
+  }
+  const RobotPair& links = guarded.robot.pairs[answer.pair];
+  return concat(text, ", ", link_name(guarded, links.a), " - ", link_name(guarded, links.b));
+}
+
+Json stretches_json(const GuardedTrajectory& guarded, const std::vector<Stretch>& stretches) {
+  Json all = Json::array();
+  for (const Stretch& stretch : stretches) {
+    Json json = {{"from", guarded.trajectory.line(stretch.first)},
+                 {"to", guarded.trajectory.line(stretch.last)}};
+    if (guarded.trajectory.has_times()) {
+      json["from_time"] = guarded.trajectory.time(stretch.first);
+      json["to_time"] = guarded.trajectory.time(stretch.last);
+    }
+    json["verdict"] = kVerdictNames[stretch.kind];
+    add_pair(guarded, stretch.pair, json);
+    const bool is_refused = stretch.pair == kNoPair;
+    json["distance"] = is_refused ? Json() : metres_json(guarded, stretch.kept);
+    json["closest"] = metres_json(guarded, stretch.closest);
+    all.push_back(json);
+  }
+  return all;
+}
+
+Json motions_json(const GuardedTrajectory& guarded) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < guarded.motions.size(); ++i) {
+    if (!is_free(guarded.motions[i])) {
+      all.push_back({{"from", guarded.trajectory.line(i)}, {"to", guarded.trajectory.line(i + 1)}});
+      all.back().update(motion_json(guarded, guarded.motions[i]));
+    }
+  }
+  return all;
+}
+
 Json guarded_facts(const GuardedTrajectory& guarded) {
   Json json = {{"periods", Json::object()},
                {"not_guarded", unguarded_json(guarded.model, guarded.unguarded)},
-               {"stretches", stretches_json(guarded)},
+               {"stretches", stretches_json(guarded, stretches_of(guarded.robot, guarded.trajectory,
+                                                                  guarded.answers))},
                {"deviation", links_deviation(guarded.robot)}};
   const ReplaySummary summary = summary_of(guarded.answers);
   for (const std::size_t kind : kKindsInOrder) {
     json["periods"][kVerdictNames[kind]] = summary.periods[kind];
   }
-  for (std::size_t i = 0; i < guarded.motions.size(); ++i) {
-    if (!is_free(guarded.motions[i])) {
-      Json motion = {{"from", guarded.trajectory.line(i)}, {"to", guarded.trajectory.line(i + 1)}};
-      motion.update(motion_json(guarded, guarded.motions[i]));
-      json["motions"].push_back(motion);
-    }
+  const Json motions = motions_json(guarded);
+  if (!motions.empty()) {
+    json["motions"] = motions;
   }
   return json;
 }

@@ -18,10 +18,9 @@ struct GuardedTrajectory {
   const std::string& path;  ///< path of the trajectory
   const Trajectory& trajectory;
   const std::vector<GuardAnswer>& answers;
-  std::uint32_t work;  ///< the budget of a period; kAllWork: no limit
   bool has_motions;
   const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be empty
-  const std::vector<UnguardedPair>& unguarded;
+  std::vector<UnguardedPair> unguarded;
 };
 
 /// "ok", or the name of the status.
@@ -35,6 +34,13 @@ double links_deviation(const Robot& robot);
 /// The error in the values of a period, and how to fix it.
 std::string why_refused(const GuardedTrajectory& guarded, std::size_t period);
 
+/// "first at line 3, upper - fore": the first period of a kind that has one.
+std::string first_of(const GuardedTrajectory& guarded, const ReplaySummary& summary,
+                     std::size_t kind);
+
+Json stretches_json(const GuardedTrajectory& guarded, const std::vector<Stretch>& stretches);
+/// The motions that are not free.
+Json motions_json(const GuardedTrajectory& guarded);
 /// Facts about the whole trajectory, for the first line of --json and for the page.
 Json guarded_facts(const GuardedTrajectory& guarded);
 /// Prints an object per line of the trajectory; the first also contains the facts.

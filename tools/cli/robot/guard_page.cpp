@@ -33,24 +33,6 @@ LivePeriods played_periods(const GuardedTrajectory& guarded) {
   return played;
 }
 
-/// "stop: 12 of 301 periods, first at line 3, upper - fore".
-std::string first_text(const GuardedTrajectory& guarded, const ReplaySummary& summary,
-                       std::size_t kind) {
-  const std::size_t first = summary.first[kind];
-  const GuardAnswer& answer = guarded.answers[first];
-  std::string text = concat(kKindNames[kind], ": ", summary.periods[kind], " of ",
-                            guarded.answers.size(), " periods");
-  if (kind == 0) {
-    return text;
-  }
-  std::string at = concat(text, ", first at line ", guarded.trajectory.line(first));
-  if (kind == kRefusedKind || answer.pair == kNoPair) {
-    return at;
-  }
-  const RobotPair& links = guarded.robot.pairs[answer.pair];
-  return concat(at, ", ", link_name(guarded, links.a), " - ", link_name(guarded, links.b));
-}
-
 /// A line for each verdict that occurs, the worst first; motions; what is not guarded.
 std::vector<Headline> headlines_of(const GuardedTrajectory& guarded) {
   const ReplaySummary summary = summary_of(guarded.answers);
@@ -58,7 +40,10 @@ std::vector<Headline> headlines_of(const GuardedTrajectory& guarded) {
   for (std::size_t i = kKindsInOrder.size(); i-- > 0;) {
     const std::size_t kind = kKindsInOrder[i];
     if (summary.periods[kind] != 0) {
-      lines.push_back({static_cast<int>(kind), first_text(guarded, summary, kind)});
+      lines.push_back(
+          {static_cast<int>(kind),
+           concat(kKindNames[kind], ": ", summary.periods[kind], " of ", guarded.answers.size(),
+                  " periods", kind == 0 ? "" : ", " + first_of(guarded, summary, kind))});
     }
   }
   const auto& motions = guarded.motions;

@@ -3,22 +3,19 @@
 
 #include "cli/commands.hpp"
 #include "cli/page.hpp"
-#include "cli/robot/baked_robot.hpp"
-#include "cli/robot/robot_arguments.hpp"
+#include "cli/robot/robot_options.hpp"
 #include "cli/robot/robot_output.hpp"
-#include "cli/robot/simplified_links.hpp"
-#include "robot/audit/audit.hpp"
 #include "robot/baked/robot_writer.hpp"
+#include "robot/pipeline/simplified_links.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-struct OutputArguments : RobotArguments {
+struct OutputArguments : RobotRequest {
   std::string folder;
   std::string name;
   std::string depfile;
-  std::string written_srdf;
   std::string format = "c";
   std::string page;
   bool dry_run = false;
@@ -101,7 +98,9 @@ void make_robot(const OutputArguments& arguments) {
     throw CLI::RequiredError("--output or --dry-run");
   }
   Warnings warnings;
-  const BakedRobot baked = baked_robot(described_robot(arguments, warnings), arguments, warnings);
+  Model model = described_robot(arguments, warnings);
+  Progress progress(steps_of(model));
+  const BakedRobot baked = baked_robot(std::move(model), arguments, shown_by(progress), warnings);
   const OutputName name = arguments.name.empty() ? distinct_names({baked.model.name}).front()
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name.stem);
@@ -113,11 +112,6 @@ void make_robot(const OutputArguments& arguments) {
   }
   if (!arguments.depfile.empty()) {
     files.add(arguments.depfile, dependencies(arguments, name, baked.model));
-  }
-  if (!arguments.written_srdf.empty()) {
-    const std::vector<SrdfLine> lines =
-        srdf_lines({baked.model, views_of(baked.wholes), baked.cell, baked.pairs});
-    files.add(arguments.written_srdf, srdf_of(baked.model, lines));
   }
   if (!arguments.page.empty()) {
     files.add(arguments.page, robot_page(baked, image, robot_json(baked, flash)));
@@ -142,7 +136,9 @@ void add_robot(CLI::App& app) {
                                    "and which pairs of links can collide.\n"
                                    "Lengths are in metres, angles in radians.",
                                    make_robot);
-  add_robot_options(command, "URDF", a);
+  add_described_options(command, "URDF", a);
+  add_distances(command, a);
+  add_baking_options(command, a);
   add_option(command, "-o,--output", a.folder, "DIR",
              "Folder for the results; made if there is none");
   command.add_flag("--dry-run", a.dry_run,
@@ -156,13 +152,10 @@ void add_robot(CLI::App& app) {
       ->check([](const std::string& name) { return name.empty() ? "is empty; give a name" : ""; });
   add_option(command, "--depfile", a.depfile, "FILE",
              "Write what was read, for make and Ninja: the robot's files, the SRDF and the meshes");
-  add_option(command, "--write-srdf", a.written_srdf, "FILE",
-             "Write an SRDF that disables the pairs that no planner has to check");
   add_option(command, "--report", a.page, "PAGE.html",
              "Write a page: a robot that answers, and what can collide");
   add_json(command, a.json, "One JSON object");
-  add_example(command, "robot arm.urdf --stop 0.005 --warn 0.03 --write-srdf arm.srdf -o baked",
-              "writes C and arm.srdf");
+  add_example(command, "robot arm.urdf --stop 0.005 --warn 0.03 -o baked", "writes C");
 }
 
 }  // namespace flashbvh::tool

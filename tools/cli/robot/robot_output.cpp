@@ -1,15 +1,11 @@
 #include "cli/robot/robot_output.hpp"
 
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
 
-#include "cli/json.hpp"
-#include "cli/robot/baked_robot.hpp"
+#include "cli/table.hpp"
 #include "image/c_writer.hpp"
-#include "robot/baked/bake_links.hpp"
 #include "robot/baked/robot_writer.hpp"
-#include "robot/model.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -18,72 +14,121 @@ namespace {
 /// Size of a Mesh on a 32-bit core.
 constexpr std::size_t kMeshViewBytes = 64;
 
-template <class Rows, class NameOf>
-int width_of(const Rows& rows, const char* heading, const NameOf& name_of) {
-  std::size_t widest = std::string(heading).size();
-  for (const auto& row : rows) {
-    widest = std::max(widest, std::string(name_of(row)).size());
-  }
-  return static_cast<int>(widest) + 2;
+Json name_of_joint(const Model& model, std::size_t joint) {
+  return joint == kNoJoint ? Json() : Json(model.joints[joint].name);
 }
 
-void print_links(const BakedRobot& robot) {
-  const Model& model = robot.model;
-  const std::vector<BakedLink>& links = robot.links;
-  const int sizes = width_of(robot.sizes, "size", [](const Size& s) { return size_text(s, "m"); });
-  const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
-  const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
-  std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
-            << "triangles     bytes  " << std::setw(sizes) << "size"
-            << "sources\n";
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const ModelLink& link = model.links[i];
-    std::cout << std::left << std::setw(width) << link.name << std::setw(joints)
-              << joint_name(model, link.joint, "base") << std::right << std::setw(9)
-              << links[i].tree.triangles.size() << std::setw(10) << links[i].image_bytes() << "  "
-              << std::left << std::setw(sizes) << size_text(robot.sizes[i], "m")
-              << joined(link.sources, [](const std::string& source) { return source; }) << "\n";
-  }
-}
-
-void print_joints(const Model& model) {
-  if (model.joints.empty()) {
-    return;
-  }
-  const int width = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
-  std::cout << "\n"
-            << std::left << std::setw(width) << "joint" << std::setw(width) << "parent"
-            << std::setw(12) << "type"
-            << "moves\n";
+Json joints_json(const Model& model) {
+  Json all = Json::array();
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const ModelJoint& joint = model.joints[i];
-    std::cout << std::left << std::setw(width) << joint.name << std::setw(width)
-              << joint_name(model, joint.parent, "base") << std::setw(12) << type_name(joint.type)
-              << moves_of(model, i) << "\n";
+    all.push_back({{"name", joint.name},
+                   {"type", type_name(joint.type)},
+                   {"parent", name_of_joint(model, joint.parent)},
+                   {"lower", joint.lower},
+                   {"upper", joint.upper},
+                   {"variable", joint.variable}});
+    if (is_mimic(model, i)) {
+      all.back().update({{"multiplier", joint.multiplier}, {"offset", joint.offset}});
+    }
   }
+  return all;
 }
 
-void print_pairs(const Model& model, const std::vector<PairVerdict>& pairs) {
-  if (pairs.empty()) {
-    return;
+Json links_json(const BakedRobot& robot) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const ModelLink& link = robot.model.links[i];
+    all.push_back({{"name", link.name},
+                   {"joint", name_of_joint(robot.model, link.joint)},
+                   {"triangles", robot.links[i].tree.triangles.size()},
+                   {"flash_bytes", robot.links[i].image_bytes()},
+                   {"size", robot.sizes[i]},
+                   {"deviation", robot.links[i].tree.deviation},
+                   {"source_triangles", link.mesh.triangles.size()},
+                   {"sources", link.sources}});
   }
-  const auto links_of = [&](const PairVerdict& pair) {
-    return model.links[pair.a].name + " - " + model.links[pair.b].name;
-  };
-  const int width = width_of(pairs, "pair", links_of);
-  const int verdicts =
-      width_of(pairs, "collide", [](const PairVerdict& pair) { return name_of(pair); });
-  std::cout << "\n"
-            << std::left << std::setw(width) << "pair" << std::setw(verdicts) << "collide"
-            << "reason\n";
+  return all;
+}
+
+Json pairs_json(const Model& model, const std::vector<PairVerdict>& pairs) {
+  Json all = Json::array();
   for (const PairVerdict& pair : pairs) {
-    std::cout << std::left << std::setw(width) << links_of(pair) << std::setw(verdicts)
-              << name_of(pair) << pair.reason
-              << (pair.verdict == MatrixVerdict::never && pair.is_guarded
-                      ? "; guarded: may come within --stop"
-                      : "")
-              << "\n";
+    Json witness = Json::object();
+    for (std::size_t i = 0; i < pair.witness.size(); ++i) {
+      witness[model.joints[model.variables[i]].name] = pair.witness[i];
+    }
+    all.push_back({{"a", model.links[pair.a].name},
+                   {"b", model.links[pair.b].name},
+                   {"verdict", name_of(pair)},
+                   {"reason", pair.reason},
+                   {"witness", std::move(witness)},
+                   {"cells", pair.joint_boxes},
+                   {"guarded", pair.is_guarded}});
   }
+  return all;
+}
+
+/// The facts of an image.
+Json file_json(const RobotFile& file, const Model& model) {
+  const Robot& robot = file.robot();
+  Json json = {{"name", model.name},
+               {"format_version", file.header().version},
+               {"bytes", file.header().byte_count},
+               {"ram_bytes", robot_ram_bytes(robot, file.header().pair_joint_count)},
+               {"cell", file.cell()},
+               {"slack", unit_length(robot.slack, file.cell())},
+               {"hash", robot.hash},
+               {"not_guarded", unguarded_json(model, file.unguarded())},
+               {"links", Json::array()},
+               {"joints", joints_json(model)},
+               {"pairs", Json::array()}};
+  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    json["links"].push_back({{"name", model.links[i].name},
+                             {"joint", name_of_joint(model, model.links[i].joint)},
+                             {"triangles", robot.meshes[i].triangle_count},
+                             {"size", sizes[i]}});
+  }
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    json["pairs"].push_back({{"a", model.links[pair.a].name},
+                             {"b", model.links[pair.b].name},
+                             {"stop", unit_length(pair.stop, file.cell())},
+                             {"warn", unit_length(pair.warn, file.cell())}});
+  }
+  return json;
+}
+
+/// A column of joints, or of the base.
+Column joint_column(const char* heading, const char* field) {
+  return {heading, [field](const Json& row) {
+            return row[field].is_null() ? "base" : row[field].get<std::string>();
+          }};
+}
+
+/// The links of a robot or an image, then its joints.
+void print_links(const Model& model, const Json& robot, bool is_image) {
+  std::vector<Column> columns = {word_column("link", "name"), joint_column("joint", "joint"),
+                                 number_column("triangles", "triangles")};
+  if (!is_image) {
+    columns.push_back(number_column("bytes", "flash_bytes"));
+  }
+  columns.push_back({"size", [](const Json& row) { return size_text(row["size"], "m"); }});
+  if (!is_image) {
+    columns.push_back(word_column("sources", "sources"));
+  }
+  print_table(robot["links"], columns);
+  std::cout << (model.joints.empty() ? "" : "\n");
+  const auto moves = [&](const Json& row) {
+    const auto is_named = [&](const ModelJoint& joint) { return joint.name == row["name"]; };
+    const auto joint = std::find_if(model.joints.begin(), model.joints.end(), is_named);
+    return moves_of(model, static_cast<std::size_t>(joint - model.joints.begin()));
+  };
+  print_table(robot["joints"], {word_column("joint", "name"),
+                                joint_column("parent", "parent"),
+                                word_column("type", "type"),
+                                {"moves", moves}});
 }
 
 /// Prints a line at the top with the pairs that no guard tests.
@@ -93,21 +138,10 @@ void print_unguarded(const Model& model, const std::vector<UnguardedPair>& ungua
   }
 }
 
-Json pair_json(const Model& model, const PairVerdict& pair) {
-  Json witness = Json::object();
-  for (std::size_t i = 0; i < pair.witness.size(); ++i) {
-    witness[model.joints[model.variables[i]].name] = pair.witness[i];
-  }
-  return {{"a", model.links[pair.a].name}, {"b", model.links[pair.b].name},
-          {"verdict", name_of(pair)},      {"reason", pair.reason},
-          {"witness", std::move(witness)}, {"cells", pair.joint_boxes},
-          {"guarded", pair.is_guarded}};
-}
-
 double deviation_of(const BakedRobot& robot) {
   double most = 0;
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    most = std::max(most, robot.links[i].tree.deviation);
+  for (const BakedLink& link : robot.links) {
+    most = std::max(most, link.tree.deviation);
   }
   return most;
 }
@@ -127,48 +161,40 @@ std::string simplified_text(const BakedRobot& robot) {
                 " m earlier; pairs are decided with all triangles\n");
 }
 
-Json joint_name_json(const Model& model, std::size_t joint) {
-  return joint == kNoJoint ? Json() : Json(model.joints[joint].name);
-}
+}  // namespace
 
-Json link_json(const Model& model, const ModelLink& link, const BakedLink& baked,
-               const Size& size) {
-  return {{"name", link.name},
-          {"joint", joint_name_json(model, link.joint)},
-          {"triangles", baked.tree.triangles.size()},
-          {"flash_bytes", baked.image_bytes()},
-          {"size", size},
-          {"deviation", baked.tree.deviation},
-          {"source_triangles", link.mesh.triangles.size()},
-          {"sources", link.sources}};
-}
-
-Json joint_json(const Model& model, std::size_t number) {
-  const ModelJoint& joint = model.joints[number];
-  Json json = {{"name", joint.name},
-               {"type", type_name(joint.type)},
-               {"parent", joint_name_json(model, joint.parent)},
-               {"lower", joint.lower},
-               {"upper", joint.upper},
-               {"variable", joint.variable}};
-  if (is_mimic(model, number)) {
-    json["multiplier"] = joint.multiplier;
-    json["offset"] = joint.offset;
+Json robot_json(const BakedRobot& robot, const RobotFlash& flash) {
+  Json json = {{"name", robot.model.name},
+               {"not_guarded", unguarded_json(robot.model, robot.unguarded)},
+               {"pairs", pairs_json(robot.model, robot.pairs)},
+               {"links", links_json(robot)},
+               {"joints", joints_json(robot.model)},
+               {"cell", robot.cell},
+               {"deviation", deviation_of(robot)},
+               {"simplified", robot.simplified},
+               {"leaf_size", robot.leaf_size},
+               {"flash_bytes", flash.bytes}};
+  if (flash.smaller) {
+    json["flash_bytes_leaf_size_5"] = *flash.smaller;
   }
+  json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
   return json;
 }
 
-}  // namespace
-
 void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
+  const Json json = robot_json(robot, flash);
   print_unguarded(robot.model, robot.unguarded);
-  print_links(robot);
-  print_joints(robot.model);
-  print_pairs(robot.model, robot.pairs);
+  print_links(robot.model, json, false);
+  std::cout << (robot.pairs.empty() ? "" : "\n");
+  const auto reason = [](const Json& row) {
+    return row["reason"].get<std::string>() +
+           (row["verdict"] == "never" && row["guarded"] ? "; guarded: may come within --stop" : "");
+  };
+  print_table(json["pairs"],
+              {pair_column("pair"), word_column("collide", "verdict"), {"reason", reason}});
   std::cout << "\ncell " << shortest(robot.cell) << " m, largest deviation "
             << significant(deviation_of(robot), 3) << " m; " << flash.bytes << " bytes of flash, "
-            << robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count())
-            << " bytes of RAM for a guard\n";
+            << json["ram_bytes"] << " bytes of RAM for a guard\n";
   if (robot.simplified > 0) {
     std::cout << simplified_text(robot);
   }
@@ -178,98 +204,24 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
   }
 }
 
-Json robot_json(const BakedRobot& robot, const RobotFlash& flash) {
-  const Model& model = robot.model;
-  Json json = {{"name", model.name},
-               {"not_guarded", unguarded_json(model, robot.unguarded)},
-               {"pairs", Json::array()},
-               {"links", Json::array()},
-               {"joints", Json::array()}};
-  for (const PairVerdict& pair : robot.pairs) {
-    json["pairs"].push_back(pair_json(model, pair));
-  }
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    json["links"].push_back(link_json(model, model.links[i], robot.links[i], robot.sizes[i]));
-  }
-  for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    json["joints"].push_back(joint_json(model, i));
-  }
-  json["cell"] = robot.cell;
-  json["deviation"] = deviation_of(robot);
-  json["simplified"] = robot.simplified;
-  json["leaf_size"] = robot.leaf_size;
-  json["flash_bytes"] = flash.bytes;
-  if (flash.smaller) {
-    json["flash_bytes_leaf_size_5"] = *flash.smaller;
-  }
-  json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
-  return json;
-}
-
-void print_robot_file(const RobotFile& file) {
+void print_robot_file(const RobotFile& file, bool is_json) {
   const Model model = file.model();
-  const Robot& robot = file.robot();
-  const RobotImageHeader& header = file.header();
-  std::cout << "robot " << model.name << ", format version " << header.version << ": "
-            << header.byte_count << " bytes of flash; "
-            << robot_ram_bytes(robot, header.pair_joint_count) << " bytes of RAM for a guard, "
-            << kMeshViewBytes * header.link_count << " for views of its meshes\ncell "
-            << shortest(file.cell()) << " m; slack "
-            << significant(unit_length(robot.slack, file.cell()), 4) << " m; variables "
-            << int{robot.variable_count} << "; hash " << hex(robot.hash, 8) << "\n\n";
+  const Json json = file_json(file, model);
+  if (is_json) {
+    print_object(json);
+    return;
+  }
+  std::cout << "robot " << model.name << ", format version " << json["format_version"] << ": "
+            << json["bytes"] << " bytes of flash; " << json["ram_bytes"]
+            << " bytes of RAM for a guard, " << kMeshViewBytes * model.links.size()
+            << " for views of its meshes\ncell " << shortest(file.cell()) << " m; slack "
+            << significant(json["slack"], 4) << " m; variables " << model.variables.size()
+            << "; hash " << hex(file.robot().hash, 8) << "\n\n";
   print_unguarded(model, file.unguarded());
-  const int width = width_of(model.links, "link", [](const ModelLink& l) { return l.name; });
-  const int joints = width_of(model.joints, "joint", [](const ModelJoint& j) { return j.name; });
-  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
-  std::cout << std::left << std::setw(width) << "link" << std::setw(joints) << "joint"
-            << "triangles  size\n";
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    std::cout << std::left << std::setw(width) << model.links[i].name << std::setw(joints)
-              << joint_name(model, model.links[i].joint, "base") << std::right << std::setw(9)
-              << robot.meshes[i].triangle_count << "  " << size_text(sizes[i], "m") << "\n";
-  }
-  print_joints(model);
-  std::cout << (robot.pair_count == 0 ? "" : "\npairs that can collide: stop, warn in m\n");
-  for (std::size_t i = 0; i < robot.pair_count; ++i) {
-    const RobotPair& pair = robot.pairs[i];
-    std::cout << model.links[pair.a].name << " - " << model.links[pair.b].name << "  "
-              << significant(unit_length(pair.stop, file.cell()), 4) << ", "
-              << significant(unit_length(pair.warn, file.cell()), 4) << "\n";
-  }
-}
-
-void print_robot_file_json(const RobotFile& file) {
-  const Model model = file.model();
-  const Robot& robot = file.robot();
-  Json json = {{"name", model.name},
-               {"format_version", file.header().version},
-               {"bytes", file.header().byte_count},
-               {"ram_bytes", robot_ram_bytes(robot, file.header().pair_joint_count)},
-               {"cell", file.cell()},
-               {"slack", unit_length(robot.slack, file.cell())},
-               {"hash", robot.hash},
-               {"not_guarded", unguarded_json(model, file.unguarded())},
-               {"links", Json::array()},
-               {"joints", Json::array()},
-               {"pairs", Json::array()}};
-  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    json["links"].push_back({{"name", model.links[i].name},
-                             {"joint", joint_name_json(model, model.links[i].joint)},
-                             {"triangles", robot.meshes[i].triangle_count},
-                             {"size", sizes[i]}});
-  }
-  for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    json["joints"].push_back(joint_json(model, i));
-  }
-  for (std::size_t i = 0; i < robot.pair_count; ++i) {
-    const RobotPair& pair = robot.pairs[i];
-    json["pairs"].push_back({{"a", model.links[pair.a].name},
-                             {"b", model.links[pair.b].name},
-                             {"stop", unit_length(pair.stop, file.cell())},
-                             {"warn", unit_length(pair.warn, file.cell())}});
-  }
-  print_object(json);
+  print_links(model, json, true);
+  std::cout << (json["pairs"].empty() ? "" : "\npairs that can collide: stop, warn in m\n");
+  print_table(json["pairs"], {pair_column("pair"), number_column("stop", "stop", 4),
+                              number_column("warn", "warn", 4)});
 }
 
 }  // namespace flashbvh::tool

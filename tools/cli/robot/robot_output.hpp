@@ -2,8 +2,11 @@
 // in the order of the firmware's arrays.
 #pragma once
 
+#include <optional>
+
 #include "cli/json.hpp"
-#include "cli/robot/baked_robot.hpp"
+#include "robot/baked/robot_file.hpp"
+#include "robot/pipeline/baked_robot.hpp"
 
 namespace flashbvh::tool {
 
@@ -15,13 +18,12 @@ struct RobotFlash {
   std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if to be printed
 };
 
-/// Prints tables to standard output.
-void print_robot(const BakedRobot& robot, const RobotFlash& flash);
-/// The same facts, for --json and pages.
+/// The facts of a baked robot, for --json and pages.
 Json robot_json(const BakedRobot& robot, const RobotFlash& flash);
+/// Prints tables of these facts to standard output.
+void print_robot(const BakedRobot& robot, const RobotFlash& flash);
 
-/// Prints a robot's image in the same formats.
-void print_robot_file(const RobotFile& file);
-void print_robot_file_json(const RobotFile& file);
+/// Prints a robot's image in the same forms.
+void print_robot_file(const RobotFile& file, bool json);
 
 }  // namespace flashbvh::tool

@@ -303,4 +303,26 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Whol
   return verdicts;
 }
 
+std::vector<std::vector<ZoneParts>> decide_parts(const Model& model,
+                                                 const std::vector<JointZone>& zones, double cell,
+                                                 const MatrixOptions& options,
+                                                 std::vector<PairVerdict>& pairs) {
+  std::vector<std::vector<ZoneParts>> parts(pairs.size());
+  for_each_in_parallel(pairs.size(), [&](std::size_t i) {
+    PairVerdict& pair = pairs[i];
+    if (!pair.zone || !pair.is_guarded) {
+      return;
+    }
+    parts[i] = zone_parts(model, zones[*pair.zone], cell, options);
+    pair.bodies.clear();
+    if (parts[i].empty()) {
+      pair.is_guarded = false;
+      pair.is_stopped = false;
+      pair.verdict = MatrixVerdict::never;
+      pair.reason += "; proven by triangles";
+    }
+  });
+  return parts;
+}
+
 }  // namespace flashbvh::tool

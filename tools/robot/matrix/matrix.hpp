@@ -41,6 +41,9 @@ struct PairVerdict {
   std::optional<std::size_t> zone = {};  ///< index of the zone: only its outside was decided
   /// The bodies that a guard tests: the two links, or their parts outside the zone.
   std::vector<std::pair<std::size_t, std::size_t>> bodies = {{a, b}};
+
+  /// True if nothing outside the zone is guarded, since the links never collide there.
+  bool is_never_outside() const { return zone && verdict == MatrixVerdict::never && !is_guarded; }
 };
 
 /// The verdict on a pair for users: `never` only if the two whole links never collide, "never
@@ -58,5 +61,13 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Whol
                                       const std::vector<JointZone>& zones, const Reaches& reaches,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress);
+
+/// For each decided pair with a zone that has to be guarded, the parts of its links outside that
+/// may come near; clears its bodies. Where none may, the pair never collides there. The last
+/// verdicts.
+std::vector<std::vector<ZoneParts>> decide_parts(const Model& model,
+                                                 const std::vector<JointZone>& zones, double cell,
+                                                 const MatrixOptions& options,
+                                                 std::vector<PairVerdict>& pairs);
 
 }  // namespace flashbvh::tool

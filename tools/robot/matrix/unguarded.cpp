@@ -121,7 +121,7 @@ std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs
     } else if (pair.zone) {
       const JointZone& zone = zones[*pair.zone];
       unguarded.push_back({pair.a, pair.b, WhyUnguarded::zone, zone.joint, zone.shape.radius,
-                           pair.verdict == MatrixVerdict::never && !pair.is_guarded});
+                           pair.is_never_outside()});
     }
   }
   return unguarded;

@@ -150,22 +150,6 @@ std::optional<ClosestMoment> closest_moment(const Robot& robot, const Trajectory
   return closest;
 }
 
-std::vector<std::vector<std::optional<double>>> distances_over(const Robot& robot,
-                                                               const Trajectory& trajectory,
-                                                               std::size_t step) {
-  std::vector<std::vector<std::optional<double>>> distances(robot.pair_count);
-  PosedPairs posed(robot);
-  for (std::size_t i = 0; i < trajectory.size(); i += step) {
-    const bool is_accepted = posed.take(trajectory.values(i));
-    for (std::uint16_t pair = 0; pair < robot.pair_count; ++pair) {
-      const auto found = is_accepted ? posed.distance_of(pair) : std::nullopt;
-      distances[pair].push_back(found ? std::optional<double>(*found * cell_of(robot) / kFineOne)
-                                      : std::nullopt);
-    }
-  }
-  return distances;
-}
-
 std::size_t refused_joint(const Robot& robot, const float* values) {
   const std::vector<JointCoordinate> coordinates = coordinates_of(robot, values);
   std::vector<JointCoordinate> made(robot.joint_count);

@@ -97,12 +97,6 @@ struct ClosestMoment {
 /// pairs are too far apart to be measured.
 std::optional<ClosestMoment> closest_moment(const Robot& robot, const Trajectory& trajectory);
 
-/// The distances in metres of each pair's links at every `step`th line; none where values are
-/// refused or the distance is out of range.
-std::vector<std::vector<std::optional<double>>> distances_over(const Robot& robot,
-                                                               const Trajectory& trajectory,
-                                                               std::size_t step);
-
 /// The first joint whose value firmware refuses. Precondition: there is one.
 std::size_t refused_joint(const Robot& robot, const float* values);
 

@@ -1,4 +1,4 @@
-#include "cli/mesh/mesh_warnings.hpp"
+#include "image/mesh_warnings.hpp"
 
 #include <algorithm>
 #include <cstdlib>

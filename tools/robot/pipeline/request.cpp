@@ -1,11 +1,9 @@
-#include "cli/robot/robot_arguments.hpp"
+#include "robot/pipeline/request.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <set>
 
-#include "cli/commands.hpp"
-#include "cli/progress.hpp"
 #include "image/fine_length.hpp"
 
 namespace flashbvh::tool {
@@ -62,11 +60,11 @@ GuardedPair own_distances(const Model& model, const std::string& given) {
 
 /// UserError if firmware cannot hold the radius.
 double zone_radius(const std::string& place, const std::string& text, double cell) {
-  constexpr std::uint32_t kMostCells = UINT32_MAX / kFineOne;
+  constexpr std::uint32_t kMostRadius = UINT32_MAX / kFineOne;
   const double radius = metres_in(place, text);
   if (fine_length_rounded_up(radius, cell).count == UINT32_MAX) {
-    throw UserError(place, "is out of range: 0 to ", significant(kMostCells * cell, 6), " m, ",
-                    kMostCells, " cells; lengths are in metres: ", shortest(radius), " mm is ",
+    throw UserError(place, "is out of range: 0 to ", significant(kMostRadius * cell, 6), " m, ",
+                    kMostRadius, " cells; lengths are in metres: ", shortest(radius), " mm is ",
                     shortest(radius / 1000));
   }
   return radius;
@@ -82,21 +80,21 @@ double seconds(const std::string& text) {
   return *time;
 }
 
-std::optional<double> given_cell(const RobotArguments& arguments) {
-  if (!arguments.cell) {
+std::optional<double> given_cell(const RobotRequest& request) {
+  if (!request.cell) {
     return std::nullopt;
   }
-  const double cell = metres("--cell", *arguments.cell);
+  const double cell = metres("--cell", *request.cell);
   if (cell < static_cast<double>(std::numeric_limits<float>::min())) {
-    throw UserError("--cell " + *arguments.cell, "is no length; give a positive number, in metres");
+    throw UserError("--cell " + *request.cell, "is no length; give a positive number, in metres");
   }
   return cell;
 }
 
-double simplify_length(const RobotArguments& arguments) {
-  const double length = metres("--simplify", *arguments.simplify);
+double simplify_length(const RobotRequest& request) {
+  const double length = metres("--simplify", *request.simplify);
   if (length == 0) {
-    throw UserError("--simplify " + *arguments.simplify,
+    throw UserError("--simplify " + *request.simplify,
                     "simplifies nothing; give a positive number, in metres");
   }
   return length;
@@ -118,11 +116,11 @@ Packages packages_of(const std::vector<std::string>& given) {
   return packages;
 }
 
-Distances usual_distances(const RobotArguments& arguments) {
-  const std::string warn = arguments.warn.value_or(arguments.stop);
-  const Distances distances = {metres("--stop", arguments.stop), metres("--warn", warn)};
+Distances usual_distances(const RobotRequest& request) {
+  const std::string warn = request.warn.value_or(request.stop);
+  const Distances distances = {metres("--stop", request.stop), metres("--warn", warn)};
   if (distances.warn < distances.stop) {
-    throw UserError("--warn " + warn, "is nearer than --stop ", arguments.stop,
+    throw UserError("--warn " + warn, "is nearer than --stop ", request.stop,
                     "; warn from further off");
   }
   return distances;
@@ -143,9 +141,9 @@ std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::stri
   return links;
 }
 
-AllDistances all_distances(const Model& model, const RobotArguments& arguments) {
-  AllDistances all = {usual_distances(arguments), {}};
-  for (const std::string& given : arguments.pairs) {
+AllDistances all_distances(const Model& model, const RobotRequest& request) {
+  AllDistances all = {usual_distances(request), {}};
+  for (const std::string& given : request.pairs) {
     const GuardedPair pair = own_distances(model, given);
     if (find_pair(all.own, pair.a, pair.b) != nullptr) {
       throw UserError("--pair " + given, "says it of these links a second time; say it once");
@@ -195,65 +193,15 @@ Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
   return own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
 }
 
-std::vector<std::string> files_read(const RobotArguments& arguments, const Model& model) {
-  std::set<std::string> read = {arguments.urdf};
-  if (!arguments.srdf.empty()) {
-    read.insert(arguments.srdf);
+std::vector<std::string> files_read(const RobotRequest& request, const Model& model) {
+  std::set<std::string> read = {request.urdf};
+  if (!request.srdf.empty()) {
+    read.insert(request.srdf);
   }
   for (const ModelLink& link : model.links) {
     read.insert(link.files.begin(), link.files.end());
   }
   return {read.begin(), read.end()};
-}
-
-void add_described_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
-  add_option(command, name.c_str(), arguments.urdf, "FILE", "The robot (URDF)")->required();
-  repeated(
-      add_option(command, "--package", arguments.packages, "NAME=DIR",
-                 "Folder of the package NAME, for meshes at package://NAME/...; may be repeated. "
-                 "\nDefault: the first folder of that name next to the robot's file or above it"));
-  command.add_flag("--visual-too", arguments.visual_too,
-                   "Links with visual shapes alone collide by them; without it, with nothing");
-}
-
-void add_time(CLI::App& command, RobotArguments& arguments, const std::string& late) {
-  add_option(command, "--time", arguments.time, "SECONDS",
-             late + ". \nDefault: as long as it takes");
-}
-
-void add_robot_options(CLI::App& command, const std::string& name, RobotArguments& arguments) {
-  add_described_options(command, name, arguments);
-  add_option(command, "--srdf", arguments.srdf, "FILE",
-             "Pairs of links that need no guard; those that can collide are an error");
-  repeated(
-      add_option(command, "--believe", arguments.believed, "LINK,LINK",
-                 "Two links that --srdf disables and that can collide: don't guard them; may be "
-                 "repeated"));
-  add_option(command, "--cell", arguments.cell, "LENGTH",
-             "Size of a lattice cell; default: the finest that all the links fit");
-  command.add_option("--leaf-size", arguments.leaf_size, "Most triangles in a leaf")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str()
-      ->each([&arguments](const std::string&) { arguments.has_leaf_size = true; });
-  add_option(
-      command, "--simplify", arguments.simplify, "LENGTH",
-      "Firmware gets fewer triangles, within LENGTH of the links', proven; what can collide is "
-      "decided\nwith all triangles. A guard stops earlier by up to four times LENGTH");
-  add_option(
-      command, "--fit", arguments.fit, "BYTES",
-      "Simplify as little as it takes for the image to be no larger, and choose --leaf-size");
-  add_option(command, "--stop", arguments.stop, "LENGTH", "Links nearer than this must stop")
-      ->capture_default_str();
-  add_option(command, "--warn", arguments.warn, "LENGTH",
-             "Links nearer than this are warned of; default: --stop");
-  repeated(
-      add_option(command, "--pair", arguments.pairs, "LINK,LINK=STOP[,WARN]",
-                 "Distances of two links for which --stop and --warn don't hold; may be repeated"));
-  repeated(add_option(command, "--zone", arguments.zones, "JOINT=LENGTH",
-                      "Two links may touch so far about the joint between them; 0: nowhere; may be "
-                      "repeated. \nDefault: as far as they do"));
-  add_time(command, arguments, "What is not decided by then is undecided, and guarded");
-  add_progress(command, arguments.progress);
 }
 
 }  // namespace flashbvh::tool

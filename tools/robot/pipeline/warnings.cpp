@@ -1,10 +1,12 @@
-#include "cli/robot/robot_warnings.hpp"
+#include "robot/pipeline/warnings.hpp"
 
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
+namespace {
 
-void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const std::string& path,
+/// Warns of pairs with their own distances that no joint moves.
+void warn_of_fixed(const Divided& robot, const AllDistances& distances, const std::string& path,
                    Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
     if (pair.verdict == MatrixVerdict::fixed &&
@@ -16,14 +18,9 @@ void warn_of_fixed(const BakedRobot& robot, const AllDistances& distances, const
   }
 }
 
-void warn_of_unguarded(const BakedRobot& robot, const std::string& path, Warnings& warnings) {
-  for (const std::string& warning : unguarded_warnings(robot.model, robot.unguarded)) {
-    warnings.add(path, warning);
-  }
-}
-
-void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
-                  const RobotArguments& arguments, Warnings& warnings) {
+/// Warns of pairs for which a guard would report one verdict in all configurations.
+void warn_of_near(const Divided& robot, const AllDistances& distances, const RobotRequest& request,
+                  Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
     if (!pair.is_stopped && !pair.is_warned) {
       continue;
@@ -43,13 +40,13 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
                    : "",
                ", so ");
     if (!pair.is_stopped && own == nullptr) {
-      warnings.add(arguments.urdf,
+      warnings.add(request.urdf,
                    concat(links, "they are not warned of; --pair ", names, "=STOP,WARN warns"));
       continue;
     }
     const char* const word = pair.is_stopped ? "stop" : "warn";
     warnings.add(
-        arguments.urdf,
+        request.urdf,
         concat(links, "a guard would ", pair.is_stopped ? "always say stop; " : "never say free; ",
                pair.zone ? "give the joint a larger --zone, or " : "",
                (pair.is_stopped ? stop : warn) != 0 ? concat("lower it (--", word, ", --pair), or ")
@@ -61,11 +58,27 @@ void warn_of_near(const BakedRobot& robot, const AllDistances& distances,
   }
 }
 
-void warn_of_late_zones(const BakedRobot& robot, const std::string& path, const std::string& then,
-                        Warnings& warnings) {
+}  // namespace
+
+void warn_of_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded,
+                       const std::string& path, Warnings& warnings) {
+  for (const std::string& warning : unguarded_warnings(model, unguarded)) {
+    warnings.add(path, warning);
+  }
+}
+
+void warn_of_guard(const Divided& robot, const AllDistances& distances, const RobotRequest& request,
+                   Warnings& warnings) {
+  warn_of_unguarded(robot.model, robot.unguarded, request.urdf, warnings);
+  warn_of_fixed(robot, distances, request.urdf, warnings);
+  warn_of_near(robot, distances, request, warnings);
+}
+
+void warn_of_late_zones(const Model& model, const Decided& decided, const std::string& path,
+                        const std::string& then, Warnings& warnings) {
   std::string joints;
-  for (const std::size_t joint : robot.late_joints) {
-    joints += concat(joints.empty() ? "" : ", ", robot.model.joints[joint].name);
+  for (const std::size_t joint : decided.late_joints) {
+    joints += concat(joints.empty() ? "" : ", ", model.joints[joint].name);
   }
   if (!joints.empty()) {
     warnings.add(path, concat("no time was left to find a zone about ", joints,

@@ -1,12 +1,11 @@
-#include "cli/robot/simplified_links.hpp"
+#include "robot/pipeline/simplified_links.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "bake/quantise.hpp"
-#include "cli/robot/robot_arguments.hpp"
-#include "cli/simplify_options.hpp"
+#include "image/simplify_options.hpp"
 #include "text/numbers.hpp"
 #include "text/parallel.hpp"
 
@@ -34,10 +33,10 @@ double read_precision(const Model& model) {
 }
 
 /// Larger leaves save bytes, but queries cost more.
-std::vector<std::uint32_t> fitting_leaf_sizes(const RobotArguments& arguments) {
-  std::vector<std::uint32_t> sizes = {arguments.leaf_size};
+std::vector<std::uint32_t> fitting_leaf_sizes(const RobotRequest& request) {
+  std::vector<std::uint32_t> sizes = {request.leaf_size};
   for (const std::uint32_t size : {kLargeLeaf, kLargestLeaf}) {
-    if (!arguments.has_leaf_size && size > sizes.back()) {
+    if (!request.has_leaf_size && size > sizes.back()) {
       sizes.push_back(size);
     }
   }
@@ -61,17 +60,17 @@ simplify::BytesOf bytes_of_links(const Model& model, double cell, const std::str
 
 }  // namespace
 
-SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments)
-    : arguments_(arguments), cell_(cell), leaf_size_(arguments.leaf_size) {
-  if (!arguments.simplify && !arguments.fit) {
+SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotRequest& request)
+    : request_(request), cell_(cell), leaf_size_(request.leaf_size) {
+  if (!request.simplify && !request.fit) {
     return;
   }
-  if (arguments.simplify) {
-    length_ = simplify_length(arguments);
+  if (request.simplify) {
+    length_ = simplify_length(request);
     for (const ModelLink& link : model.links) {
       const double least = link_deviation(link, cell);
       if (length_ < least) {
-        throw UserError("--simplify " + *arguments.simplify, "is less than rounding moves link '",
+        throw UserError("--simplify " + *request.simplify, "is less than rounding moves link '",
                         link.name, "', ", significant(least, 3),
                         " m; give more, or a finer --cell");
       }
@@ -80,7 +79,7 @@ SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotArg
   } else {
     add(model);
     expected_ = kRoomForParts *
-                simplify::likely_length(meshes_, bytes_to_fit(*arguments.fit), longest_of(model));
+                simplify::likely_length(meshes_, bytes_to_fit(*request.fit), longest_of(model));
   }
 }
 
@@ -101,10 +100,10 @@ void SimplifiedLinks::add(const Model& model) {
 
 void SimplifiedLinks::fit(const Model& model, double most) {
   const double longest = longest_of(model);
-  const auto found = simplify::fit(meshes_, most, longest, fitting_leaf_sizes(arguments_),
-                                   bytes_of_links(model, cell_, arguments_.urdf));
+  const auto found = simplify::fit(meshes_, most, longest, fitting_leaf_sizes(request_),
+                                   bytes_of_links(model, cell_, request_.urdf));
   if (!found) {
-    throw UserError("--fit " + *arguments_.fit, "is not reached by simplifying to ",
+    throw UserError("--fit " + *request_.fit, "is not reached by simplifying to ",
                     significant(longest, 3),
                     " m, a twentieth of the largest link; give more bytes");
   }
@@ -121,21 +120,21 @@ bool SimplifiedLinks::exceeds_expected() const {
 }
 
 std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t own_bytes) {
-  if (arguments_.simplify || arguments_.fit) {
+  if (request_.simplify || request_.fit) {
     add(model);
   }
-  if (arguments_.fit) {
-    const double most = bytes_to_fit(*arguments_.fit);
+  if (request_.fit) {
+    const double most = bytes_to_fit(*request_.fit);
     const auto own = static_cast<double>(own_bytes);
     if (own >= most) {
-      throw UserError("--fit " + *arguments_.fit, "is less than the robot takes without any mesh, ",
+      throw UserError("--fit " + *request_.fit, "is less than the robot takes without any mesh, ",
                       own_bytes, " bytes; give more");
     }
     fit(model, most - own);
   }
   std::vector<BakedLink> links(model.links.size());
   for_each_in_parallel(links.size(), [&](std::size_t i) {
-    links[i] = bake_link(model.links[i], cell_, leaf_size_, arguments_.urdf,
+    links[i] = bake_link(model.links[i], cell_, leaf_size_, request_.urdf,
                          length_ == 0 ? nullptr : &meshes_[i]);
   });
   return links;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "cli/robot/baked_robot.hpp"
+#include "robot/pipeline/baked_robot.hpp"
 #include "simplify/fit.hpp"
 
 namespace flashbvh::tool {
@@ -12,7 +12,7 @@ namespace flashbvh::tool {
 class SimplifiedLinks {
  public:
   /// Call before pairs are decided. UserError if links can't be simplified as requested.
-  SimplifiedLinks(const Model& model, double cell, const RobotArguments& arguments);
+  SimplifiedLinks(const Model& model, double cell, const RobotRequest& request);
 
   /// How much earlier than requested a guard may stop two links, in metres. Simplified links may be
   /// nearer than the URDF's by both deviations, and the slack counts both again. Zones are chosen
@@ -32,7 +32,7 @@ class SimplifiedLinks {
   void add(const Model& model);
   void fit(const Model& model, double most);
 
-  const RobotArguments& arguments_;
+  const RobotRequest& request_;
   double cell_;
   double length_ = 0;
   double expected_ = 0;

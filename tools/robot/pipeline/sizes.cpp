@@ -1,4 +1,4 @@
-#include "cli/robot/baked_robot.hpp"
+#include "robot/pipeline/prepare.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +51,52 @@ std::string cause_of(const Model& model, const std::vector<Size>& sizes) {
              : concat("link '", model.links[link].name, "' is ", size_text(*largest, "m"));
 }
 
+void warn_of_units(const Prepared& robot, const std::string& path, Warnings& warnings) {
+  const Model& model = robot.model;
+  const std::vector<Size>& sizes = robot.sizes;
+  for (const OddSize& odd : odd_sizes(sizes)) {
+    warnings.add(at_element(path, "link", model.links[odd.which].name),
+                 concat("is ", size_text(sizes[odd.which], "m"), ", ", odd_size_text(odd, "links"),
+                        odd.times > 1
+                            ? "; URDF is in metres: if its mesh is in millimetres, give its <mesh> "
+                              "scale=\"0.001 0.001 0.001\""
+                            : "; if its mesh is in metres, leave out the scale of its <mesh>"));
+  }
+  std::vector<double> sides;
+  std::transform(sizes.begin(), sizes.end(), std::back_inserter(sides), longest_side);
+  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
+  std::nth_element(sides.begin(), middle, sides.end());
+  const double joint = longest_joint(model);
+  if (joint > 0 && *middle >= kOddSize * joint) {
+    warnings.add(path, concat("has links of ", significant(*middle, 3), " m on joints at most ",
+                              significant(joint, 3),
+                              " m apart; URDF is in metres: if the meshes are in millimetres, give "
+                              "each <mesh> scale=\"0.001 0.001 0.001\""));
+  }
+}
+
+void warn_of_cell(const Prepared& robot, double stop, const RobotRequest& request,
+                  Warnings& warnings) {
+  const Model& model = robot.model;
+  const std::vector<Size>& sizes = robot.sizes;
+  const double cell = robot.cell;
+  const std::string place = request.cell ? "--cell " + *request.cell : request.urdf;
+  const std::string remedy = request.cell
+                                 ? "; give a finer one"
+                                 : concat(", since ", cause_of(model, sizes), "; narrow that");
+  if (stop > 0 && cell > stop / 10) {
+    warnings.add(place, concat("makes a cell of ", significant(cell, 3),
+                               " m, coarser than a tenth of the stop distance, ", shortest(stop),
+                               " m", remedy, ", or a guard stops up to some cells too early"));
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (longest_side(sizes[i]) < kFewCellsOfLink * cell) {
+      warnings.add(place, concat("makes a cell of ", significant(cell, 3), " m for link '",
+                                 model.links[i].name, "' of ", size_text(sizes[i], "m"), remedy));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Size> link_sizes(const Model& model) {
@@ -76,46 +122,10 @@ std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell
   return sizes;
 }
 
-void warn_of_sizes(const Model& model, const std::vector<Size>& sizes, const std::string& path,
+void warn_of_sizes(const Prepared& robot, const RobotRequest& request, double stop,
                    Warnings& warnings) {
-  for (const OddSize& odd : odd_sizes(sizes)) {
-    warnings.add(at_element(path, "link", model.links[odd.which].name),
-                 concat("is ", size_text(sizes[odd.which], "m"), ", ", odd_size_text(odd, "links"),
-                        odd.times > 1
-                            ? "; URDF is in metres: if its mesh is in millimetres, give its <mesh> "
-                              "scale=\"0.001 0.001 0.001\""
-                            : "; if its mesh is in metres, leave out the scale of its <mesh>"));
-  }
-  std::vector<double> sides;
-  std::transform(sizes.begin(), sizes.end(), std::back_inserter(sides), longest_side);
-  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
-  std::nth_element(sides.begin(), middle, sides.end());
-  const double joint = longest_joint(model);
-  if (joint > 0 && *middle >= kOddSize * joint) {
-    warnings.add(path, concat("has links of ", significant(*middle, 3), " m on joints at most ",
-                              significant(joint, 3),
-                              " m apart; URDF is in metres: if the meshes are in millimetres, give "
-                              "each <mesh> scale=\"0.001 0.001 0.001\""));
-  }
-}
-
-void warn_of_cell(const Model& model, const std::vector<Size>& sizes, double cell, double stop,
-                  const RobotArguments& arguments, Warnings& warnings) {
-  const std::string place = arguments.cell ? "--cell " + *arguments.cell : arguments.urdf;
-  const std::string remedy = arguments.cell
-                                 ? "; give a finer one"
-                                 : concat(", since ", cause_of(model, sizes), "; narrow that");
-  if (stop > 0 && cell > stop / 10) {
-    warnings.add(place, concat("makes a cell of ", significant(cell, 3),
-                               " m, coarser than a tenth of the stop distance, ", shortest(stop),
-                               " m", remedy, ", or a guard stops up to some cells too early"));
-  }
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (longest_side(sizes[i]) < kFewCellsOfLink * cell) {
-      warnings.add(place, concat("makes a cell of ", significant(cell, 3), " m for link '",
-                                 model.links[i].name, "' of ", size_text(sizes[i], "m"), remedy));
-    }
-  }
+  warn_of_units(robot, request.urdf, warnings);
+  warn_of_cell(robot, stop, request, warnings);
 }
 
 }  // namespace flashbvh::tool

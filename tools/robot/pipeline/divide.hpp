@@ -1,0 +1,22 @@
+// The stage that divides neighbours: of links that touch about their joint, a guard tests the parts
+// outside its zone that may come near.
+#pragma once
+
+#include <vector>
+
+#include "robot/matrix/unguarded.hpp"
+#include "robot/pipeline/decide.hpp"
+
+namespace flashbvh::tool {
+
+/// A robot and all that its guard tests: the links, and parts of links as further links.
+struct Divided : Prepared, Decided {
+  std::vector<std::size_t> links_of_parts;  ///< the link of each part
+  std::vector<UnguardedPair> unguarded;     ///< the pairs that no guard tests
+};
+
+/// Adds the parts to the links, their trees, sizes and reaches, and to the pairs' bodies. UserError
+/// if firmware can't hold so many.
+Divided divide(Prepared robot, Decided decided, const RobotRequest& request);
+
+}  // namespace flashbvh::tool

@@ -1,0 +1,80 @@
+#include "robot/pipeline/prepare.hpp"
+
+#include "image/fine_length.hpp"
+#include "robot/baked/bake_links.hpp"
+#include "robot/matrix/unguarded.hpp"
+#include "robot/read/urdf.hpp"
+#include "text/numbers.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// The weight of baking a link; deciding a pair has weight 1.
+constexpr double kBakingWeight = 0.1;
+
+/// Bakes trees for deciding pairs. Their leaves are as large as in firmware's trees, so that a
+/// witness is the same pair of triangles.
+std::vector<BakedPart> bake_wholes(const Prepared& robot, const RobotRequest& request,
+                                   const Told& told, Warnings& warnings) {
+  std::vector<BakedPart> wholes;
+  for (const ModelLink& link : robot.model.links) {
+    told("baking " + link.name, kBakingWeight);
+    const InputMesh input = link_input(link, request.urdf);
+    wholes.push_back(bake_part(input, robot.cell, request.leaf_size));
+    warn_of_precision(input, robot.cell, warnings);
+    warn_of_place(wholes.back().origin, input.path, warnings);
+  }
+  return wholes;
+}
+
+/// UserError, at the option that gives it, if a distance is too large for firmware.
+void check_range(double distance, const std::string& place, double cell) {
+  const double most = kMaxGuardDistance * cell / kFineOne;
+  if (fine_length_rounded_up(distance, cell).count > kMaxGuardDistance) {
+    throw UserError(place, "is out of range: 0 to ", significant(most, 6),
+                    " m, 32,767 cells; lengths are in metres: ", shortest(distance), " mm is ",
+                    shortest(distance / 1000));
+  }
+}
+
+void check_ranges(const AllDistances& distances, const RobotRequest& request, double cell) {
+  check_range(distances.usual.stop, "--stop " + request.stop, cell);
+  check_range(distances.usual.warn, "--warn " + request.warn.value_or(request.stop), cell);
+  for (std::size_t i = 0; i < distances.own.size(); ++i) {
+    check_range(distances.own[i].warn, "--pair " + request.pairs[i], cell);
+  }
+}
+
+}  // namespace
+
+double steps_of(const Model& model) {
+  const auto count = static_cast<double>(model.links.size());
+  return kBakingWeight * count + count * (count - 1) / 2;
+}
+
+Model described_robot(const RobotRequest& request, Warnings& warnings) {
+  (void)usual_distances(request);
+  Model model = read_urdf(request.urdf, packages_of(request.packages), request.srdf, warnings,
+                          request.visual_too);
+  check_counts(model, request.urdf);
+  for (const std::string& names : request.believed) {
+    const std::string place = "--believe " + names;
+    const auto [a, b] = links_of(model, place, names);
+    believe(a, b, place, model);
+  }
+  return model;
+}
+
+Prepared prepare(Model model, const RobotRequest& request, const Told& told, Warnings& warnings) {
+  const AllDistances distances = all_distances(model, request);
+  Prepared robot = {Clock::now(), std::move(model), 0, {}, {}};
+  robot.cell = robot_cell(robot.model, given_cell(request), request.urdf);
+  (void)zone_radii(robot.model, request.zones, robot.cell);
+  check_ranges(distances, request, robot.cell);
+  robot.sizes = link_sizes(robot.model);
+  warn_of_sizes(robot, request, least_stop(distances), warnings);
+  robot.wholes = bake_wholes(robot, request, told, warnings);
+  return robot;
+}
+
+}  // namespace flashbvh::tool
