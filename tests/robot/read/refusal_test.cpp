@@ -323,7 +323,7 @@ TEST_CASE("meshes that are not there or no meshes") {
   files.write("bad.stl", "no mesh");
   CHECK_THAT(said("filename=\"bad.stl\""), Contains("arm.urdf, link 'a': bad.stl:"));
   files.write("bad.step", "no mesh");
-  CHECK_THAT(said("filename=\"bad.step\""), Contains("is a model of CAD"));
+  CHECK_THAT(said("filename=\"bad.step\""), Contains("is no mesh by its extension"));
   CHECK_THAT(said("filename=\"bad.stl\" scale=\"1 0 1\""), Contains("with a scale of 0"));
   CHECK_THAT(said("scale=\"1 1 1\""), Contains("Link [a]"));
 }
