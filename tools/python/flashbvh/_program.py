@@ -4,7 +4,7 @@ import os
 import shutil
 import subprocess
 import warnings
-from numbers import Real
+from numbers import Integral, Real
 from pathlib import Path
 
 from ._c import Error
@@ -55,4 +55,4 @@ def _text(value):
         return ",".join(map(_text, value))
     if isinstance(value, (bytes, os.PathLike)):
         return os.fsdecode(value)
-    return repr(float(value)) if isinstance(value, Real) and not isinstance(value, int) else str(value)
+    return repr(float(value)) if isinstance(value, Real) and not isinstance(value, Integral) else str(value)
