@@ -2,6 +2,7 @@
 #include "mesh/limited_import.hpp"
 
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 #include <algorithm>
 #include <array>
@@ -18,10 +19,10 @@ namespace {
 
 // Messages for end_with_message(), which may not make any.
 std::string of_crash;
-std::string of_alarm;
+std::string of_timer;
 
 extern "C" void end_with_message(int signal) {
-  const std::string& message = signal == SIGALRM ? of_alarm : of_crash;
+  const std::string& message = signal == SIGPROF ? of_timer : of_crash;
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
   _exit(2);
 }
@@ -56,6 +57,13 @@ class HandlerStack {
 #endif
 };
 
+/// Sends SIGPROF after seconds of computing, which do not depend on the machine's load; 0: never.
+void set_timer(unsigned seconds) {
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
 /// Limits the program while it lives.
 class Limits {
  public:
@@ -72,12 +80,12 @@ class Limits {
       memory.rlim_cur = std::min<rlim_t>(now + limits.bytes, memory.rlim_max);
     }
     setrlimit(RLIMIT_DATA, &memory);
-    alarm(limits.seconds);
+    set_timer(limits.seconds);
   }
   Limits(const Limits&) = delete;
   Limits& operator=(const Limits&) = delete;
   ~Limits() {
-    alarm(0);
+    set_timer(0);
     setrlimit(RLIMIT_DATA, &memory_before_);
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
       sigaction(kSignals[i], &actions_before_[i], nullptr);
@@ -85,7 +93,7 @@ class Limits {
   }
 
  private:
-  static constexpr std::array<int, 6> kSignals = {SIGABRT, SIGALRM, SIGBUS,
+  static constexpr std::array<int, 6> kSignals = {SIGABRT, SIGPROF, SIGBUS,
                                                   SIGFPE,  SIGILL,  SIGSEGV};
 
   HandlerStack stack_;
@@ -101,7 +109,7 @@ FileMesh limited_import(const std::function<FileMesh()>& read, const std::string
     return one_line(concat("flashbvh: ", file, ": can't be read: ", what, kImportFix)) + "\n";
   };
   of_crash = said("its reader crashed");
-  of_alarm = said(concat("takes over ", limits.seconds, " s"));
+  of_timer = said(concat("takes over ", limits.seconds, " s"));
   const Limits limited(limits);
   try {
     return read();
