@@ -227,14 +227,6 @@ def self_contained(page):
     hold(not found, f"no number in {page}: {found}")
 
 
-def solids(*bodies):
-    """An STL in text: for each body, its name and the heights of its triangles."""
-    facet = ("facet normal 0 0 1\nouter loop\nvertex 0 0 {0}\nvertex 1 0 {0}\nvertex 0 1 {0}\nendloop\n"
-             "endfacet\n")
-    return "".join(f"solid {name}".rstrip() + "\n" + "".join(map(facet.format, heights)) + "endsolid\n"
-                   for name, *heights in bodies)
-
-
 def cell_of(image):
     return flashbvh("info", image, "--json").json()[0]["cell"]
 

@@ -24,11 +24,6 @@ void check(const tool::FileMesh& file) {
       require(tool::is_coordinate(at), "a coordinate that firmware can't hold");
     }
   }
-  std::size_t count = 0;
-  for (const bake::SourceMesh& body : tool::meshes_of_bodies(file)) {
-    count += body.triangles.size();
-  }
-  require(count == mesh.triangles.size(), "triangles of no body");
 }
 
 }  // namespace

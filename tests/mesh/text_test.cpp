@@ -1,11 +1,9 @@
-// Text files: the nearest double in every format, refusals of malformed files with the place, and
-// each triangle's body.
+// Text files: the nearest double in every format, and refusals of malformed files with the place.
 #include "mesh/any_format.hpp"
 #include "support/test.hpp"
 
 using tool::FileMesh;
 using Names = std::vector<std::string>;
-using Numbers = std::vector<std::uint32_t>;
 
 namespace {
 
@@ -261,35 +259,15 @@ TEST_CASE("OBJ: a corner is an integer") {
   CHECK(refusal(tool::read_obj, kVertices + "f 1 2 +3\n") == "");
 }
 
-TEST_CASE("ASCII STL: a body is a solid, by its name as it is written; empty ones are none") {
+TEST_CASE("all solids of a text are one mesh, whatever their names hold") {
   const FileMesh file =
-      tool::read_stl("solid Left  Wheel \n" + facet(0) + facet(1) +
-                         "endsolid Left  Wheel\nsolid empty\nendsolid\n" + "SOLID\n" + facet(0) +
-                         "ENDSOLID\nsolid Left  Wheel\n" + facet(2) + "endsolid other\n",
+      tool::read_stl("solid facet Vertex \n" + facet(0) + facet(1) +
+                         "endsolid facet Vertex\nsolid empty\nendsolid\nSOLID\n" + facet(0) +
+                         "ENDSOLID\nsolid a\n" + facet(2) + "endsolid b\n",
                      "file");
-  CHECK(file.bodies == Names{"Left  Wheel", "", "Left  Wheel"});
-  CHECK(file.body_of == Numbers{0, 0, 1, 2});
-  const auto meshes = tool::meshes_of_bodies(file);
-  REQUIRE(meshes.size() == 3);
-  CHECK(meshes[0].triangles.size() == 2);
-  CHECK(meshes[0].vertices.size() == 6);
-  CHECK(meshes[1].vertices.size() == 3);  // includes one of the first body's triangles, separately
-  CHECK(meshes[2].vertices.at(0) == tool::Position{0, 0, 2});
-}
-
-TEST_CASE("OBJ: a body is what the last o or g names, and goes on where it is named again") {
-  const FileMesh file = tool::read_obj(
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\no base plate\nf 1 2 4\ng arm \\\n left\n"
-      "f 1 3 4\no base plate\nf 2 3 4\ng\nf 1 2 4\no none\n",
-      "file");
-  CHECK(file.bodies == Names{"", "base plate", "arm   left"});
-  CHECK(file.body_of == Numbers{0, 1, 2, 1, 0});
-  // A # inside the name begins no comment.
-  CHECK(
-      tool::read_obj("o wheel#1 # left\nv 0 0 0 # corner\nv 1 0 0\nv 0 1 0\nf 1 2 3#4\n#\n", "file")
-          .bodies == Names{"wheel#1"});
-}
-
-TEST_CASE("PLY: one body without a name") {
-  CHECK(tool::read_ply(kPly, "file").bodies == Names{""});
+  CHECK(file.mesh.triangles.size() == 4);
+  CHECK(file.mesh.vertices.size() == 9);
+  const std::string objects =
+      "o wheel \\\n left\n" + kVertices + "g a\nf 1 2 3#4\no wheel#1\nf 3 2 1\n";
+  CHECK(tool::read_obj(objects, "file").mesh.triangles.size() == 2);
 }

@@ -78,7 +78,6 @@ TEST_CASE("items and components place objects, mirrored ones are no inside out s
   CHECK(component.mesh.vertices[0] == tool::Position{7, 0, 5});
   CHECK(component.mesh.vertices[1] == tool::Position{7, 1, 5});
   CHECK(volume6(component) == Approx(2));
-  CHECK(component.bodies == std::vector<std::string>{"Object_1", "Object_1"});
 }
 
 TEST_CASE("objects of other parts of the package are read") {

@@ -72,17 +72,6 @@ void TakenOutputs::add(const OutputName& name, const std::string& mesh, const ch
   take(stems_, name.stem);
 }
 
-std::vector<OutputName> body_names(const std::string& mesh_path,
-                                   const std::vector<InputMesh>& bodies) {
-  const std::string stem = std::filesystem::path(mesh_path).stem().string();
-  std::vector<std::string> wanted;
-  wanted.reserve(bodies.size());
-  for (const InputMesh& body : bodies) {
-    wanted.push_back(body.bodies.front().empty() ? stem : body.bodies.front());
-  }
-  return distinct_names(wanted);
-}
-
 std::vector<OutputName> distinct_names(const std::vector<std::string>& names) {
   std::vector<OutputName> made;
   made.reserve(names.size());

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "mesh/import.hpp"
-
 namespace flashbvh::tool {
 
 struct OutputName {
@@ -30,12 +28,7 @@ class TakenOutputs {
   std::map<std::string, std::string> stems_;  ///< by lower-case name
 };
 
-/// Words for the bodies of a mesh file: their names there, or the mesh file's for a body without a
-/// name. Numbered from 2 on if they are equal but for their case.
-std::vector<OutputName> body_names(const std::string& mesh_path,
-                                   const std::vector<InputMesh>& bodies);
-
-/// Like body_names(), for any names; none of them may be empty.
+/// Words for names, none of them empty; numbered from 2 on if they are equal but for their case.
 std::vector<OutputName> distinct_names(const std::vector<std::string>& names);
 
 }  // namespace flashbvh::tool

@@ -44,24 +44,6 @@ const Format* format_of(const std::string& path) {
   return found == kFormats.end() ? nullptr : found;
 }
 
-InputMesh converted(bake::SourceMesh mesh, const std::string& path, const FileMesh& file,
-                    const Units& units) {
-  TriangleIds degenerate = degenerate_triangles(mesh);
-  units.convert(mesh, path, file.unit);
-  InputMesh input = input_of(path, std::move(mesh), std::move(degenerate),
-                             units.converted(file.precision, path, file.unit));
-  input.unit = file.unit;
-  return input;
-}
-
-FileMesh import_with(const Units& units, const std::string& path, Warnings& warnings) {
-  FileMesh file = import_mesh(path, warnings);
-  if (const std::string warning = units.contradiction(path, file.unit); !warning.empty()) {
-    warnings.add(path, warning);
-  }
-  return file;
-}
-
 }  // namespace
 
 const char* const kMeshFormats = "STL, OBJ, PLY, DAE, glTF, GLB, 3MF";
@@ -90,28 +72,21 @@ double InputMesh::reading_error() const {
 InputMesh input_of(std::string path, bake::SourceMesh mesh, TriangleIds degenerate,
                    double precision) {
   const bake::Extent extent = bake::extent_of(mesh);
-  return {std::move(path),       {},       std::move(mesh), extent, bake::finest_cell(extent),
-          std::move(degenerate), precision};
+  return {std::move(path),           std::move(mesh),       extent,
+          bake::finest_cell(extent), std::move(degenerate), precision};
 }
 
 InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings) {
-  FileMesh file = import_with(units, path, warnings);
-  InputMesh input = converted(std::move(file.mesh), path, file, units);
-  input.bodies = std::move(file.bodies);
-  return input;
-}
-
-std::vector<InputMesh> read_bodies(const std::string& path, const Units& units,
-                                   Warnings& warnings) {
-  const FileMesh file = import_with(units, path, warnings);
-  std::vector<bake::SourceMesh> meshes = meshes_of_bodies(file);
-  std::vector<InputMesh> inputs;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    inputs.push_back(converted(std::move(meshes[i]), path, file, units));
-    inputs.back().path = concat(path, ", body ", i, " ", tool::quoted(file.bodies[i]));
-    inputs.back().bodies = {file.bodies[i]};
+  FileMesh file = import_mesh(path, warnings);
+  if (const std::string warning = units.contradiction(path, file.unit); !warning.empty()) {
+    warnings.add(path, warning);
   }
-  return inputs;
+  TriangleIds degenerate = degenerate_triangles(file.mesh);
+  units.convert(file.mesh, path, file.unit);
+  InputMesh input = input_of(path, std::move(file.mesh), std::move(degenerate),
+                             units.converted(file.precision, path, file.unit));
+  input.unit = file.unit;
+  return input;
 }
 
 void check_units(const std::vector<InputMesh>& meshes, Warnings& warnings) {

@@ -24,12 +24,11 @@ FileMesh import_mesh(const std::string& path, Warnings& warnings);
 
 /// A mesh to bake.
 struct InputMesh {
-  std::string path;                 ///< with the body's name for one of the file's bodies
-  std::vector<std::string> bodies;  ///< their names in the file
-  bake::SourceMesh mesh;            ///< converted to the common unit
-  bake::Extent extent;              ///< of the mesh
-  double finest_cell;               ///< with which it fits the lattice
-  TriangleIds degenerate;           ///< before conversion
+  std::string path;
+  bake::SourceMesh mesh;   ///< converted to the common unit
+  bake::Extent extent;     ///< of the mesh
+  double finest_cell;      ///< with which it fits the lattice
+  TriangleIds degenerate;  ///< before conversion
   double precision = 0;    ///< bound on the reader's rounding of a coordinate, in the common unit
   Unit unit = Unit::none;  ///< that the file carries
 
@@ -43,8 +42,6 @@ InputMesh input_of(std::string path, bake::SourceMesh mesh, TriangleIds degenera
 
 /// Reads a mesh with import_mesh() and converts it to the common unit.
 InputMesh read_mesh(const std::string& path, const Units& units, Warnings& warnings);
-/// Reads each body as a mesh of its own, in order of their first triangles.
-std::vector<InputMesh> read_bodies(const std::string& path, const Units& units, Warnings& warnings);
 
 /// For meshes read without a common unit. UserError if their files carry several units; warns if
 /// some carry one and others none.

@@ -28,33 +28,14 @@ void MeshBuilder::add_triangle(const std::array<Position, 3>& corners) {
   add({first, second, vertex_at(corners[2])});
 }
 
-std::uint32_t MeshBuilder::begin_body(std::string_view name) {
-  built_.bodies.emplace_back(name);
-  return body_ = static_cast<std::uint32_t>(built_.bodies.size() - 1);
-}
-
 FileMesh MeshBuilder::finish() {
   if (built_.mesh.triangles.empty()) {
     throw UserError(file_, "has no polygons or triangles; export the mesh again");
   }
-  leave_out_empty_bodies();
   if (left_out_ != 0) {
     built_.warnings.push_back(concat(left_out_, " points or lines left out"));
   }
   return std::move(built_);
-}
-
-void MeshBuilder::leave_out_empty_bodies() {
-  std::vector<std::uint32_t> number(built_.bodies.size(), kUnused);
-  std::vector<std::string> bodies;
-  for (std::uint32_t& body : built_.body_of) {
-    if (number[body] == kUnused) {
-      number[body] = static_cast<std::uint32_t>(bodies.size());
-      bodies.push_back(built_.bodies[body]);
-    }
-    body = number[body];
-  }
-  built_.bodies = std::move(bodies);
 }
 
 std::uint32_t MeshBuilder::vertex_at(const Position& position) {
@@ -78,24 +59,7 @@ void MeshBuilder::add(const bake::TriangleCorners& triangle) {
   if (built_.mesh.triangles.size() == kUnused / 3) {
     throw UserError(file_, "has over ", kUnused / 3, " triangles; cut the mesh in parts");
   }
-  if (body_ == kUnused) {
-    begin_body("");
-  }
   built_.mesh.triangles.push_back(triangle);
-  built_.body_of.push_back(body_);
-}
-
-std::vector<bake::SourceMesh> meshes_of_bodies(const FileMesh& whole) {
-  std::vector<std::vector<std::uint32_t>> triangles(whole.bodies.size());
-  for (std::uint32_t i = 0; i < whole.body_of.size(); ++i) {
-    triangles[whole.body_of[i]].push_back(i);
-  }
-  std::vector<bake::SourceMesh> meshes;
-  meshes.reserve(triangles.size());
-  for (const std::vector<std::uint32_t>& of_body : triangles) {
-    meshes.push_back(part_of(whole.mesh, of_body));
-  }
-  return meshes;
 }
 
 double coordinate(std::string_view word, const std::string& file, std::size_t line) {

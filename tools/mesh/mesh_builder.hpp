@@ -24,11 +24,9 @@ using Position = std::array<double, 3>;
 /// A mesh as read from its file.
 struct FileMesh {
   bake::SourceMesh mesh;
-  std::vector<std::string> bodies;     ///< those with triangles: names as in the file, maybe equal
-  std::vector<std::uint32_t> body_of;  ///< index in `bodies` for each triangle
-  Unit unit = Unit::none;              ///< of the numbers, if the file or its format says so
-  double precision = 0;                ///< bound on the reader's rounding of a coordinate
-  std::vector<std::string> warnings;   ///< for the user
+  Unit unit = Unit::none;             ///< of the numbers, if the file or its format says so
+  double precision = 0;               ///< bound on the reader's rounding of a coordinate
+  std::vector<std::string> warnings;  ///< for the user
 };
 
 /// Joins equal vertices, in order of first use; cuts polygons into triangles in place. Keeps all
@@ -48,10 +46,6 @@ class MeshBuilder {
   /// Counts a point or a line, which the mesh leaves out with a warning.
   void leave_out() { ++left_out_; }
 
-  /// All later additions belong to a new body, or to one that was begun before.
-  std::uint32_t begin_body(std::string_view name);
-  void resume_body(std::uint32_t body) { body_ = body; }
-
   /// Returns the mesh and empties the builder. UserError if there is no triangle.
   FileMesh finish();
 
@@ -62,7 +56,6 @@ class MeshBuilder {
     std::uint32_t vertex;  ///< in the mesh, from its first use on
   };
 
-  void leave_out_empty_bodies();
   std::uint32_t vertex_at(const Position& position);
   std::uint32_t vertex_of(FilePoint& point);
   void add(const bake::TriangleCorners& triangle);
@@ -70,13 +63,9 @@ class MeshBuilder {
   std::string file_;
   std::vector<FilePoint> points_;
   std::map<Position, std::uint32_t> vertex_at_;
-  std::uint32_t body_ = kUnused;  ///< kUnused: none begun
   std::size_t left_out_ = 0;
   FileMesh built_;
 };
-
-/// A mesh for each body, as if the file held no other.
-std::vector<bake::SourceMesh> meshes_of_bodies(const FileMesh& whole);
 
 /// Parses a coordinate to half a unit in the last place. UserError, at the line, if `word` is no
 /// number or one that is_coordinate() refuses.
@@ -95,16 +84,14 @@ std::string_view without_padding(std::string_view text);
 // Each reader takes the bytes of a file and its name for messages. UserError if the file is damaged
 // or of another format, or has no polygons.
 
-/// Binary and ASCII. A body is a `solid`.
+/// Binary and ASCII.
 FileMesh read_stl(std::string_view bytes, const std::string& file);
-/// The last `o` or `g` line names the body.
 FileMesh read_obj(std::string_view bytes, const std::string& file);
-/// ASCII and binary. One body.
+/// ASCII and binary.
 FileMesh read_ply(std::string_view bytes, const std::string& file);
 
-/// DAE and glTF: assimp reads the file itself, which may refer to other files. A body is a node.
+/// DAE and glTF: assimp reads the file itself, which may refer to other files.
 FileMesh read_with_assimp(std::string_view bytes, const std::string& file);
-/// A body is an object of the build.
 FileMesh read_3mf(std::string_view bytes, const std::string& file);
 
 /// Warns if a text file does not end with a line end: its last number may have lost digits without

@@ -1,7 +1,6 @@
 // Wavefront OBJ: reads `v` and `f` lines; others do not affect the shape.
 #include <algorithm>
 #include <array>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,23 +16,13 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 /// Not `call` and `csh`, which add what another file or a program writes.
-constexpr std::array<std::string_view, 21> kNoShape = {
-    "vt",        "vn",     "vp",    "s",        "mg",       "usemtl", "mtllib",
-    "usemap",    "maplib", "bevel", "c_interp", "d_interp", "lod",    "shadow_obj",
-    "trace_obj", "ctech",  "stech", "deg",      "vg",       "bmat",   "step"};
+constexpr std::array<std::string_view, 23> kNoShape = {
+    "o",         "g",      "vt",     "vn",    "vp",       "s",        "mg",  "usemtl",
+    "mtllib",    "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj",
+    "trace_obj", "ctech",  "stech",  "deg",   "vg",       "bmat",     "step"};
 
-/// A # inside the name of a body begins no comment.
 std::string_view without_comment(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t\v\f";
-  const std::size_t first = line.find_first_not_of(kBlanks);
-  const bool is_body =
-      first != std::string_view::npos && (line[first] == 'o' || line[first] == 'g');
-  std::size_t end = line.find('#');
-  while (is_body && end != std::string_view::npos &&
-         kBlanks.find(line[end - 1]) == std::string_view::npos) {
-    end = line.find('#', end + 1);
-  }
-  return line.substr(0, end);
+  return line.substr(0, line.find('#'));
 }
 
 /// Joins a line that ends with a backslash with the next one.
@@ -55,8 +44,7 @@ bool next_joined(Lines& lines, std::string& joined, std::size_t& number) {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::string& file)
-      : file_(file), builder_(file), bodies_({{"", builder_.begin_body("")}}) {}
+  explicit ObjReader(const std::string& file) : file_(file), builder_(file) {}
 
   void line(const Words& words, std::size_t number) {
     const std::string_view keyword = words[0];
@@ -64,8 +52,6 @@ class ObjReader {
       vertex(words, number);
     } else if (keyword == "f" || keyword == "fo") {
       face(words, number);
-    } else if (keyword == "o" || keyword == "g") {
-      body(words);
     } else if (keyword == "p" || keyword == "l") {
       builder_.leave_out();
     } else if (std::find(kNoShape.begin(), kNoShape.end(), keyword) == kNoShape.end()) {
@@ -104,19 +90,6 @@ class ObjReader {
     builder_.add_polygon(corners_);
   }
 
-  void body(const Words& words) {
-    std::string name;
-    if (words.size() > 1) {
-      name.assign(words[1].data(), words.back().data() + words.back().size());
-    }
-    const auto known = bodies_.find(name);
-    if (known != bodies_.end()) {
-      builder_.resume_body(known->second);
-    } else {
-      bodies_[name] = builder_.begin_body(name);
-    }
-  }
-
   /// The point of "12", "12/3", "12//4" or "12/3/4"; negative numbers count from the last vertex.
   std::uint32_t point(std::string_view corner, std::size_t number) const {
     const auto count = static_cast<long long>(builder_.point_count());
@@ -131,7 +104,6 @@ class ObjReader {
 
   const std::string& file_;
   MeshBuilder builder_;
-  std::map<std::string, std::uint32_t> bodies_;
   std::vector<std::uint32_t> corners_;
 };
 

@@ -70,14 +70,14 @@ class AsciiReader {
       if (word != "solid") {
         refuse("solid", word);
       }
-      builder_.begin_body(rest_of_line());
+      skip_name();
       for (word = lower_case(next()); word == "facet"; word = lower_case(next())) {
         facet();
       }
       if (word != "endsolid") {
         refuse("endsolid", word);
       }
-      rest_of_line();
+      skip_name();
     }
     return builder_.finish();
   }
@@ -95,18 +95,14 @@ class AsciiReader {
     return words_[at_++];
   }
 
-  /// The remaining words of the line, as written: a name, no triangle.
-  std::string rest_of_line() {
-    const std::size_t first = at_;
+  /// Skips the rest of the line: a name, no triangle.
+  void skip_name() {
     for (; at_ < words_.size(); ++at_) {
       if (lower_case(words_[at_]) == "endloop") {
         throw UserError(at_line(file_, lines_.number()),
                         "a triangle on the line of a solid's name; give it lines of its own");
       }
     }
-    return first == at_
-               ? std::string()
-               : std::string(words_[first].data(), words_.back().data() + words_.back().size());
   }
 
   void facet() {

@@ -300,15 +300,14 @@ class Reader {
              ", not 'model'; export it without");
     }
     const Placement placement = composed(outer, at.placement);
-    add_mesh(object, at.id, placement);
+    add_mesh(object, placement);
     for (const Placed& component : object.components) {
       add(component, placement, level + 1);
     }
   }
 
-  void add_mesh(const Object& object, const std::string& id, const Placement& placement) {
+  void add_mesh(const Object& object, const Placement& placement) {
     const auto first = static_cast<std::uint32_t>(builder_.point_count());
-    builder_.begin_body("Object_" + id);
     for (const Position& vertex : object.vertices) {
       points_.add(vertex, placement);
     }

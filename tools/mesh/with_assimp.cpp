@@ -53,9 +53,6 @@ class SceneReader {
  private:
   void add(const aiNode& node, const Placement& outer) {
     const Placement placement = composed(outer, placement_of(node.mTransformation));
-    if (node.mNumMeshes != 0) {
-      builder_.begin_body({node.mName.data, node.mName.length});
-    }
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       add(*scene_.mMeshes[node.mMeshes[i]], placement);
     }
@@ -117,7 +114,6 @@ FileMesh read_scene(const std::string& file) {
   importer.SetIOHandler(new RegularFiles);  // owned by the importer
   // Viewers of robot models ignore the up axis of Collada, and models are drawn for them.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   const aiScene* const scene = importer.ReadFile(file, 0);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     const std::string said = one_line(importer.GetErrorString());

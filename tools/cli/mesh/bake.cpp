@@ -87,41 +87,17 @@ std::vector<double> weights_of(const std::vector<std::string>& paths) {
   return weights;
 }
 
-/// The output name of a mesh file or of one of its bodies, and its share of the work.
-struct Part {
-  OutputName name;
-  double weight;
-};
-
-struct Parts {
+std::vector<InputMesh> read_meshes(const BakeOrder& order, const std::vector<double>& weights,
+                                   Progress& progress, Warnings& warnings) {
   std::vector<InputMesh> meshes;
-  std::vector<Part> parts;  ///< one per mesh
-};
-
-Parts read_parts(const BakeOrder& order, const std::vector<double>& weights, Progress& progress,
-                 Warnings& warnings) {
-  Parts all;
-  TakenOutputs taken;
   for (std::size_t i = 0; i < order.meshes.size(); ++i) {
-    const std::string& path = order.meshes[i];
-    progress.begin("reading " + path, weights[i]);
-    if (!order.split) {
-      all.meshes.push_back(read_mesh(path, order.units, warnings));
-      all.parts.push_back({order.names[i], weights[i]});
-      continue;
-    }
-    std::vector<InputMesh> bodies = read_bodies(path, order.units, warnings);
-    const std::vector<OutputName> names = body_names(path, bodies);
-    for (std::size_t j = 0; j < bodies.size(); ++j) {
-      taken.add(names[j], bodies[j].path, "bake the files into folders of their own");
-      all.meshes.push_back(std::move(bodies[j]));
-      all.parts.push_back({names[j], weights[i] / static_cast<double>(bodies.size())});
-    }
+    progress.begin("reading " + order.meshes[i], weights[i]);
+    meshes.push_back(read_mesh(order.meshes[i], order.units, warnings));
   }
   if (order.units.common().empty()) {
-    check_units(all.meshes, warnings);
+    check_units(meshes, warnings);
   }
-  return all;
+  return meshes;
 }
 
 /// Warns of meshes that seem to be in another unit than the others.
@@ -155,27 +131,24 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
   const bool simplifies = order.simplify || order.fit;
   Progress progress((simplifies ? 3 : 2) * weight);
-  const auto [meshes, parts] = read_parts(order, weights, progress, warnings);
+  const std::vector<InputMesh> meshes = read_meshes(order, weights, progress, warnings);
   double finest = 0;
   for (const InputMesh& mesh : meshes) {
     finest = std::max(finest, mesh.finest_cell);
   }
   options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
-  std::vector<std::string> names(parts.size());
-  std::transform(parts.begin(), parts.end(), names.begin(),
-                 [](const Part& part) { return part.name.stem; });
   Outcome outcome;
   if (simplifies) {
     progress.begin("simplifying", weight);
   }
-  const Simplified simplified = simplified_meshes(order, meshes, names, options);
+  const Simplified simplified = simplified_meshes(order, meshes, options);
   outcome.simplified = simplified.length;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const InputMesh& mesh = meshes[i];
-    progress.begin("baking " + mesh.path, parts[i].weight);
+    progress.begin("baking " + mesh.path, weights[i]);
     BakedMesh baked =
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
-    outcome.meshes.push_back(bake_one(order, baked, mesh, parts[i].name, files));
+    outcome.meshes.push_back(bake_one(order, baked, mesh, order.names[i], files));
     warn_of_mesh(mesh, baked.defects, options, warnings);
     if (baked.dropped > *options.cell / 16) {
       warnings.add(mesh.path,

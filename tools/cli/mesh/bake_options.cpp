@@ -40,13 +40,6 @@ std::vector<OutputName> output_names(const Arguments& arguments) {
     throw UserError("--name", "names one mesh, but ", arguments.order.meshes.size(),
                     " are given; bake them one by one with the same --cell");
   }
-  if (arguments.order.split) {
-    if (arguments.name) {
-      throw UserError("--name",
-                      "names one mesh, but --split makes one of each body, named after it");
-    }
-    return {};
-  }
   std::vector<OutputName> names;
   TakenOutputs taken;
   for (const std::string& mesh : arguments.order.meshes) {
@@ -200,9 +193,6 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   command.add_option(
       "--name", a.name,
       "Name of the files and of their contents, for one mesh; default: that of the mesh file");
-  command.add_flag("--split", a.order.split,
-                   "Bake each body apart, named after it: ASCII STL's solids, what OBJ's o and g\n"
-                   "name, the nodes of DAE, glTF and 3MF. Triangles are counted in each body");
   add_mesh_options(command, a);
   command.callback([arguments, run] { run(order_of(*arguments)); });
 }

@@ -14,8 +14,7 @@ namespace flashbvh::tool {
 
 struct BakeOrder {
   std::vector<std::string> meshes;
-  bool split = false;             ///< each body of a mesh becomes an image
-  std::vector<OutputName> names;  ///< one per mesh, all different; none if `split`
+  std::vector<OutputName> names;  ///< one per mesh, all different
   std::string folder;
   bool writes_c = true;
   bool writes_images = true;

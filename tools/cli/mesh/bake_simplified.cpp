@@ -38,14 +38,14 @@ std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& mesh
 }
 
 simplify::BytesOf bytes_of(const BakeOrder& order, const std::vector<InputMesh>& meshes,
-                           const std::vector<std::string>& names, const BakeOptions& options) {
-  return [&order, &meshes, &names, options](const std::vector<simplify::Coarsening>& coarse,
-                                            std::uint32_t leaf_size) {
+                           const BakeOptions& options) {
+  return [&order, &meshes, options](const std::vector<simplify::Coarsening>& coarse,
+                                    std::uint32_t leaf_size) {
     BakeOptions own = options;
     own.leaf_size = leaf_size;
     std::vector<double> bytes(coarse.size());
     for_each_in_parallel(coarse.size(), [&](std::size_t i) {
-      bytes[i] = coarse_bytes(meshes[i], coarse[i], own, names[i], order.levels);
+      bytes[i] = coarse_bytes(meshes[i], coarse[i], own, order.names[i].stem, order.levels);
     });
     return std::accumulate(bytes.begin(), bytes.end(), 0.0);
   };
@@ -69,7 +69,7 @@ Simplified simplified_to(double length, const std::vector<InputMesh>& meshes,
 }  // namespace
 
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
-                             const std::vector<std::string>& names, BakeOptions& options) {
+                             BakeOptions& options) {
   if (order.simplify) {
     return simplified_to(*order.simplify, meshes, options);
   }
@@ -84,7 +84,7 @@ Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh
   const bool is_limited = allowed < twentieth;
   const double longest = is_limited ? allowed : twentieth;
   const auto found = simplify::fit(made.meshes, *order.fit, longest, order.leaf_sizes,
-                                   bytes_of(order, meshes, names, options));
+                                   bytes_of(order, meshes, options));
   if (!found) {
     throw UserError("--fit " + fixed(*order.fit, 0), "is not reached by simplifying to ",
                     significant(is_limited ? *options.max_deviation : twentieth, 3),

@@ -15,8 +15,8 @@ struct Simplified {
 
 /// Simplifies as the order requests; for --fit, sets the leaf size of `options`. UserError if the
 /// length is smaller than rounding errors, or the images do not fit. `meshes` must outlive the
-/// result. `names`: of the images.
+/// result.
 Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
-                             const std::vector<std::string>& names, BakeOptions& options);
+                             BakeOptions& options);
 
 }  // namespace flashbvh::tool
