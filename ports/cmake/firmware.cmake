@@ -19,29 +19,25 @@ function(flashbvh_board_executable name)
   target_link_libraries(${name} PRIVATE flashbvh::flashbvh flashbvh_board)
 endfunction()
 
-# flashbvh_add_firmware(name source... [ARGUMENTS])
+# flashbvh_add_firmware(name source...)
 #
-# Builds name.elf and name.elf.map. The link fails if heap, exceptions or RTTI are linked in. main()
-# has no arguments unless ARGUMENTS is given, which costs 1.2 KB of RAM.
+# Builds name.elf and name.elf.map. The link fails if heap, exceptions or RTTI are linked in.
+# main() has no arguments.
 function(flashbvh_add_firmware name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "ARGUMENTS" "" "")
-  flashbvh_board_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  flashbvh_board_executable(${name} ${ARGN})
   flashbvh_warnings(${name})
-  if(arg_ARGUMENTS AND TARGET flashbvh_arguments)
-    target_sources(${name} PRIVATE $<TARGET_OBJECTS:flashbvh_arguments>)
-  endif()
   target_link_libraries(${name} PRIVATE ${FLASHBVH_NO_HEAP})
   set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${FLASHBVH_NO_HEAP})
 endfunction()
 
-# flashbvh_add_firmware_test(name target [ICOUNT] [ARGUMENTS argument...] [STATUS n] [PASS_REGULAR_EXPRESSION regex]
+# flashbvh_add_firmware_test(name target [ICOUNT] [STATUS n] [PASS_REGULAR_EXPRESSION regex]
 #                            [TIMEOUT seconds])
 #
 # Runs the firmware under QEMU. The test passes if the firmware ends with STATUS (0 unless given) and
 # its output matches the expression, if one is given. ICOUNT makes instruction counts exact.
 function(flashbvh_add_firmware_test name target)
   cmake_parse_arguments(PARSE_ARGV 2 arg
-    "ICOUNT" "STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "ARGUMENTS")
+    "ICOUNT" "STATUS;PASS_REGULAR_EXPRESSION;TIMEOUT" "")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "flashbvh_add_firmware_test(${name}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -64,7 +60,7 @@ function(flashbvh_add_firmware_test name target)
   set(test "${FLASHBVH_TEST_PREFIX}/${name}")
   add_test(NAME ${test} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
     COMMAND ${CMAKE_COMMAND} ${expectations} -P ${FLASHBVH_EXPECT} --
-      ${FLASHBVH_RUN} $<TARGET_FILE:${target}> ${arg_ARGUMENTS})
+      ${FLASHBVH_RUN} $<TARGET_FILE:${target}>)
   # ports/run's own limit comes first, as its message says what happened.
   math(EXPR limit "${arg_TIMEOUT} + 30")
   set_tests_properties(${test} PROPERTIES TIMEOUT ${limit} ENVIRONMENT "${environment}")

@@ -8,13 +8,7 @@
 namespace port {
 
 enum class HostCall : uint32_t {
-  open = 0x01,
-  close = 0x02,
-  write0 = 0x04,  ///< writes a string that ends with 0
-  write = 0x05,
-  read = 0x06,
-  clock = 0x10,  ///< hundredths of a second since the start, in host time
-  get_command_line = 0x15,
+  write0 = 0x04,         ///< writes a string that ends with 0
   exit = 0x18,           ///< takes a reason only
   exit_extended = 0x20,  ///< takes a reason and a status
 };
@@ -52,9 +46,7 @@ inline int32_t call_host(HostCall call, const void* argument) {
 
 /// Statuses with which a program ends itself. 124 is free for timeout(1).
 enum ExitStatus : int {
-  kExitCatchWouldThrow = 120,
   kExitCounterNotExact = 121,
-  kExitHeapForbidden = 122,
   kExitFault = 123,
   kExitUnexpectedInterrupt = 125,
 };

@@ -10,7 +10,7 @@ extern void (*__init_array_end[])();
 
 // ISO C++ forbids calling main(), but start-up code has to call it.
 #pragma GCC diagnostic ignored "-Wpedantic"
-int main(int argc, char** argv);
+int main();
 
 namespace port {
 namespace {
@@ -37,9 +37,7 @@ void start_program() {
   fill_data_and_bss();
   paint_stack();
   construct_static_objects();
-  char** argv = nullptr;
-  const int argc = read_arguments != nullptr ? read_arguments(&argv) : 0;
-  exit_program(main(argc, argv));
+  exit_program(main());
 }
 
 }  // namespace port

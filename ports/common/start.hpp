@@ -17,8 +17,4 @@ namespace port {
 /// program with its result.
 [[noreturn]] void start_program();
 
-/// Fills `argv` from the host's command line and returns argc. Only programs that link
-/// arguments.cpp have it; in other programs main() gets no arguments.
-int read_arguments(char*** argv) __attribute__((weak));
-
 }  // namespace port

@@ -1,5 +1,7 @@
-int main(int argc, char**) {
-  if (argc > 5) {
-    throw argc;
+volatile bool is_wrong;
+
+int main() {
+  if (is_wrong) {
+    throw 1;
   }
 }
