@@ -368,23 +368,3 @@ def line_up(file, names, first, last, steps):
     """A trajectory on the straight line in between, one line per step."""
     write(file, "\n".join([names, *(", ".join(f"{a + (b - a) * i / steps:.6f}" for a, b in zip(first, last))
                                     for i in range(steps + 1))]))
-
-
-def refused_by(program, robot, what):
-    said = run(program, "robot", robot, "-o", "out", code=2).warnings
-    hold(what in said, f"no '{what}' in: {said}")
-
-
-def mutated(robot, count):
-    """Truncated and changed copies of a robot are read, or refused by one line, without delay."""
-    whole, any_of = Path(robot).read_bytes(), random.Random(robot)
-    for n in range(count):
-        data = bytearray(whole[:any_of.randrange(len(whole))] if n % 4 == 0 else whole)
-        for _ in range(any_of.choice((0, 1, 1, 3)) if data else 0):
-            data[any_of.randrange(len(data))] = any_of.choice((any_of.randrange(256), ord(any_of.choice("<>/\"=-9 e."))))
-        Path("changed" + Path(robot).suffix).write_bytes(data)
-        done = subprocess.run([FLASHBVH, "audit", "changed" + Path(robot).suffix, "no.srdf"], capture_output=True,
-                              timeout=60)
-        said = done.stderr.decode(errors="replace")
-        hold(done.returncode == 2 and "reader crashed" not in said and said.startswith("flashbvh: "),
-             f"exit {done.returncode} of {bytes(data)}: {said}")

@@ -71,7 +71,6 @@ struct DisabledPair {
 struct Model {
   std::string name;
   std::string path;                    ///< path of its file, for messages
-  std::vector<std::string> files;      ///< other files that were read, except those of links
   std::vector<ModelJoint> joints;      ///< parents before children
   std::vector<std::size_t> variables;  ///< for each variable, its joint that is no mimic
   /// In the order of the file, followed by parts. Parts are added after all pairs are decided.

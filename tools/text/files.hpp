@@ -33,9 +33,8 @@ class FileSet {
 
   /// Writes every file under a temporary name next to its own, calls `report`, then renames all.
   /// Makes missing folders. UserError on failure. On failure, or if `report` throws, it removes all
-  /// new files, unless a rename failed after another had replaced an older file. Signals that end
-  /// the program wait for this, too. Files that are not regular, and standard output, get their
-  /// bytes first.
+  /// new files, unless a rename failed after another had replaced an older file. Files that are not
+  /// regular, and standard output, get their bytes first.
   void write(const std::function<void()>& report = [] {}) const;
 
  private:

@@ -137,6 +137,8 @@ TEST_CASE("a mimic of a continuous joint turns on, too") {
       {{"continuous", ""}, {"revolute", kLimit + R"(<mimic joint="j0" multiplier="-2"/>)"}}));
   CHECK(model.joints[1].type == JointType::continuous);
   CHECK(model.joints[1].multiplier == -2);
+  CHECK(model.joints[1].lower == -tool::kPi);
+  CHECK(model.joints[1].upper == tool::kPi);
 }
 
 TEST_CASE("collision elements of a link are one mesh") {
@@ -269,15 +271,6 @@ TEST_CASE("a mimic's own limits are not checked") {
   for (const tool::PlacedWarning& warning : files.warnings.all()) {
     CHECK_THAT(warning.what, Catch::Matchers::Contains("past its own limits; they do not count"));
   }
-}
-
-TEST_CASE("a mimic of a continuous joint is continuous") {
-  RobotFiles files;
-  const tool::Model model =
-      files.read(chain_text({{"continuous", ""}, {"revolute", kLimit + "<mimic joint=\"j0\"/>"}}));
-  CHECK(model.joints[1].type == JointType::continuous);
-  CHECK(model.joints[1].lower == -tool::kPi);
-  CHECK(model.joints[1].upper == tool::kPi);
 }
 
 TEST_CASE("soft limits narrow the limits of a joint that has its own") {

@@ -1,0 +1,159 @@
+#include "robot/read/urdf_rules.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "robot/read/xml_file.hpp"
+#include "text/messages.hpp"
+
+namespace flashbvh::tool {
+namespace {
+
+/// The attributes of an element that has a pose, a size or a limit, and the elements inside that
+/// are read, once each.
+struct ElementRule {
+  std::string_view name;
+  std::vector<std::string_view> attributes;
+  std::vector<std::string_view> inside = {};
+};
+
+const ElementRule kRules[] = {
+    {"joint",
+     {"name", "type"},
+     {"origin", "parent", "child", "axis", "limit", "mimic", "safety_controller"}},
+    {"collision", {"name", "group", "concave"}, {"origin", "geometry"}},
+    {"geometry", {}, {"box", "sphere", "cylinder", "mesh"}},
+    {"origin", {"xyz", "rpy"}},
+    {"parent", {"link"}},
+    {"child", {"link"}},
+    {"axis", {"xyz"}},
+    {"limit",
+     {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk", "damping",
+      "friction"}},
+    {"mimic", {"joint", "multiplier", "offset"}},
+    {"safety_controller",
+     {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity", "k_effort"}},
+    {"box", {"size"}},
+    {"sphere", {"radius"}},
+    {"cylinder", {"radius", "length"}},
+    {"mesh", {"filename", "scale"}},
+};
+
+/// Other programs' elements in a joint or a collision, which move and bound nothing.
+constexpr std::string_view kOtherPrograms[] = {
+    "calibration",
+    "color",
+    "contact",
+    "contact_coefficients",
+    "dynamics",
+    "gazebo",
+    "hardwareInterface",
+    "hardware_interface",
+    "joint_properties",
+    "material",
+    "max_contacts",
+    "plugin",
+    "properties",
+    "property",
+    "sensor",
+    "surface",
+    "texture",
+    "transmission",
+    "verbose",
+};
+
+template <class Names>
+bool has(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// True of "0 0.0 -0" and the like.
+bool is_zero(const std::string& numbers) {
+  return numbers.find_first_not_of("0.+- \t\r\n") == std::string::npos;
+}
+
+std::string listed(const std::vector<std::string_view>& names) {
+  return joined(names, [](std::string_view name) { return std::string(name); });
+}
+
+}  // namespace
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return has(names, name);
+}
+
+bool is_foreign(const std::string& name) {
+  return name.find(':') != std::string::npos;
+}
+
+void check_element(const TiXmlElement& element, const std::string& place) {
+  const std::string& name = element.ValueStr();
+  const auto rule = std::find_if(std::begin(kRules), std::end(kRules),
+                                 [&](const ElementRule& of) { return of.name == name; });
+  if (rule == std::end(kRules)) {
+    return;
+  }
+  for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    const std::string attribute = a->Name();
+    // Some programs write rpy="0 0 0" into each <axis>.
+    const bool is_idle = name == "axis" && attribute == "rpy" && is_zero(a->ValueStr());
+    if (!has(rule->attributes, attribute) && !is_foreign(attribute) && !is_idle) {
+      throw UserError(place, "has <", name, " ", attribute, "=\"", one_line(a->ValueStr()),
+                      "\">, which URDF does not know; ",
+                      rule->attributes.empty() ? "it has no attributes"
+                                               : "its attributes are " + listed(rule->attributes));
+    }
+  }
+  std::set<std::string> seen;
+  for (const TiXmlNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToText() != nullptr && rule->inside.empty()) {
+      throw UserError(place, "has text in its <", name,
+                      ">, which URDF does not read; its numbers are ", listed(rule->attributes),
+                      ", as attributes");
+    }
+    const TiXmlElement* const inside = node->ToElement();
+    if (inside == nullptr || is_foreign(inside->ValueStr())) {
+      continue;
+    }
+    if (!has(rule->inside, inside->ValueStr())) {
+      if (rule->inside.empty() || !has(kOtherPrograms, inside->ValueStr())) {
+        throw UserError(
+            place, "has <", inside->Value(), "> in <", name, ">, which URDF does not know; ",
+            rule->inside.empty() ? "correct it or leave it out"
+                                 : "correct it or leave it out: it reads " + listed(rule->inside));
+      }
+      continue;
+    }
+    if (!seen.insert(inside->ValueStr()).second) {
+      throw UserError(place, "has two <", inside->Value(), "> in one <", name,
+                      ">; leave one of them out");
+    }
+    check_element(*inside, place);
+  }
+}
+
+void check_link(TiXmlElement& link, const std::string& place) {
+  for (const TiXmlElement* e : elements_in(link)) {
+    if (is_one_of(e->ValueStr(), {"collision", "visual", "inertial"}) ||
+        is_foreign(e->ValueStr())) {
+      continue;
+    }
+    if (e->FirstChildElement("geometry") != nullptr ||
+        is_one_of(e->ValueStr(), {"geometry", "box", "sphere", "cylinder", "mesh"})) {
+      throw UserError(place, "has a shape in <", e->Value(),
+                      ">, which URDF does not know; put it into a <collision>");
+    }
+    for (const TiXmlAttribute* a = e->FirstAttribute(); a != nullptr; a = a->Next()) {
+      if (e->ValueStr() == "origin" && !is_zero(a->ValueStr())) {
+        throw UserError(place,
+                        "has an <origin> of its own, which moves nothing in URDF; put it into "
+                        "its <collision>, or into the joint above");
+      }
+    }
+  }
+}
+
+}  // namespace flashbvh::tool
