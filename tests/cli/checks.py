@@ -259,23 +259,6 @@ def inverse(poses):
         *(-sum(p[3 * i + j] * p[9 + i] for i in range(3)) for j in range(3)))) for p in poses_of(poses))
 
 
-def corners(image, *pose):
-    """The corners of an image's triangles, in cells, where `collide` puts them."""
-    flashbvh("export", "--cells", image, "-o", "mesh.obj", *pose)
-    points = vertices("mesh.obj")
-    return [" ".join(f"{x:.0f}" for corner in face for x in points[corner]) for face in faces("mesh.obj")]
-
-
-def brute_force(a, b, poses):
-    """All intersecting pairs of the exported meshes, by testing each pair of triangles."""
-    found, of_a = "", corners(a)
-    for number, pose in enumerate(poses_of(text(poses))):
-        of_b = corners(b, "--pose", " ".join(f"{x:.17g}" for x in pose))
-        found += run(TOOLS / "cli_brute_force", number, len(of_a), input="\n".join(of_a + of_b))
-    write("brute_force", found)
-    return numbers("brute_force")
-
-
 def lattice(mesh, cell):
     """The vertices in a mesh's image."""
     flashbvh("bake", mesh, "-o", "lattice", "--cell", cell, "--format", "image")

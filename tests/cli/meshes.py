@@ -26,15 +26,6 @@ def loose(count):
         yield (x, y, 0), (x + 0.5, y, 0), (x, y + 0.5, 0)
 
 
-def star(size):
-    """An OBJ's lines: triangles that all contain the origin, each rotated about it."""
-    for i in range(size):
-        s, c = sin(i), cos(i)
-        for point in (9 * c, 9 * s, i), (-9 * s, 9 * c, -i), (9 * s - 9 * c, -9 * s - 9 * c, 0):
-            yield "v {:f} {:f} {:f}".format(*point)
-        yield f"f {3 * i + 1} {3 * i + 2} {3 * i + 3}"
-
-
 def write_stl(path, triangles):
     records = [struct.pack("<12x9f2x", *(x for corner in triangle for x in corner)) for triangle in triangles]
     header = b"solid".ljust(80, b"s")  # as some programs write it

@@ -32,6 +32,7 @@ import codecs
 import fcntl
 import filecmp
 import json
+import math
 import multiprocessing
 import os
 import re
@@ -47,13 +48,12 @@ import c_names
 import checks
 import commands
 import meshes
-import motions
 import pages
 from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
-MODULES = {module.__name__: module for module in (c_names, commands, meshes, motions, pages, resource, zipfile)}
+MODULES = {module.__name__: module for module in (c_names, commands, math, meshes, pages, resource, zipfile)}
 TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 
