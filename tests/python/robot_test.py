@@ -64,7 +64,7 @@ class RobotTest(Case):
             answer = guard.update(row, 40 if i else flashbvh.ALL_WORK)
             pair = -1 if answer.pair is None else answer.pair
             self.assertEqual((answer.verdict, pair, answer.distance, answer.work), found[i].tolist())
-            self.assertEqual(answer.links and list(answer.links), None if pair < 0 else [periods[i]["a"], periods[i]["b"]])
+            self.assertEqual(answer.links or (None, None), (periods[i]["a"], periods[i]["b"]))
 
     def test_a_period_goes_on(self):
         guard = flashbvh.Guard(self.robot)

@@ -1,4 +1,4 @@
-"""The C interface, called by ctypes: flashbvh.h and robot.h name what each function does. Calls release Python's lock."""
+"""The C interface by ctypes, which calls without Python's lock; flashbvh.h and robot.h describe the functions."""
 import ctypes
 from ctypes import POINTER, c_bool, c_char_p, c_int, c_int32, c_int64, c_size_t, c_uint8, c_uint16, c_uint32, c_uint64
 from ctypes import c_void_p

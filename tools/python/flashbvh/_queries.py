@@ -81,8 +81,8 @@ def closer_than(a: Baked, b: Baked, poses, length: float) -> np.ndarray:
 
 
 def _fine_length_rounded_up(length, cell):
-    """The least number of 1/256 cell that is not below `length`, apart from the 2^-50 of it that doubles of decimals may
-    be off, as the program rounds."""
+    """The least number of 1/256 cell that is not below `length`, apart from the 2^-50 of it that doubles of decimals
+    may be off, as the program rounds."""
     if not 0 <= length < math.inf:
         raise ValueError("length: is no length; give a number from 0")
     steps = float(length) / cell * _c.FINE_ONE * (1 - 2.0 ** -50)

@@ -152,7 +152,8 @@ class Guard:
 
     def forget(self) -> None:
         """Forgets the robot's position and all known distances."""
-        _c.check(_c.guard_init(byref(self._guard), byref(self.robot._robot), self._state, len(self._state) * 4), "robot")
+        size = len(self._state) * 4
+        _c.check(_c.guard_init(byref(self._guard), byref(self.robot._robot), self._state, size), "robot")
 
     def check(self, trajectory, work: int = ALL_WORK) -> np.recarray:
         """Checks a trajectory, (T, n), one period per row, like `flashbvh guard`: starts without knowledge.
