@@ -31,9 +31,9 @@ inline const std::array<TextFormat, 3> kTextFormats = {
 
 /// The message of a reader that refuses a file; empty if it reads the file.
 template <class Read>
-std::string refusal(Read read, const std::string& bytes) {
+std::string refusal(Read read, const std::string& bytes, const std::string& file = "file") {
   try {
-    (void)read(bytes, std::string("file"));
+    (void)read(bytes, file);
     return {};
   } catch (const tool::UserError& error) {
     return error.what();
@@ -44,6 +44,13 @@ std::string refusal(Read read, const std::string& bytes) {
 inline std::string with(std::string text, const std::string& part, const std::string& by) {
   return text.replace(text.find(part), part.size(), by);
 }
+
+/// A change of a file, and what its reader then says.
+struct Change {
+  const char* part;
+  const char* by;
+  const char* said;
+};
 
 /// Six times the volume that a mesh encloses; negative if it is inside out.
 inline double volume6(const tool::FileMesh& file) {

@@ -135,7 +135,7 @@ TEST_CASE("zones of simplified links are cut as finely as others, or finer") {
   CHECK(triangles[1] >= triangles[0]);
 }
 
-TEST_CASE("what judges by command measures triangles as points of them do") {
+TEST_CASE("drawn meshes measure triangles as points of them do") {
   for_rounds(300, 1, [](Random& random, int) {
     const auto any = [&](int most) {
       FloatTriangle triangle;

@@ -16,16 +16,12 @@ namespace {
 struct Arguments {
   BakeOrder order;
   std::string format = "both";
-  std::optional<std::string> cell;
   std::string layout = "post";
   std::string builder = "sah";
   std::optional<std::string> name;
   std::optional<std::uint32_t> leaf_size;
   std::optional<std::uint32_t> arity;
   std::string index_bits = "16";
-  std::optional<std::string> max_deviation;
-  std::optional<std::string> simplify;
-  std::optional<std::string> fit;
   std::vector<std::string> units;
   std::vector<std::string> drop;
 };
@@ -49,15 +45,20 @@ std::vector<OutputName> output_names(const Arguments& arguments) {
   return names;
 }
 
-/// A length from the command line that a float in firmware can hold. `least`: the lower limit.
-double length_of(const std::string& option, const std::string& text, double least) {
-  const std::optional<double> length = parse_number(text);
-  if (!length || *length < least ||
-      *length > static_cast<double>(std::numeric_limits<float>::max())) {
-    throw UserError(option + " " + text, "is no length; give a ",
-                    least > 0 ? "positive number" : "number from 0", " in the mesh's unit");
-  }
-  return *length;
+/// The least positive length that a float in firmware can hold.
+constexpr auto kLeastLength = static_cast<double>(std::numeric_limits<float>::min());
+
+/// Declares an option that is a length from `least` on which a float in firmware can hold.
+void add_length(CLI::App& command, const std::string& name, std::optional<double>& to, double least,
+                const std::string& what) {
+  const auto read = [name, &to, least](const std::string& text) {
+    to = parse_number(text);
+    if (!to || *to < least || *to > static_cast<double>(std::numeric_limits<float>::max())) {
+      throw UserError(name + " " + text, "is no length; give a ",
+                      least > 0 ? "positive number" : "number from 0", " in the mesh's unit");
+    }
+  };
+  command.add_option_function<std::string>(name, read, what)->type_name("LENGTH");
 }
 
 BakeOptions options_of(const Arguments& arguments) {
@@ -69,13 +70,6 @@ BakeOptions options_of(const Arguments& arguments) {
   // The paper's median tree has one triangle per leaf and two children per node.
   options.leaf_size = arguments.leaf_size.value_or(median ? 1 : bake::kDefaultLeafSize);
   options.arity = arguments.arity.value_or(median ? 2 : bake::kDefaultArity);
-  if (arguments.cell) {
-    options.cell = length_of("--cell", *arguments.cell,
-                             static_cast<double>(std::numeric_limits<float>::min()));
-  }
-  if (arguments.max_deviation) {
-    options.max_deviation = length_of("--max-deviation", *arguments.max_deviation, 0);
-  }
   const auto drops = [&](const char* kind) {
     return std::find(arguments.drop.begin(), arguments.drop.end(), kind) != arguments.drop.end();
   };
@@ -93,13 +87,6 @@ BakeOrder order_of(const Arguments& arguments) {
   order.units = Units(arguments.units, order.meshes);
   order.options = options_of(arguments);
   order.options.unit = order.units.common();
-  if (arguments.simplify) {
-    order.simplify = length_of("--simplify", *arguments.simplify,
-                               static_cast<double>(std::numeric_limits<float>::min()));
-  }
-  if (arguments.fit) {
-    order.fit = bytes_to_fit(*arguments.fit);
-  }
   check_simplify_or_fit(order.simplify.has_value(), order.fit.has_value());
   if (order.deformable && (order.simplify || order.fit)) {
     throw UserError("--deformable",
@@ -117,16 +104,19 @@ BakeOrder order_of(const Arguments& arguments) {
 
 /// Declares options that define how meshes are read, simplified and refused.
 void add_mesh_options(CLI::App& command, Arguments& a) {
-  add_option(
-      command, "--max-deviation", a.max_deviation, "LENGTH",
-      "Refuse to write if rounding moves a vertex further, or a simplified mesh lies further "
-      "off");
-  add_option(
-      command, "--simplify", a.simplify, "LENGTH",
+  add_length(command, "--max-deviation", a.order.options.max_deviation, 0,
+             "Refuse to write if rounding moves a vertex further, or a simplified mesh lies "
+             "further off");
+  add_length(
+      command, "--simplify", a.order.simplify, kLeastLength,
       "Bake fewer triangles: as few as keep each point within LENGTH of the file's mesh, and "
       "the file's\nwithin LENGTH of it, proven; triangles are numbered again");
-  add_option(command, "--fit", a.fit, "BYTES",
-             "Simplify as little as it takes for all the images together, and choose --leaf-size");
+  const auto read_fit = [&a](const std::string& text) { a.order.fit = bytes_to_fit(text); };
+  command
+      .add_option_function<std::string>(
+          "--fit", read_fit,
+          "Simplify as little as it takes for all the images together, and choose --leaf-size")
+      ->type_name("BYTES");
   add_unit_option(command, a.units);
   command
       .add_option("--drop", a.drop,
@@ -165,8 +155,8 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   add_choice(command, "--format", a.format, {"c", "image", "both"},
              "What to write: the image as an array of C and C++ (c), as a binary file (image),\nor "
              "both");
-  add_option(
-      command, "--cell", a.cell, "LENGTH",
+  add_length(
+      command, "--cell", a.order.options.cell, kLeastLength,
       "Size of a lattice cell in the mesh's unit; default: the finest that all the meshes fit");
   command.add_flag(
       "--deformable", a.order.deformable,
