@@ -103,7 +103,7 @@ TEST_CASE("first contacts: the same of meshes with 32-bit indices") {
     const Mesh32 a32 = wide_a.view();
     const Mesh32 b32 = wide_b.view();
     const FirstContactAnswer answer = FirstContact(a, b, motion, {50}).run(UINT32_MAX);
-    REQUIRE(are_same(answer, FirstContact32(a32, b32, motion, {50}).run(UINT32_MAX)));
+    REQUIRE(are_same(answer, BasicFirstContact<Mesh32>(a32, b32, motion, {50}).run(UINT32_MAX)));
   });
 }
 

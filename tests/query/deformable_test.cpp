@@ -133,7 +133,6 @@ TEST_CASE(
   Random random = test_random();
   check_refits<MeshWithLevels>(random, 60 / kShare);
   check_refits<PreMeshWithLevels>(random, 30 / kShare);
-  check_refits<Mesh32>(random, 20 / kShare);
   check_refits<Mesh>(random, 20 / kShare);
 }
 

@@ -33,7 +33,6 @@ constexpr uint32_t kMaxDistance = detail::Within::kMost;
 /// is a Query (query.hpp) with the predicate `within(distance)`.
 using Within = detail::Within;
 using WithinQuery = Query<Ranked<Mesh>, Within>;
-using WithinQuery32 = Query<Ranked<Mesh32>, Within>;
 
 /// Returns the predicate of a WithinQuery. `distance`: at most kMaxDistance; a query beyond it ends
 /// with `distance_out_of_range`.
@@ -181,7 +180,6 @@ class BasicClearanceQuery
 };
 
 using ClearanceQuery = BasicClearanceQuery<Mesh>;
-using ClearanceQuery32 = BasicClearanceQuery<Mesh32>;
 
 /// Returns the distance in one call, which ends when the answer is complete. Errors are those of
 /// ClearanceQuery, which also runs in slices.

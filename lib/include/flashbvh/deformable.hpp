@@ -92,7 +92,6 @@ class BasicDeformableMesh {
 };
 
 using DeformableMesh = BasicDeformableMesh<Mesh>;
-using DeformableMesh32 = BasicDeformableMesh<Mesh32>;
 
 /// A DeformableQuery's cursor between runs; rejected after one of its meshes was refit.
 template <class Index>
@@ -246,7 +245,6 @@ RefitResult BasicDeformableMesh<MeshType>::end(uint32_t work) {
 
 // Compiled once, in the library.
 extern template class BasicDeformableMesh<Mesh>;
-extern template class BasicDeformableMesh<Mesh32>;
 
 }  // namespace flashbvh
 

@@ -231,7 +231,6 @@ class BasicFirstContact {
 };
 
 using FirstContact = BasicFirstContact<Mesh>;
-using FirstContact32 = BasicFirstContact<Mesh32>;
 using FirstContactAnswer = FirstContact::Answer;
 
 // Compiled once, in the library.

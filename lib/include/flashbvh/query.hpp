@@ -148,9 +148,8 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
 /// Leaves reject pairs by their boxes alone, as in the paper's counts; answers are the same.
 using BoxIntersection = detail::BoxIntersection;
 
-/// The default query, for meshes with 16-bit and with 32-bit indices.
+/// The default query.
 using PairQuery = Query<Ranked<Mesh>>;
-using PairQuery32 = Query<Ranked<Mesh32>>;
 
 // Compiled once, in the library.
 extern template class detail::QueryRun<Ranked<Mesh>, detail::Intersection>;

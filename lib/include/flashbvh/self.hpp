@@ -40,9 +40,7 @@ class BasicSelfQuery
 };
 
 using SelfQuery = BasicSelfQuery<Mesh, detail::Intersection>;
-using SelfQuery32 = BasicSelfQuery<Mesh32, detail::Intersection>;
 using SelfWithinQuery = BasicSelfQuery<Mesh, Within>;
-using SelfWithinQuery32 = BasicSelfQuery<Mesh32, Within>;
 
 /// True if any two triangles of a mesh that share no vertex intersect; ends at the first pair.
 template <class Index>
@@ -56,14 +54,8 @@ Answer intersects_itself(const BasicMesh<Index, Layout::post_indexed>& mesh) {
 extern template class detail::QueryRun<detail::SelfRanked<Mesh>,
                                        detail::SelfPredicate<detail::Intersection>>;
 extern template class detail::QueryRun<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
-extern template class detail::QueryRun<detail::SelfRanked<Mesh32>,
-                                       detail::SelfPredicate<detail::Intersection>>;
-extern template class detail::QueryRun<detail::SelfRanked<Mesh32>, detail::SelfPredicate<Within>>;
 extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<detail::Intersection>>;
-extern template class Query<detail::SelfRanked<Mesh32>,
-                            detail::SelfPredicate<detail::Intersection>>;
 extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
-extern template class Query<detail::SelfRanked<Mesh32>, detail::SelfPredicate<Within>>;
 
 }  // namespace flashbvh
 

@@ -4,6 +4,5 @@
 namespace flashbvh {
 
 template class BasicDeformableMesh<Mesh>;
-template class BasicDeformableMesh<Mesh32>;
 
 }  // namespace flashbvh

@@ -6,12 +6,7 @@ namespace flashbvh {
 template class detail::QueryRun<detail::SelfRanked<Mesh>,
                                 detail::SelfPredicate<detail::Intersection>>;
 template class detail::QueryRun<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
-template class detail::QueryRun<detail::SelfRanked<Mesh32>,
-                                detail::SelfPredicate<detail::Intersection>>;
-template class detail::QueryRun<detail::SelfRanked<Mesh32>, detail::SelfPredicate<Within>>;
 template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<detail::Intersection>>;
-template class Query<detail::SelfRanked<Mesh32>, detail::SelfPredicate<detail::Intersection>>;
 template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
-template class Query<detail::SelfRanked<Mesh32>, detail::SelfPredicate<Within>>;
 
 }  // namespace flashbvh
