@@ -43,8 +43,9 @@ for preset; do
   echo "Measuring $preset"
   quietly cmake --preset "$preset" -DFLASHBVH_HOST_TOOL="$flashbvh" -DFLASHBVH_KR5_FIGURES="$folder"
   quietly cmake --build --preset "$preset" --target figures
-  quietly ctest --preset "$preset" -R "figures: measured|memory, and both stacks|bound: no run takes more"
-  outputs="$outputs build/$preset/figures.txt build/$preset/memory.txt build/$preset/bound_measured.txt"
+  quietly ctest --preset "$preset" -R "figures: measured|memory: (code|stack) of|bound: no run takes more"
+  outputs="$outputs build/$preset/figures.txt build/$preset/memory_code.txt build/$preset/memory_stack.txt"
+  outputs="$outputs build/$preset/bound_measured.txt"
   [ $mode = check ] || [ ! -e "build/$preset/bound.txt" ] ||
     python3 -B proofs/time/shipped.py "build/$preset/bound.txt" lib/include/flashbvh/plain --write
 done

@@ -1,8 +1,8 @@
 # cmake -DNM=... -DLIBRARY=libflashbvh.a -P check_symbols.cmake
 #
-# The library's symbols: no writable data, and no calls to outside functions but those in calls.txt, memory functions
+# The library's symbols: no writable data, and no calls to outside functions but those in stack.txt, memory functions
 # and the compiler's own integer arithmetic. A heap, exceptions, RTTI or floats would show here even without a call.
-file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/calls.txt allowed REGEX "^outside ")
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/stack.txt allowed REGEX "^outside ")
 list(TRANSFORM allowed REPLACE "^outside " "")
 list(JOIN allowed "|" allowed)
 

@@ -1,78 +1,76 @@
-// All public templates and inline functions without an entry, compiled once: check_symbols.cmake
-// checks their calls and data, even if they are unused.
+// The functions of the library's headers, compiled once, for the proofs of their symbols, their
+// code and their stack (stack.txt).
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
 #include "flashbvh/contact.hpp"
 #include "flashbvh/deformable.hpp"
+#include "flashbvh/first_contact.hpp"
 #include "flashbvh/float.hpp"
-#include "flashbvh/image.hpp"
-#include "flashbvh/query.hpp"
 #include "flashbvh/self.hpp"
-#include "flashbvh/solid.hpp"
-#include "flashbvh/traversal/traversals.hpp"
+#include "proofs/stack/painted.hpp"
 
 namespace flashbvh {
 
-// The stackless traversals, with all their members; those with a stack have no cursors to keep.
-template class Query<Ranked<Mesh>>;
-template class Query<Ranked<Mesh32>>;
-template class Query<Ranked<Mesh>, Within>;
-template class BasicClearanceQuery<Mesh>;
-template class BasicClearanceQuery<Mesh32>;
-template class BasicDeformableMesh<Mesh>;
-template class BasicDeformableMesh<PreMeshWithLevels>;
-template class BasicSelfQuery<Mesh, detail::Intersection>;
-template class BasicSelfQuery<Mesh, Within>;
-template class DeformableQuery<PairQuery>;
-template class DeformableQuery<SelfQuery>;
-template class DeformableQuery<ClearanceQuery>;
-template class Query<Stackless>;
-template class Query<StacklessPost>;
-template class Query<Leaf>;
-template class Query<LeafPost>;
+// What a caller stores.
+static_assert(sizeof(PairQuery) <= 128 && sizeof(QueryCursor<uint16_t>) == 12);
+static_assert(sizeof(ClearanceQuery) <= 160 && sizeof(WithinQuery) <= 160);
+static_assert(sizeof(Pose) <= 68 && sizeof(Mesh) <= 64 && sizeof(Contact) <= 104);
+static_assert(sizeof(FirstContact) <= 80 && sizeof(BodyMotion) <= 192);
 
-namespace test {
+// One call for each query.
+template Answer intersects(const Mesh&, const Mesh&, const Pose&);
+template Answer intersects(const Mesh&, const Mesh&, const Pose&, Witness<uint16_t>&);
+template Answer first_pair(const Mesh&, const Mesh&, const Pose&, PairQuery::Pair&);
+template RunResult count_pairs(const Mesh&, const Mesh&, const Pose&);
+template RunResult find_pairs(const Mesh&, const Mesh&, const Pose&, PairQuery::Pair*, uint32_t);
+template Answer closer_than(const Mesh&, const Mesh&, const Pose&, FineLength);
+template Clearance<uint16_t> distance(const Mesh&, const Mesh&, const Pose&,
+                                      const Witness<uint16_t>&);
+template bool transform_pair(const Mesh&, const Mesh&, const Pose&, const PairQuery::Pair&,
+                             Triangle&, Triangle&);
 
-template <class Traversal>
-Status run(const typename Traversal::Tree& a, const typename Traversal::Tree& b, const Pose& pose,
-           typename Traversal::Cursor& start, Contact& contact) {
-  typename Query<Traversal>::Pair found[2];
-  Query<Traversal> query(a, b, pose, start);
-  const Status status = query.run(100, found).status;
-  contact = contact_of_last(query);
-  return status;
+namespace instance {
+
+// Functions that callers inline. Arguments lie in memory: to store them is the caller's part.
+void run_query(PairQuery& query, painted::Scene& scene) {
+  scene.step = query.run(scene.work, scene.found);
+}
+template <class QueryType>
+uint32_t count_pairs(QueryType& query) {
+  uint32_t count = 0;
+  (void)query.run(UINT32_MAX, [&count](const PairQuery::Pair&) { return ++count != 0; });
+  return count;
+}
+template uint32_t count_pairs(WithinQuery&);
+template uint32_t count_pairs(SelfQuery&);
+template uint32_t count_pairs(SelfWithinQuery&);
+Status visit_pairs(const Mesh& a, const Mesh& b, const Pose& pose, uint32_t& sum) {
+  return for_each_pair(a, b, pose,
+                       [&sum](const PairQuery::Pair& pair) { return (sum += pair.a) != 0; });
+}
+Pose pose_of_matrix(const float (&matrix)[3][4], float cells_per_unit) {
+  return pose_of(matrix, cells_per_unit);
+}
+Pose pose_of_quaternion(const UnitQuaternion& rotation, const float (&translation)[3],
+                        float cells_per_unit) {
+  return pose_of(rotation, translation, cells_per_unit);
+}
+MadeSegment segment_of_floats(const float (&origin)[3], const float (&direction)[3], float reach) {
+  return segment_of(origin, direction, reach, 1);
 }
 
-#define FLASHBVH_TEST_RUN(traversal)                                                          \
-  template Status run<traversal>(const traversal::Tree&, const traversal::Tree&, const Pose&, \
-                                 traversal::Cursor&, Contact&)
-FLASHBVH_TEST_RUN(VolumeStack);
-FLASHBVH_TEST_RUN(VolumeStackPost);
-FLASHBVH_TEST_RUN(AlternatingStack);
-FLASHBVH_TEST_RUN(AlternatingStackPost);
-FLASHBVH_TEST_RUN(Ranked<Mesh>);
-FLASHBVH_TEST_RUN(Ranked<Mesh32>);
-
-/// The queries of collide.hpp and contact.hpp.
-template <class TreeType>
-uint32_t run_queries(const TreeType& a, const TreeType& b, const Pose& pose) {
-  using Pair = TrianglePair<typename TreeType::Index>;
-  Pair found[2];
-  Triangle transformed[2];
-  uint32_t sum = intersects(a, b, pose).yes ? 1u : 0u;
-  sum += first_pair(a, b, pose, found[0]).yes ? 1u : 0u;
-  Witness<typename TreeType::Index> hint;
-  sum += intersects(a, b, pose, hint).yes ? 1u : 0u;
-  sum += count_pairs(a, b, pose).count + find_pairs(a, b, pose, found, 2).count;
-  (void)for_each_pair(a, b, pose, [&sum](const Pair& pair) { return (sum += pair.a) != 0; });
-  return sum + (transform_pair(a, b, pose, found[0], transformed[0], transformed[1]) ? 1u : 0u);
-}
-template uint32_t run_queries(const Mesh&, const Mesh&, const Pose&);
-template uint32_t run_queries(const Mesh32&, const Mesh32&, const Pose&);
-
-Pose pose_of_matrix(const float (&rotation)[3][3], const float (&translation)[3], float scale) {
-  return pose_of(rotation, translation, scale);
-}
-
-}  // namespace test
+}  // namespace instance
 }  // namespace flashbvh
+
+void painted_query(void* context) {
+  auto& scene = *static_cast<painted::Scene*>(context);
+  flashbvh::PairQuery query(*scene.a, *scene.b, *scene.pose);
+  do {
+    scene.step = query.run(scene.work, scene.found);
+  } while (scene.step.status == flashbvh::Status::full);
+}
+
+void painted_distance(void* context) {
+  auto& scene = *static_cast<painted::Scene*>(context);
+  scene.clearance = distance(*scene.a, *scene.b, *scene.pose);
+}

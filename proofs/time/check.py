@@ -6,14 +6,41 @@ share of its own bound that a run of the kind used:
     measured NAME INSTRUCTIONS of BOUND, nearest PART
 boxes-KIND-N: runs of work N without a pair of leaves; run-KIND-N: those with one. Fails if a run exceeds its bound.
 """
+import os
+import subprocess
 import sys
 from pathlib import Path
 
-from formula import most_instructions, most_of_itself
-from firmware import run
 from shipped import proven_in
 
+PORTS_RUN = Path(__file__).resolve().parents[2] / "ports/run"
 LEAST = 1000
+
+
+def run(machine, program, timeout, options=""):
+    """The output of a firmware under QEMU; exits if it fails."""
+    environment = {**os.environ, "FLASHBVH_TIMEOUT": str(timeout)}
+    if options:
+        environment["FLASHBVH_QEMU_OPTIONS"] = options
+    done = subprocess.run([PORTS_RUN, machine, program], stdout=subprocess.PIPE, text=True, env=environment)
+    if done.returncode:
+        sys.exit(f"{Path(sys.argv[0]).name}: the firmware failed with status {done.returncode}")
+    return done.stdout
+
+
+def most_instructions(cost, depths, siblings, leaf_size, work):
+    """Like flashbvh::most_instructions(). cost: the values of prove.py; leaf_size: of the larger leaves."""
+    step = max(leaf_size + 8, 32)
+    unit = cost["work"] + (siblings * cost["later-sibling"] + 31) // 32
+    return (cost["start"] + depths * cost["ascent"] + siblings * cost["later-sibling"]
+            + (leaf_size - 1) * cost["leaf-triangle"] + (work + step - 1) * unit)
+
+
+def most_of_itself(cost, depths, siblings, leaf_size, work):
+    """The bound for a mesh against itself; `depths` is twice its depth."""
+    passed = (siblings + 1) * cost["later-sibling"]
+    return (cost["start"] + depths * (cost["ascent"] + passed) + siblings * cost["later-sibling"]
+            + (leaf_size - 1) * cost["leaf-triangle"] + (work + 31) * (cost["work"] + passed))
 
 
 class Kind:

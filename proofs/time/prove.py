@@ -68,7 +68,7 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
 
 
 def check_itself(costs: Costs, roots: dict[str, str], bound: dict[str, int]) -> None:
-    """Whether runs of a mesh against itself keep most_of_itself() in formula.py. An ascent passes as many siblings as
+    """Whether runs of a mesh against itself keep most_of_itself() in check.py. An ascent passes as many siblings as
     the arity, a walk's begin as many in both trees. Compares the costs at an arity of 1, and those of one more, for
     which the formula adds two siblings."""
     run, answer, walk, rotated = (costs.of(roots[name]) for name in (
@@ -106,7 +106,7 @@ def cut_lines(program: Program, costs: Costs) -> Iterator[str]:
 def main(output: str, cuts: str, core: str, file: str, sources: str) -> None:
     for name, text in UNITS:
         if text not in (Path(sources) / name).read_text():
-            raise Refused(f"no '{text}' in {name}: change this program, formula.py, turns.py and the pages, too")
+            raise Refused(f"no '{text}' in {name}: change this program, check.py, turns.py and the pages, too")
     program, loops = Program(file), Loops(str(Path(__file__).with_name("loops.txt")), sources)
     costs, general = (Costs(program, loops, general=special) for special in (False, True))
     found = dict(bounds(costs, general, loops.roots))

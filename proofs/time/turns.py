@@ -11,7 +11,7 @@ import sys
 from collections import Counter, defaultdict
 from pathlib import Path
 
-from firmware import run
+from check import run
 
 LEAST = 1000
 RUNS = "bound_run", "bound_run_itself"

@@ -1,4 +1,4 @@
-// A call of a C library function that calls.txt does not list.
+// A call of a C library function that stack.txt does not list.
 #include <string.h>
 
 const char* volatile text = "text";

@@ -82,7 +82,7 @@ using MeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::post_indexed>;
 template <class MeshType>
 constexpr bool kHasLevels = false;
 template <class Index, Layout layout>
-inline constexpr bool kHasLevels<BasicMeshWithLevels<Index, layout>> = true;
+constexpr bool kHasLevels<BasicMeshWithLevels<Index, layout>> = true;
 
 /// Opens an image as open_image() of image.hpp does. `image_kind` also for an image without levels.
 template <class Index, Layout layout>
