@@ -1,5 +1,8 @@
 // Golden images bake again to equal bytes.
 #include "golden/golden.hpp"
+
+#include <fstream>
+
 #include "support/test.hpp"
 
 namespace {
@@ -22,5 +25,15 @@ TEST_CASE("golden images are baked again to the byte") {
     REQUIRE(kept != nullptr);
     REQUIRE(kept->size == image.words.size() * sizeof image.words[0]);
     CHECK(std::memcmp(kept->bytes, image.words.data(), kept->size) == 0);
+  }
+}
+
+// golden_test "write golden images", for a new version of the format, or when bake builds other
+// trees on purpose.
+TEST_CASE("write golden images", "[.]") {
+  for (const BakedImage& image : bake_golden_images()) {
+    std::ofstream("tests/golden/" + image.name + ".fbvh", std::ios::binary)
+        .write(reinterpret_cast<const char*>(image.words.data()),
+               static_cast<std::streamsize>(image.words.size() * sizeof image.words[0]));
   }
 }
