@@ -40,10 +40,8 @@ class Cost:
 
 
 class Costs:
-    """general: without the functions that the table calls special."""
-
-    def __init__(self, program: Program, loops: Loops, general: bool = False):
-        self._program, self._loops, self._general = program, loops, general
+    def __init__(self, program: Program, loops: Loops):
+        self._program, self._loops = program, loops
         self.known: dict[Function, Cost | None] = {}  # None: in progress
 
     def of(self, pattern: str) -> Cost:
@@ -70,7 +68,7 @@ class Costs:
         if callee is None:
             return 0
         cost = self._of(callee)
-        if self._loops.is_apart(callee, self._general):
+        if self._loops.is_apart(callee):
             return 0
         left_open = [term.kind for term in cost.terms if term.turns is None]
         if left_open:

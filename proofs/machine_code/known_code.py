@@ -33,7 +33,6 @@ ARM = [
     Case("calls are counted", "path", "bl g; bl g; bx lr" + LEAF, "7 = fixed 7"),
     Case("a call in tail position", "path", "nop; b.w g" + LEAF, "4 = fixed 4"),
     Case("a call counted apart", "path", "nop; b.w g" + LEAF, "2 = fixed 2", "apart ^g$"),
-    Case("what is special is counted", "path", "nop; b.w g" + LEAF, "4 = fixed 4", "special ^g$"),
     Case("data after the end", "path", "ldr r0, 1f; bx lr; .balign 4; 1: .word 0xBF00BF00",
          "2 = fixed 2"),
     Case("bits that are no branches", "path",

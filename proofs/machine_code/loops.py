@@ -5,7 +5,6 @@
                                         ("-": the proof leaves it open). With "-" for FILE, TEXT is
                                         a branch's condition: for code without lines.
     apart FUNCTION                      Calls of it cost only the call instruction.
-    special FUNCTION                    Like apart, if only the general case is proven.
     root NAME FUNCTION                  A function to prove, under a name.
 
 FUNCTION: a regular expression for names as in the source, with arguments. FILE: a file name in any
@@ -48,7 +47,6 @@ class Loops:
         self.roots: dict[str, str] = {}
         self._sources = Path(sources)
         self._apart: list[str] = []
-        self._special: list[str] = []
         self._read_table(Path(table))
 
     def _read_table(self, path: Path) -> None:
@@ -64,8 +62,6 @@ class Loops:
                 self.cuts.append(Cut(function, kind, file, text, self._lines(file, text)))
             case "apart", [function]:
                 self._apart.append(function)
-            case "special", [function]:
-                self._special.append(function)
             case "root", [name, function]:
                 self.roots[name] = function
             case _:
@@ -81,9 +77,8 @@ class Loops:
             raise Refused(f"no '{text}' in {file}")
         return found
 
-    def is_apart(self, function: Function, general: bool) -> bool:
-        return any(function.matches(pattern)
-                   for pattern in self._apart + (self._special if general else []))
+    def is_apart(self, function: Function) -> bool:
+        return any(map(function.matches, self._apart))
 
     def marks(self, program: Program, function: Function,
               code: dict[int, Instruction]) -> dict[int, Kind]:

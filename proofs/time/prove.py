@@ -24,9 +24,9 @@ UNITS = [(WORK, f"kGoOnWork = {GO_ON};"), (WORK, f"kShapeWork = {SHAPE};"),
          (WORK, f"kTrianglePairWork = {TRIANGLE_PAIR};")]
 
 
-def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
-    def part(name: str, which: Costs = costs) -> Cost:
-        return which.of(roots[name])
+def bounds(costs: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
+    def part(name: str) -> Cost:
+        return costs.of(roots[name])
 
     run, on_below, below, answer = (part(name) for name in (
         "run", "walk-on-below", "walk-below", "next-answer"))
@@ -41,7 +41,7 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     # Loading a leaf's planes: reached, or the next one after the leaf at which a run resumed.
     reached = part("reach-leaf").total + part("below-reached").total
     shape = made + max(reached + below.fixed + below.term("climb"), again + turn)
-    # Transformed, tested, and possibly reported. triangle-pair-general: of triangles with area, not in one plane.
+    # Transformed, tested, and possibly reported.
     transform = max(part("translate").total, part("rotate").total)
     pair = compared + part("found").total + tests + sum(map(answer.term, ("row", "triangle"))) + transform
     walks = [part(f"walk-{kind}") for kind in ("translated", "rotated")]
@@ -58,12 +58,6 @@ def bounds(costs: Costs, general: Costs, roots: dict[str, str]) -> Iterator[tupl
     yield "later-sibling", on_below.term("sibling") + max(walk.term("sibling") for walk in walks)
     yield "leaf-triangle", other
     yield "work", max(visit, compared, -(-turn // GO_ON), -(-shape // SHAPE), other, -(-triangle // TRIANGLE_PAIR))
-    for kind, walk in zip(("translated", "rotated"), walks):
-        yield f"visit-{kind}", max(below.term("visit"), walk.term("visit")) + ascent
-    yield "shape", shape
-    yield "triangle-pair", triangle
-    yield "triangle-pair-general", pair + once + max(
-        part("near-test", general).total, part("wide-test", general).total)
     yield "make-query", costs.of(roots["make-query"]).total
 
 
@@ -108,8 +102,8 @@ def main(output: str, cuts: str, core: str, file: str, sources: str) -> None:
         if text not in (Path(sources) / name).read_text():
             raise Refused(f"no '{text}' in {name}: change this program, check.py, turns.py and the pages, too")
     program, loops = Program(file), Loops(str(Path(__file__).with_name("loops.txt")), sources)
-    costs, general = (Costs(program, loops, general=special) for special in (False, True))
-    found = dict(bounds(costs, general, loops.roots))
+    costs = Costs(program, loops)
+    found = dict(bounds(costs, loops.roots))
     check_itself(costs, loops.roots, found)
     lines = [f"core {core}"] + [f"bound {name} {value}" for name, value in found.items()]
     Path(cuts).write_text("\n".join(cut_lines(program, costs)) + "\n")
