@@ -17,6 +17,8 @@
 #include <array>
 #include <numeric>
 
+#include "flashbvh/time_bound.hpp"
+
 namespace flashbvh::tool {
 namespace {
 
@@ -127,10 +129,6 @@ NeededWork needed_work(std::vector<std::uint64_t> work) {
   const double sum = std::accumulate(work.begin(), work.end(), 0.0);
   return {work.back(), work[(work.size() * 99 + 99) / 100 - 1],
           sum / static_cast<double>(work.size())};
-}
-
-TreeSize tree_size(const ImageHeader& header) {
-  return {header.depth, header.arity, header.leaf_size, header.leaf_count, header.triangle_count};
 }
 
 VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm) {

@@ -1,13 +1,10 @@
-// The work of queries at given poses, the upper limits of its cost on a core, and the maximum for
-// any pose: all boxes overlap.
+// The work of queries at given poses, and the most for any pose: all boxes overlap.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "flashbvh/image.hpp"
-#include "flashbvh/time_bound.hpp"
 #include "image/image_file.hpp"
 
 namespace flashbvh::tool {
@@ -21,20 +18,6 @@ struct NeededWork {
 
 /// Precondition: `work` is not empty.
 NeededWork needed_work(std::vector<std::uint64_t> work);
-
-/// The value of NAME_TREE_SIZE in a baked header.
-TreeSize tree_size(const ImageHeader& header);
-
-/// A core by its name in the documents, and its proven costs.
-struct Core {
-  const char* name;
-  RunCosts costs;
-};
-
-/// The cores of time_bound.hpp.
-#define FLASHBVH_CORE_OF(core, c_name, text, ...) {text, k##core},
-inline constexpr Core kCores[] = {FLASHBVH_FOR_EACH_CORE(FLASHBVH_CORE_OF)};
-#undef FLASHBVH_CORE_OF
 
 struct VisitBound {
   std::uint64_t visits = 0;
