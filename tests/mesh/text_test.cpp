@@ -180,7 +180,6 @@ TEST_CASE("a file of other contents than its name says is refused by what it hol
       {"glTF" + std::string(96, '\2'), "GLB"},
       {"<!DOCTYPE html>\n<html>", "page of the web"},
       {"<?xml version=\"1.0\"?>\n<COLLADA/>", "XML"},
-      {"ISO-10303-21;\nHEADER;", "STEP"},
   };
   for (const auto read : {tool::read_stl, tool::read_obj, tool::read_ply}) {
     for (const auto& [bytes, said] : cases) {

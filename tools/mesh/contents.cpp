@@ -19,14 +19,10 @@ struct Content {
 constexpr const char* kUtf16 = "is text in UTF-16; save it as UTF-8";
 constexpr const char* kZip = "is a zip archive; unpack it, or name it .3mf if it is one";
 
-constexpr std::array<Content, 15> kContents = {{
+constexpr std::array<Content, 10> kContents = {{
     {"version https://git-lfs", "is a pointer of Git LFS; fetch the file by 'git lfs pull'"},
     {"\x1F\x8B", "is compressed by gzip; unpack it"},
     {"PK\x03\x04", kZip, "3mf"},
-    {"BZh", "is compressed by bzip2; unpack it"},
-    {{"\xFD\x37zXZ\0", 6}, "is compressed by xz; unpack it"},
-    {"\x28\xB5\x2F\xFD", "is compressed by zstd; unpack it"},
-    {"7z\xBC\xAF", "is a 7z archive; unpack it"},
     {"\xFF\xFE", kUtf16},
     {"\xFE\xFF", kUtf16},
     {"glTF", "is a GLB file; name it .glb", "glb"},
@@ -34,7 +30,6 @@ constexpr std::array<Content, 15> kContents = {{
     {"<!doctype html", "is a page of the web; download the file itself"},
     {"<html", "is a page of the web; download the file itself"},
     {"<?xml", "is XML; name it by its format", "dae"},
-    {"ISO-10303-21", "is a model of CAD (STEP), not a mesh; export it as STL or 3MF from CAD"},
 }};
 
 /// Text in UTF-16 without a byte order mark.
