@@ -18,7 +18,7 @@ Definition on_lattice (t : Box) : Prop := forall p, in_box t p ->
 
 (* A row's products with a biased box: the upper bound, from `start` on; for the negated row, the negated lower bound.
    code: include/flashbvh/detail/lattice/split_matrix.hpp | return {join_halves(positive(x), positive(y)), join_halves(positive(-x), positive(-y)), join_halves(positive(z), positive(-z))};
-   code: src/bounds/box_rotated.cpp | return whole_bound(add_products(add_products(add_products(start, row.positive_xy, box.upper_xy), row.negative_xy, box.lower_xy), row.z, box.z)); *)
+   code: src/arch/portable/rotate_box.hpp | return whole_bound(add_products(add_products(add_products(start, row.positive_xy, box.upper_xy), row.negative_xy, box.lower_xy), row.z, box.z)); *)
 Definition part (e : Z) : Z := Z.max e 0.
 Definition bound_sum (start : Z) (e : Point) (t : Box) : Z :=
   start + (part (x e) * (x (high t) + bias) + part (- x e) * (bias - x (low t))) +
@@ -29,7 +29,7 @@ Definition sizes_sum e := Z.abs (x e) + Z.abs (y e) + Z.abs (z e).
 
 (* code: src/bounds/rotated_transform.cpp | const int32_t bias = (kSplitOne - row.sum()) * kBoundBias; return {bias + margin + offset, bias + margin - offset}; *)
 Definition start_of (e : Point) (offset margin : Z) : Z := (cell14 - sizes_sum e) * bias + margin + offset.
-(* code: src/bounds/box_rotated.cpp | return saturated<15>(bound >> kSplitBits); *)
+(* code: src/arch/portable/rotate_box.hpp | return saturated<15>(bound >> kSplitBits); *)
 Definition whole (sum : Z) : Z := Z.max 0 (Z.min 32767 (sum / cell14)).
 (* code: include/flashbvh/detail/lattice/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z))); *)
 Definition axis_rejects (e : Point) (offset margin : Z) (t : Box) (lower upper : Z) : Prop :=

@@ -2,13 +2,13 @@
 ;
 ; One axis: the sums of a row's products with a box's bounds, modulo 2^32, and their
 ; whole cells; then the comparison with another box. Rows as in SplitRow::of(): one of an entry's two parts is 0.
-; code: src/bounds/box_rotated.cpp | return saturated<15>(bound >> kSplitBits);
+; code: src/arch/portable/rotate_box.hpp | return saturated<15>(bound >> kSplitBits);
 ; code: include/flashbvh/detail/arch/packed.hpp | return static_cast<uint32_t>(value < 0 ? 0 : value > most ? most : value);
 ; code: include/flashbvh/detail/lattice/box_packed.hpp | ~((a.upper_xy + b.lower_xy) & (a.lower_xy + b.upper_xy) & (a.z + swap_halves(b.z)));
-; code: src/bounds/box_rotated_plain.hpp | return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
-; code: src/bounds/box_rotated_plain.hpp | if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits) != 0, 0)) {
-; code: src/bounds/box_rotated_sse2.hpp | const __m128i cells = _mm_max_epi16(_mm_packs_epi32(upper, lower), _mm_setzero_si128());
-; code: src/bounds/box_rotated_dsp.hpp | usat \upper, #15, \upper, asr #14
+; code: src/arch/plain/sums.hpp | return sum >> 31 != 0 ? 0 : sum > most ? most : sum;
+; code: src/arch/plain/sums.hpp | if (__builtin_expect((sums.upper | sums.lower) >> (15 + kSplitBits) != 0, 0)) {
+; code: src/arch/sse2/sums.hpp | const __m128i cells = _mm_max_epi16(_mm_packs_epi32(upper, lower), _mm_setzero_si128());
+; code: src/arch/dsp/rotate_box.hpp | usat \upper, #15, \upper, asr #14
 (set-logic QF_BV)
 (define-sort Word () (_ BitVec 32))
 (define-sort Half () (_ BitVec 16))

@@ -129,7 +129,7 @@ Definition pair_below (side : Side) (a b : Place) (i : nat) : nat * nat :=
 
 (* code: include/flashbvh/traversal/ranked.hpp | if (rank_a < rank_b) { b_.descend(rank_b); } else { a_.descend(rank_a); } *)
 (* code: include/flashbvh/detail/walk/walk.hpp | return (a.rank() | b.rank()) >= 0; *)
-(* code: include/flashbvh/detail/walk/walk.hpp | if (are_inner(at.node_a(), at.node_b())) { ++overlaps; at.descend_inner(may_matter); *)
+(* code: include/flashbvh/detail/walk/walk.hpp | if (!are_inner(at.node_a(), at.node_b())) { return false; } at.descend_inner(may_matter); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | run.side = leaf_a ? Side::a : Side::b; run.leaf = leaf_a ? a : b; run.node = leaf_a ? b : a; *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | const uint32_t root = run.node; run.node = (run.side == Side::a ? shapes.b : shapes.a).first_child(root); return walk_below(shapes, run, root, false); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | if (!shapes.begin(run.side, run.leaf, &(leaf_a ? node_b : node_a)->box)) { *)

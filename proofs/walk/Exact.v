@@ -169,8 +169,8 @@ Definition touch (side : Side) n k : bool :=
   end.
 
 (* Each of A's triangles with each of B's, from the last ones on.
-   code: include/flashbvh/detail/query/query_run.hpp | return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
-   code: include/flashbvh/detail/query/query_run.hpp | return b_->first_triangle(leaf_b_) + i / a_->triangles_in(leaf_a_); *)
+   code: include/flashbvh/detail/query/leaf_tests.hpp | return a_->first_triangle(leaf_a_) + i % a_->triangles_in(leaf_a_);
+   code: include/flashbvh/detail/query/leaf_tests.hpp | return b_->first_triangle(leaf_b_) + i / a_->triangles_in(leaf_a_); *)
 Definition pairs_of (p : nat * nat) : list (nat * nat) :=
   flat_map (fun j => map (fun i => (i, j)) (rev (triangles A (fst p)))) (rev (triangles B (snd p))).
 

@@ -70,7 +70,7 @@ Definition nothing_untested (at_ : Position) : Prop :=
 
 (* When a walk resumes below the root that the previous one kept, walk_below() and walk_pairs() continue as in one run:
    here they are one walk, tested in parts. *)
-(* code: include/flashbvh/detail/walk/walk.hpp | shapes.keep_root(leaf == Side::a ? at.index_b() : at.index_a()); *)
+(* code: include/flashbvh/detail/walk/walk.hpp | shapes.keep_root(run.side == Side::a ? at.index_b() : at.index_a()); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | State end = walk_below(shapes, run, root, after); *)
 (* code: include/flashbvh/detail/walk/walk_below.hpp | run.node = root; run.side = Side::none; shapes.keep_root(0); end = State::at_leaf_pair; *)
 (* A single run of a query, up to its end: without work, with a full batch, or with a full array of the caller.

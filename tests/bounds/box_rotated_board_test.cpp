@@ -1,7 +1,7 @@
 // Boxes under a rotation: each form against the definition in 64-bit integers.
 #include <stdint.h>
 
-#include "bounds/box_rotated_plain.hpp"
+#include "arch/plain/sums.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "support/points.hpp"
 #include "support/rotations.hpp"

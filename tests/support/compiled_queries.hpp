@@ -8,11 +8,13 @@
 #include "flashbvh/traversal/traversals.hpp"
 #include "support/ranked_stack.hpp"
 
+#define FLASHBVH_COMPILED_TESTS(keyword, ...) \
+  keyword template bool __VA_ARGS__::next_answer(__VA_ARGS__::Batch&, uint32_t)
 #define FLASHBVH_COMPILED_RUN(keyword, ...)                                        \
-  keyword template bool __VA_ARGS__::next_answer(__VA_ARGS__::Batch&, uint32_t);   \
   keyword template detail::State __VA_ARGS__::walk(uint32_t&, __VA_ARGS__::Batch&, \
                                                    typename __VA_ARGS__::Kept::Shapes&, uint32_t)
-#define FLASHBVH_COMPILED_QUERY(keyword, ...) \
+#define FLASHBVH_COMPILED_QUERY(keyword, ...)                                             \
+  FLASHBVH_COMPILED_TESTS(keyword, detail::LeafTests<__VA_ARGS__, detail::Intersection>); \
   FLASHBVH_COMPILED_RUN(keyword, detail::QueryRun<__VA_ARGS__, detail::Intersection>)
 #define FLASHBVH_COMPILED_LAYOUT(keyword, Index, layout)                                       \
   FLASHBVH_COMPILED_QUERY(keyword, BasicVolumeStack<BasicMesh<Index, layout>>);                \

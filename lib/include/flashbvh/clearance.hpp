@@ -194,8 +194,8 @@ Clearance<Index> distance(const BasicMesh<Index, Layout::post_indexed>& a,
 }
 
 // Compiled once, in the library.
-extern template class detail::QueryRun<Ranked<Mesh>, Within>;
-extern template class detail::QueryRun<Ranked<Mesh32>, Within>;
+FLASHBVH_COMPILED_QUERY_RUN(extern, Ranked<Mesh>, Within);
+FLASHBVH_COMPILED_QUERY_RUN(extern, Ranked<Mesh32>, Within);
 extern template class Query<Ranked<Mesh>, Within>;
 extern template class Query<Ranked<Mesh32>, Within>;
 extern template class BasicClearanceQuery<Mesh>;

@@ -157,8 +157,8 @@ RunResult find_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
 }
 
 // Compiled once, in the library.
-extern template class detail::QueryRun<detail::NearFirst<Mesh>, detail::Intersection>;
-extern template class detail::QueryRun<detail::NearFirst<Mesh32>, detail::Intersection>;
+FLASHBVH_COMPILED_QUERY_RUN(extern, detail::NearFirst<Mesh>, detail::Intersection);
+FLASHBVH_COMPILED_QUERY_RUN(extern, detail::NearFirst<Mesh32>, detail::Intersection);
 
 }  // namespace flashbvh
 

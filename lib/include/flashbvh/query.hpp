@@ -152,8 +152,8 @@ using BoxIntersection = detail::BoxIntersection;
 using PairQuery = Query<Ranked<Mesh>>;
 
 // Compiled once, in the library.
-extern template class detail::QueryRun<Ranked<Mesh>, detail::Intersection>;
-extern template class detail::QueryRun<Ranked<Mesh32>, detail::Intersection>;
+FLASHBVH_COMPILED_QUERY_RUN(extern, Ranked<Mesh>, detail::Intersection);
+FLASHBVH_COMPILED_QUERY_RUN(extern, Ranked<Mesh32>, detail::Intersection);
 extern template class Query<Ranked<Mesh>>;
 extern template class Query<Ranked<Mesh32>>;
 

@@ -29,13 +29,15 @@ class BasicSelfQuery
 
  public:
   /// A SelfWithinQuery takes `within(distance)` (clearance.hpp) as its predicate.
-  explicit BasicSelfQuery(const MeshType& mesh, const PredicateBase& predicate = PredicateBase())
+  FLASHBVH_INLINE_TO_RUN explicit BasicSelfQuery(const MeshType& mesh,
+                                                 const PredicateBase& predicate = PredicateBase())
       : BasicSelfQuery(mesh, predicate, Pose::translated(0, 0, 0)) {}
   explicit BasicSelfQuery(const MeshType&&, const PredicateBase& = PredicateBase()) = delete;
 
  private:
   /// The query does not use `identity` after the constructor.
-  BasicSelfQuery(const MeshType& mesh, const PredicateBase& predicate, const Pose& identity)
+  FLASHBVH_INLINE_TO_RUN BasicSelfQuery(const MeshType& mesh, const PredicateBase& predicate,
+                                        const Pose& identity)
       : Base(mesh, mesh, identity, {}, Predicate(predicate)) {}
 };
 
@@ -51,9 +53,9 @@ Answer intersects_itself(const BasicMesh<Index, Layout::post_indexed>& mesh) {
 }
 
 // Compiled once, in the library.
-extern template class detail::QueryRun<detail::SelfRanked<Mesh>,
-                                       detail::SelfPredicate<detail::Intersection>>;
-extern template class detail::QueryRun<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
+FLASHBVH_COMPILED_QUERY_RUN(extern, detail::SelfRanked<Mesh>,
+                            detail::SelfPredicate<detail::Intersection>);
+FLASHBVH_COMPILED_QUERY_RUN(extern, detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>);
 extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<detail::Intersection>>;
 extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
 

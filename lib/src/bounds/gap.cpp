@@ -3,7 +3,7 @@
 #include "flashbvh/detail/arch/packed_multiply.hpp"
 
 #if defined(FLASHBVH_GAP_SIMD)
-#include "gap_sse2.hpp"
+#include "../arch/sse2/gap.hpp"
 #endif
 
 #pragma GCC diagnostic ignored "-Weffc++"  // some members are set after construction

@@ -5,12 +5,12 @@
 
 // Tests one axis after another, up to the first that separates; with vectors all three at once.
 #if defined(FLASHBVH_ROTATE_SSE2)
-#include "starts_sse2.hpp"
+#include "../arch/sse2/starts.hpp"
 #define FLASHBVH_ONE_AXIS inline
 #elif UINTPTR_MAX == UINT32_MAX && !defined(__thumb2__) && !defined(__OPTIMIZE_SIZE__) && \
     !defined(FLASHBVH_PORTABLE)
 // A 64-bit product takes several instructions, or a call; a product of two halves takes two.
-#include "box_rotated_plain.hpp"
+#include "../arch/plain/sums.hpp"
 #define FLASHBVH_NARROW_SUMS 1
 #define FLASHBVH_ONE_AXIS [[gnu::noinline]]
 #else

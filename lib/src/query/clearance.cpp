@@ -280,8 +280,8 @@ Clearance<typename MeshType::Index> BasicClearanceQuery<MeshType>::result() cons
   return known;
 }
 
-template class detail::QueryRun<Ranked<Mesh>, Within>;
-template class detail::QueryRun<Ranked<Mesh32>, Within>;
+FLASHBVH_COMPILED_QUERY_RUN(, Ranked<Mesh>, Within);
+FLASHBVH_COMPILED_QUERY_RUN(, Ranked<Mesh32>, Within);
 template class Query<Ranked<Mesh>, Within>;
 template class Query<Ranked<Mesh32>, Within>;
 template class BasicClearanceQuery<Mesh>;

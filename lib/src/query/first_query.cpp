@@ -3,7 +3,7 @@
 
 namespace flashbvh {
 
-template class detail::QueryRun<detail::NearFirst<Mesh>, detail::Intersection>;
-template class detail::QueryRun<detail::NearFirst<Mesh32>, detail::Intersection>;
+FLASHBVH_COMPILED_QUERY_RUN(, detail::NearFirst<Mesh>, detail::Intersection);
+FLASHBVH_COMPILED_QUERY_RUN(, detail::NearFirst<Mesh32>, detail::Intersection);
 
 }  // namespace flashbvh

@@ -3,8 +3,8 @@
 
 namespace flashbvh {
 
-template class detail::QueryRun<Ranked<Mesh>, detail::Intersection>;
-template class detail::QueryRun<Ranked<Mesh32>, detail::Intersection>;
+FLASHBVH_COMPILED_QUERY_RUN(, Ranked<Mesh>, detail::Intersection);
+FLASHBVH_COMPILED_QUERY_RUN(, Ranked<Mesh32>, detail::Intersection);
 template class Query<Ranked<Mesh>>;
 template class Query<Ranked<Mesh32>>;
 

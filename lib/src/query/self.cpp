@@ -3,9 +3,9 @@
 
 namespace flashbvh {
 
-template class detail::QueryRun<detail::SelfRanked<Mesh>,
-                                detail::SelfPredicate<detail::Intersection>>;
-template class detail::QueryRun<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
+FLASHBVH_COMPILED_QUERY_RUN(, detail::SelfRanked<Mesh>,
+                            detail::SelfPredicate<detail::Intersection>);
+FLASHBVH_COMPILED_QUERY_RUN(, detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>);
 template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<detail::Intersection>>;
 template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
 

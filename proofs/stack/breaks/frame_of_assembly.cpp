@@ -1,4 +1,4 @@
-// A frame that the compiler does not know, as in box_rotated_dsp.hpp.
+// A frame that the compiler does not know, as in lib/src/arch/dsp.
 __attribute__((naked, noinline)) void hidden() {
 #if defined(__riscv)
   __asm__("addi sp, sp, -48\n addi sp, sp, 48\n ret");

@@ -83,18 +83,59 @@ inline void put_in_place(ByReference<StatefulBoxTest>& bound) {
   keep_in_memory(bound);
 }
 
-/// Stores the internal node of the pair below which a walk stopped.
-template <class Shapes, class Traversal>
-FLASHBVH_INLINE inline void keep_root(Shapes& shapes, Side leaf, const Traversal& at) {
-  if constexpr (Shapes::kKnowsRoot) {
-    shapes.keep_root(leaf == Side::a ? at.index_b() : at.index_a());
-  }
-}
-
 /// True if neither node is a leaf: leaves' ranks are negative.
 template <class Node>
 FLASHBVH_INLINE inline bool are_inner(const Node& a, const Node& b) {
   return (a.rank() | b.rank()) >= 0;
+}
+
+/// Moves below a pair that may matter; false at a pair of leaves and, with leaf planes, of one.
+template <class Shapes, class Traversal, class BoxTest>
+FLASHBVH_INLINE inline bool descend(Traversal& at, const BoxTest& may_matter) {
+  if constexpr (Shapes::kShapes) {
+    if (!are_inner(at.node_a(), at.node_b())) {
+      return false;
+    }
+    at.descend_inner(may_matter);
+    return true;
+  } else {
+    return at.descend();
+  }
+}
+
+/// Handles a pair that may matter and below which descend() does not go. `done`: the walk goes on.
+template <class Traversal, class Shapes, class Run>
+FLASHBVH_INLINE inline State walk_leaf(const Traversal& at, Shapes& shapes, Run*& run,
+                                       uint32_t& work_left, uint32_t& overlaps) {
+  keep_in_memory(run);
+  if constexpr (Shapes::kShapes) {
+    run->progress.go_on(work_left, overlaps);
+    State end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *run);
+    end = end == State::fresh ? walk_below_reached(shapes, *run) : end;
+    keep_in_memory(run);
+    work_left = run->progress.work_left;
+    overlaps = run->progress.overlaps;
+    return end;
+  } else {
+    ++overlaps;
+    return run->found(at.index_a(), at.index_b(), work_left, overlaps) ? State::done
+                                                                       : State::at_leaf_pair;
+  }
+}
+
+/// Stores the state of a walk that walk_leaf() stopped below a leaf; false if it stopped elsewhere.
+template <class Traversal, class Shapes, class Run>
+FLASHBVH_INLINE inline bool store_below_leaf(const Traversal& at, Shapes& shapes, Run& run) {
+  if constexpr (Shapes::kShapes) {
+    if (run.side != Side::none) {
+      if constexpr (Shapes::kKnowsRoot) {
+        shapes.keep_root(run.side == Side::a ? at.index_b() : at.index_a());
+      }
+      at.store_below(*run.cursor, run.side, run.node);
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Walks from the cursor's pair, which is not below a leaf with leaf planes.
@@ -116,37 +157,16 @@ FLASHBVH_NOINLINE State walk_pairs(const BoxTest& bound, Shapes& shapes, Run& ru
       }
       --work_left;
       if (__builtin_expect(may_matter(at.node_a().box, at.node_b().box), 1)) {
-        if constexpr (Shapes::kShapes) {
-          if (are_inner(at.node_a(), at.node_b())) {
-            ++overlaps;
-            at.descend_inner(may_matter);
-            continue;
-          }
-          keep_in_memory(kept);
-          kept->progress.go_on(work_left, overlaps);
-          end = reach_leaf(&at.node_a(), &at.node_b(), shapes, *kept);
-          end = end == State::fresh ? walk_below_reached(shapes, *kept) : end;
-          keep_in_memory(kept);
-          work_left = kept->progress.work_left;
-          overlaps = kept->progress.overlaps;
-          if (end != State::done && kept->side != Side::none) {
-            keep_root(shapes, kept->side, at);
-            at.store_below(*kept->cursor, kept->side, kept->node);
+        if (descend<Shapes>(at, may_matter)) {
+          ++overlaps;
+          continue;
+        }
+        end = walk_leaf(at, shapes, kept, work_left, overlaps);
+        if (end != State::done) {
+          if (store_below_leaf(at, shapes, *kept)) {
             return end;
           }
-          if (end != State::done) {
-            break;
-          }
-        } else {
-          ++overlaps;
-          if (at.descend()) {
-            continue;
-          }
-          keep_in_memory(kept);
-          if (!kept->found(at.index_a(), at.index_b(), work_left, overlaps)) {
-            end = State::at_leaf_pair;
-            break;
-          }
+          break;
         }
       }
     }

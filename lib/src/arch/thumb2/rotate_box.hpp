@@ -1,11 +1,11 @@
 // The inner step of the rotated box test for Armv7-M and Armv8-M Mainline cores without the DSP
-// extension (Cortex-M3): the arithmetic of box_rotated_plain.hpp, with a branch on 0 in one
+// extension (Cortex-M3): the arithmetic of plain/rotate_box.hpp, with a branch on 0 in one
 // instruction (CBZ), a shift inside a saturation (USAT) and all sums in registers. In C++ a
 // query is proven to take a fifth more cycles.
-#ifndef FLASHBVH_BOUNDS_BOX_ROTATED_THUMB2_HPP
-#define FLASHBVH_BOUNDS_BOX_ROTATED_THUMB2_HPP
+#ifndef FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
+#define FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
 
-#include "box_rotated_layout.hpp"
+#include "../assembly.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
 namespace flashbvh::detail {

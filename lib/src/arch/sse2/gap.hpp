@@ -1,7 +1,7 @@
 // Rotates a box into the other lattice with SSE2: three axes at once, two products per lane
-// (PMADDWD), as in box_rotated_sse2.hpp. Results equal those of gap.cpp, bit for bit.
-#ifndef FLASHBVH_BOUNDS_GAP_SSE2_HPP
-#define FLASHBVH_BOUNDS_GAP_SSE2_HPP
+// (PMADDWD), as in sums.hpp. Results equal those of gap.cpp, bit for bit.
+#ifndef FLASHBVH_ARCH_SSE2_GAP_HPP
+#define FLASHBVH_ARCH_SSE2_GAP_HPP
 
 #include <emmintrin.h>
 

@@ -1,10 +1,10 @@
 // The inner step of the rotated box test for Armv7E-M and Armv8-M Mainline cores with the DSP
-// extension: the arithmetic of box_rotated.cpp with several words per load (LDM, LDRD), which
-// compilers do not find. In C++ a query is proven to take a fifth more cycles.
-#ifndef FLASHBVH_BOUNDS_BOX_ROTATED_DSP_HPP
-#define FLASHBVH_BOUNDS_BOX_ROTATED_DSP_HPP
+// extension: the arithmetic of portable/rotate_box.hpp with several words per load (LDM, LDRD),
+// which compilers do not find. In C++ a query is proven to take a fifth more cycles.
+#ifndef FLASHBVH_ARCH_DSP_ROTATE_BOX_HPP
+#define FLASHBVH_ARCH_DSP_ROTATE_BOX_HPP
 
-#include "box_rotated_layout.hpp"
+#include "../assembly.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
 namespace flashbvh::detail {

@@ -1,8 +1,8 @@
-// The inner step of the rotated box test for cores that multiply one pair of numbers at a time: the
-// sums of box_rotated.cpp without the products that are 0. One of an entry's positive and negative
+// The sums of a rotated box for cores that multiply one pair of numbers at a time: those of
+// portable/rotate_box.hpp without the products that are 0. One of an entry's positive and negative
 // parts is 0: a branch on it leaves two products of four.
-#ifndef FLASHBVH_BOUNDS_BOX_ROTATED_PLAIN_HPP
-#define FLASHBVH_BOUNDS_BOX_ROTATED_PLAIN_HPP
+#ifndef FLASHBVH_ARCH_PLAIN_SUMS_HPP
+#define FLASHBVH_ARCH_PLAIN_SUMS_HPP
 
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 

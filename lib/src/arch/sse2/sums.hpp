@@ -1,8 +1,8 @@
 // The inner step of the rotated box test with SSE2: three axes at once, two products per lane
-// (PMADDWD). Results equal those of box_rotated.cpp, bit for bit: halves are below 2^15, and no
-// sum leaves 32 bits.
-#ifndef FLASHBVH_BOUNDS_BOX_ROTATED_SSE2_HPP
-#define FLASHBVH_BOUNDS_BOX_ROTATED_SSE2_HPP
+// (PMADDWD). Results equal those of portable/rotate_box.hpp, bit for bit: halves are below 2^15,
+// and no sum leaves 32 bits.
+#ifndef FLASHBVH_ARCH_SSE2_SUMS_HPP
+#define FLASHBVH_ARCH_SSE2_SUMS_HPP
 
 #include <emmintrin.h>
 #include <string.h>

@@ -1,10 +1,10 @@
 // Start values of a rotated box's sums, and the test whether B as a whole is apart from A, with
 // SSE2. One axis per lane, and one branch; equals rotated_transform.cpp bit for bit.
-#ifndef FLASHBVH_BOUNDS_STARTS_SSE2_HPP
-#define FLASHBVH_BOUNDS_STARTS_SSE2_HPP
+#ifndef FLASHBVH_ARCH_SSE2_STARTS_HPP
+#define FLASHBVH_ARCH_SSE2_STARTS_HPP
 
-#include "box_rotated_sse2.hpp"
-#include "gap_sse2.hpp"
+#include "gap.hpp"
+#include "sums.hpp"
 
 namespace flashbvh::detail {
 

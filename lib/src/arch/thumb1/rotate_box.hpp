@@ -1,11 +1,11 @@
 // The inner step of the rotated box test for Armv6-M and Armv8-M Baseline cores (Cortex-M0, M0+,
-// M23). Computes as box_rotated_plain.hpp does, in the eight low registers of Thumb-1.
+// M23). Computes as plain/rotate_box.hpp does, in the eight low registers of Thumb-1.
 // The box's bounds are loaded for each product: this takes no more instructions than a copy from a
 // high register and needs no spill. Compilers do not find this form.
-#ifndef FLASHBVH_BOUNDS_BOX_ROTATED_THUMB1_HPP
-#define FLASHBVH_BOUNDS_BOX_ROTATED_THUMB1_HPP
+#ifndef FLASHBVH_ARCH_THUMB1_ROTATE_BOX_HPP
+#define FLASHBVH_ARCH_THUMB1_ROTATE_BOX_HPP
 
-#include "box_rotated_layout.hpp"
+#include "../assembly.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
 namespace flashbvh::detail {

@@ -1,6 +1,6 @@
 // The object layout on which the assembly forms of the rotated box test rely.
-#ifndef FLASHBVH_BOUNDS_BOX_ROTATED_LAYOUT_HPP
-#define FLASHBVH_BOUNDS_BOX_ROTATED_LAYOUT_HPP
+#ifndef FLASHBVH_ARCH_ASSEMBLY_HPP
+#define FLASHBVH_ARCH_ASSEMBLY_HPP
 
 #include <stddef.h>
 
