@@ -166,3 +166,28 @@ TEST_CASE("values of a robot: each by its joint's type, mimics take none") {
   JointCoordinate coordinates[4];
   CHECK(set_coordinates(arm.robot(), values, coordinates) == Status::not_a_coordinate);
 }
+
+TEST_CASE("a frame from floats is that of its matrix or quaternion") {
+  Model model;
+  const std::size_t joint = add_joint(model, tool::kNoJoint, {}, JointType::revolute, -1, 1);
+  add_link(model, joint, box({0, 0, 0}, {0.1, 0.1, 0.1}));
+  const FixedArm arm(model, 0.002);
+  const float half = 0.70710678f;
+  const float matrix[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+  const float metres[3] = {1, -0.5f, 0.001f};
+  Frame a;
+  Frame b;
+  REQUIRE(set_frame(arm.robot(), matrix, metres, a) == Status::done);
+  REQUIRE(set_frame(arm.robot(), UnitQuaternion{half, 0, 0, half}, metres, b) == Status::done);
+  CHECK(a.translation[0] == 500 * kFrameCell);
+  CHECK(a.translation[2] == kFrameCell / 2);
+  CHECK(a.rotation[1][0] == kRotationOne);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(a.translation[i] == b.translation[i]);
+    for (int j = 0; j < 3; ++j) {
+      CHECK(std::abs(a.rotation[i][j] - b.rotation[i][j]) < 100);
+    }
+  }
+  const float far[3] = {1e9f, 0, 0};
+  CHECK(set_frame(arm.robot(), matrix, far, a) == Status::translation_out_of_range);
+}

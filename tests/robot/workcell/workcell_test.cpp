@@ -1,7 +1,6 @@
 // Tools and obstacles added to random arms, guarded and certified, against brute force.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/robot/motion.hpp"
-#include "flashbvh/robot/robot_float.hpp"
 #include "flashbvh/shape.hpp"
 #include "support/arms/any_workcell.hpp"
 #include "support/test.hpp"
@@ -388,27 +387,4 @@ TEST_CASE("a floating obstacle is known again however far it went") {
     REQUIRE(answer.verdict >= Verdict::not_yet_known);
   }
   REQUIRE(guard.go_on(UINT32_MAX).verdict != Verdict::not_yet_known);
-}
-
-TEST_CASE("a frame from floats is that of its matrix or quaternion") {
-  Random random(test_seed());
-  const auto cell = std::make_unique<CrowdedCell>(random);
-  const float half = 0.70710678f;
-  const float matrix[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
-  const float metres[3] = {1, -0.5f, 0.001f};
-  Frame a;
-  Frame b;
-  REQUIRE(set_frame(cell->robot(), matrix, metres, a) == Status::done);
-  REQUIRE(set_frame(cell->robot(), UnitQuaternion{half, 0, 0, half}, metres, b) == Status::done);
-  CHECK(a.translation[0] == 500 * kFrameCell);
-  CHECK(a.translation[2] == kFrameCell / 2);
-  CHECK(a.rotation[1][0] == kRotationOne);
-  for (int i = 0; i < 3; ++i) {
-    CHECK(a.translation[i] == b.translation[i]);
-    for (int j = 0; j < 3; ++j) {
-      CHECK(std::abs(a.rotation[i][j] - b.rotation[i][j]) < 100);
-    }
-  }
-  const float far[3] = {1e9f, 0, 0};
-  CHECK(set_frame(cell->robot(), matrix, far, a) == Status::translation_out_of_range);
 }

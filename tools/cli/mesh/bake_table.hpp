@@ -1,4 +1,4 @@
-// The output of `flashbvh bake`: one row per mesh, made of what --json prints; the first columns
+// The output of `flashbvh bake`: one row per mesh, from the fields of --json; the first columns
 // concern firmware.
 #pragma once
 

@@ -15,7 +15,7 @@
 
 namespace flashbvh::tool {
 
-/// Is told each step as it begins, and its weight: about the number of decided pairs that take as
+/// Hears of each step as it begins, with its weight: about the number of decided pairs that take as
 /// long.
 using Told = std::function<void(const std::string& step, double weight)>;
 

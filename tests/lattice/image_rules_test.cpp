@@ -1,0 +1,202 @@
+// An image with a good checksum that breaks a rule of the format is refused.
+#include <functional>
+
+#include "flashbvh/detail/lattice/image_parts.hpp"
+#include "lattice/small_image.hpp"
+
+using namespace flashbvh::detail;
+
+namespace {
+
+/// The status of a valid tree after one change.
+template <Layout layout, class Change>
+Status status_after(Baked<layout> baked, Change change) {
+  change(baked);
+  return Image{image_of(baked, true)}.template open<BasicMeshWithLevels<std::uint16_t, layout>>();
+}
+
+/// The status of an image without levels, after one change.
+template <class Change>
+Status status_without_levels(Baked<kPost> baked, Change change) {
+  change(baked);
+  return Image{image_of(baked)}.open<Mesh>();
+}
+
+/// Changes that each break one rule of the arrays.
+template <Layout layout>
+std::vector<std::function<void(Baked<layout>&)>> broken_arrays(std::size_t last) {
+  const auto stray = [](const Vertex& v) {
+    return [v](Baked<layout>& t) { t.vertices.push_back(v); };
+  };
+  return {
+      [](auto& t) { t.nodes[0].link -= 1; },
+      [](auto& t) { t.nodes[1].link = 0; },
+      [](auto& t) { t.nodes[2].link = 1; },
+      [last](auto& t) { t.nodes[last].link = static_cast<std::uint16_t>(last + 9); },
+      [](auto& t) { t.nodes[0].box.upper_xy -= 1; },
+      [](auto& t) { t.nodes[0].box.z |= 0x8000; },
+      [](auto& t) { t.nodes[1].box.lower_xy = 0; },
+      [](auto& t) { t.nodes[0].box.upper_xy = (t.nodes[0].box.upper_xy & 0xFFFF0000u) | 0x8000u; },
+      [](auto& t) {
+        t.nodes[0].box.lower_xy = (t.nodes[0].box.lower_xy & 0x0000FFFFu) | 0x80000000u;
+      },
+      [](auto& t) { t.nodes[0].box.z = (t.nodes[0].box.z & 0xFFFF0000u) | 0x8000u; },
+      [](auto& t) { t.nodes[0].data = static_cast<std::uint16_t>(t.nodes[0].data & 0xFF00); },
+      [](auto& t) { t.nodes[0].data = 127; },
+      [](auto& t) { t.nodes[1].data = static_cast<std::uint16_t>(t.nodes[1].data ^ 1); },
+      [](auto& t) {
+        t.nodes[1].data = static_cast<std::uint16_t>(126 << 8 | (t.nodes[1].data & 255));
+      },
+      [last](auto& t) { t.nodes[last].data ^= 1; },
+      [](auto& t) { t.triangles[0].corner[2] = 0xFFFF; },
+      [](auto& t) { std::swap(t.triangles.front(), t.triangles.back()); },
+      [](auto& t) { t.leaf_offsets[0] = 1; },
+      [](auto& t) { t.leaf_offsets[1] = 0; },
+      [](auto& t) { t.leaf_offsets.back() += 1; },
+      [](auto& t) { t.leaf_offsets.back() -= 1; },
+      [](auto& t) {
+        t.leaf_count += 1;
+        t.leaf_offsets.push_back(t.leaf_offsets.back());
+      },
+      [](auto& t) { t.vertices[0].x = 16384; },
+      [](auto& t) { t.shell_vertices.clear(); },
+      [](auto& t) { t.shell_vertices[0] = static_cast<std::uint16_t>(t.vertices.size()); },
+      [](auto& t) { t.shell_vertices.push_back(t.shell_vertices.back()); },
+      [](auto& t) { t.shell_vertices[1] = 0; },
+      // Vertices of no triangle, which no box covers.
+      stray({16384, 0, 0}),
+      stray({0, -16384, 0}),
+      stray({0, 0, INT16_MIN}),
+  };
+}
+
+/// Changes that each break one rule of the levels.
+template <Layout layout>
+std::vector<std::function<void(Baked<layout>&)>> broken_levels(std::size_t last) {
+  return {
+      [](auto& t) { t.levels[0] = 1; },        [last](auto& t) { t.levels[last] += 1; },
+      [last](auto& t) { t.levels[last] = 0; }, [](auto& t) { t.climb[0] = 1; },
+      [last](auto& t) { t.climb[last] += 1; }, [](auto& t) { t.climb[1] += 1; },
+  };
+}
+
+/// Changes that each break one rule of the header.
+template <Layout layout>
+std::vector<std::function<void(Baked<layout>&)>> broken_headers() {
+  return {
+      [](auto& t) { t.stack_need -= 1; },
+      [](auto& t) { t.stack_need += 1; },
+      [](auto& t) { t.depth += 1; },
+      [](auto& t) { t.depth -= 1; },
+      [](auto& t) { t.leaf_size += 1; },
+      [](auto& t) { t.leaf_size -= 1; },
+      [](auto& t) { t.arity += 1; },
+      [](auto& t) { t.arity -= 1; },
+      [](auto& t) { t.origin[0] = kMaxOrigin + 1; },
+      [](auto& t) { t.origin[1] = -kMaxOrigin - 1; },
+      [](auto& t) { t.origin[2] = INT32_MIN; },
+      [](auto& t) { t.cell = 0; },
+      [](auto& t) { t.cell = -1; },
+      [](auto& t) { t.cell = -0.0; },
+      [](auto& t) { t.cell = std::numeric_limits<double>::denorm_min(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::infinity(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::quiet_NaN(); },
+      [](auto& t) { t.longest_edge += 1; },
+      [](auto& t) { t.longest_edge -= 1; },
+      [](auto& t) { t.is_closed = !t.is_closed; },
+      [](auto& t) { t.unit = static_cast<Unit>(kUnitCount); },
+      [](auto& t) { t.name = std::string("a\0b", 3); },
+      [](auto& t) { t.deviation = -0.0; },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::infinity(); },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::quiet_NaN(); },
+  };
+}
+
+/// An image whose `count` is too large by 65,536, with memory for the additional elements.
+Image with_more(std::uint32_t ImageHeader::*count) {
+  const auto baked = small_tree<kPost>();
+  const Image small{image_of(baked, true)};
+  ImageHeader header;
+  std::memcpy(&header, small.words.data(), sizeof header);
+  const ImageOffsets from = image_offsets(header);
+  header.*count += 0x10000;
+  const ImageOffsets to = image_offsets(header);
+  header.byte_count = static_cast<std::uint32_t>(to.end);
+  Image large{std::vector<std::uint32_t>(header.byte_count / 4)};
+  std::memcpy(large.bytes(), &header, sizeof header);
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(small.words.data());
+  const std::uint64_t parts[][3] = {{from.nodes, from.levels, to.nodes},
+                                    {from.levels, from.climb, to.levels},
+                                    {from.climb, from.triangles, to.climb},
+                                    {from.triangles, from.triangle_ids, to.triangles},
+                                    {from.triangle_ids, from.leaf_offsets, to.triangle_ids},
+                                    {from.leaf_offsets, from.vertices, to.leaf_offsets},
+                                    {from.vertices, from.shell_vertices, to.vertices},
+                                    {from.shell_vertices, from.name, to.shell_vertices}};
+  for (const auto& [begin, end, at] : parts) {
+    std::memcpy(large.bytes() + at, bytes + begin, static_cast<std::size_t>(end - begin));
+  }
+  large.repair_crc();
+  return large;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused", "",
+                   PreMeshWithLevels, MeshWithLevels) {
+  constexpr Layout layout = TestType::kLayout;
+  const Baked<layout> good = small_tree<layout>();
+  REQUIRE(status_after(good, [](auto&) {}) == Status::done);
+  const std::size_t last = good.nodes.size() - 1;
+  for (const auto& changes : {broken_arrays<layout>(last), broken_headers<layout>()}) {
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      CAPTURE(i);
+      CHECK(status_after(good, changes[i]) == Status::image_invalid);
+      if constexpr (layout == kPost) {
+        CHECK(status_without_levels(good, changes[i]) == Status::image_invalid);
+      }
+    }
+  }
+  for (const auto& change : broken_levels<layout>(last)) {
+    CHECK(status_after(good, change) == Status::image_invalid);
+    if constexpr (layout == kPost) {
+      CHECK(status_without_levels(good, change) == Status::done);
+    }
+  }
+}
+
+TEST_CASE("the largest origins and the smallest and largest cells are good") {
+  const std::vector<std::function<void(Baked<kPost>&)>> changes = {
+      [](auto& t) {
+        t.origin = {kMaxOrigin, -kMaxOrigin, kMaxOrigin};
+      },
+      [](auto& t) { t.cell = std::numeric_limits<double>::min(); },
+      [](auto& t) { t.cell = std::numeric_limits<double>::max(); },
+      [](auto& t) { t.deviation = std::numeric_limits<double>::max(); },
+      [](auto& t) { t.unit = Unit::foot; },
+      [](auto& t) { t.name.assign(bake::kMaxNameSize, '\xFF'); },
+  };
+  for (const auto& change : changes) {
+    CHECK(status_after(small_tree<kPost>(), change) == Status::done);
+  }
+}
+
+TEST_CASE("a last node with neither children nor triangles is refused") {
+  for (unsigned parent_rank = 1; parent_rank <= 126; ++parent_rank) {
+    CHECK(status_after(small_tree<kPost>(), [&](auto& t) {
+            t.nodes.back().data = static_cast<std::uint16_t>(1u << 8 | parent_rank);
+            t.leaf_count -= 1;
+            t.leaf_offsets.pop_back();
+            t.triangles.resize(t.leaf_offsets.back());
+            t.triangle_ids.resize(t.leaf_offsets.back());
+          }) == Status::image_invalid);
+  }
+}
+
+TEST_CASE("counts beyond the index type are refused, though what they are cut to would be sound") {
+  for (std::uint32_t ImageHeader::*const count :
+       {&ImageHeader::node_count, &ImageHeader::leaf_count, &ImageHeader::triangle_count,
+        &ImageHeader::vertex_count, &ImageHeader::shell_count}) {
+    CHECK(with_more(count).open<MeshWithLevels>() == Status::image_invalid);
+  }
+}
