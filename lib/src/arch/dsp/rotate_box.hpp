@@ -1,6 +1,6 @@
 // The inner step of the rotated box test for Armv7E-M and Armv8-M Mainline cores with the DSP
 // extension: the arithmetic of portable/rotate_box.hpp with several words per load (LDM, LDRD),
-// which compilers do not find. In C++ a query is proven to take a fifth more cycles.
+// which compilers do not find. In C++ a query takes more instructions.
 #ifndef FLASHBVH_ARCH_DSP_ROTATE_BOX_HPP
 #define FLASHBVH_ARCH_DSP_ROTATE_BOX_HPP
 

@@ -1,7 +1,7 @@
 // The inner step of the rotated box test for Armv7-M and Armv8-M Mainline cores without the DSP
 // extension (Cortex-M3): the arithmetic of plain/rotate_box.hpp, with a branch on 0 in one
 // instruction (CBZ), a shift inside a saturation (USAT) and all sums in registers. In C++ a
-// query is proven to take a fifth more cycles.
+// query takes more instructions.
 #ifndef FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
 #define FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
 
