@@ -13,6 +13,8 @@ ROOM_OF = {f"{name}.hpp": room for room, names in PUBLIC.items() for name in nam
 
 
 def room_of(path):
+    if path.parts[:2] == ("src", "arch"):  # kernels of bounds, by core
+        return "bounds"
     folder = path.parent.name
     if folder in ORDER:
         return folder
