@@ -264,6 +264,8 @@ TEST_CASE("what an SRDF disables is decided as any pair") {
   options.stop = 0.1 / kCell;
   CHECK(decided(model, options).verdict == MatrixVerdict::never);
   CHECK_FALSE(decided(model, options).is_guarded);
+  CHECK(Catch::Matchers::EndsWith("disabled in the SRDF, so not kept --stop apart")
+            .match(decided(model, options).reason));
   options.stops = {{0, 1, options.stop, options.stop}};
   CHECK(decided(model, options).is_guarded);
 }

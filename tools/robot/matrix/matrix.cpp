@@ -63,7 +63,9 @@ class Decider {
       return false;
     }
     if (pair.verdict == MatrixVerdict::never) {
-      return find_pair(options_.stops, pair.a, pair.b) == nullptr;
+      const bool has_no_stop = find_pair(options_.stops, pair.a, pair.b) == nullptr;
+      pair.reason += has_no_stop ? "; disabled in the SRDF, so not kept --stop apart" : "";
+      return has_no_stop;
     }
     if (disabled->is_believed) {
       pair.verdict = MatrixVerdict::believed;
