@@ -12,7 +12,7 @@ namespace flashbvh::test {
 inline bool same(const flashbvh_pose& c, const Pose& pose) {
   Pose held = pose;
   static_assert(sizeof held == sizeof c, "C's pose holds a pose");
-  std::memcpy(&held, &c, sizeof held);
+  std::memcpy(static_cast<void*>(&held), &c, sizeof held);
   bool agree = held.status() == pose.status();
   for (int i = 0; agree && pose.status() == Status::done && i < 9; ++i) {
     agree = held.rotation(i / 3, i % 3) == pose.rotation(i / 3, i % 3) &&
