@@ -26,7 +26,7 @@ ensure_packages() {
   rm -f "$log"
 }
 
-host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev libminizip-dev
+host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libmeshoptimizer-dev libminizip-dev zlib1g-dev
   liburdfdom-dev nlohmann-json3-dev catch2 python3"
 # Clang with its sanitizers; exact rationals for oracles.
 test_packages="clang lld libclang-rt-14-dev libgmp-dev ccache"
