@@ -57,9 +57,13 @@ class Transform {
     };
     if (pose.is_translation()) {
       const auto along = [&](int axis) { return offset(pose, a, b, axis); };
-      const bool apart = may_stop && boxes_disjoint(a.nodes[0].box, b.nodes[0].box, along);
-      translated_.offset = {along(0), along(1), along(2)};
-      apart ? end(Placing::translated, kDisjoint) : end(Placing::translated, 0);
+      if (may_stop && boxes_disjoint(a.nodes[0].box, b.nodes[0].box, along)) {
+        translated_.offset = {along(0), along(1), along(2)};
+        end(Placing::translated, kDisjoint);
+      } else {
+        translated_.offset = {along(0), along(1), along(2)};
+        end(Placing::translated, 0);
+      }
     } else {
       const bool apart =
           !rotated_.prepare(pose, a.origin, a.nodes[0].box, b.origin, b.nodes[0].box, may_stop);
