@@ -96,7 +96,7 @@ class Limits {
   static constexpr std::array<int, 6> kSignals = {SIGABRT, SIGPROF, SIGBUS,
                                                   SIGFPE,  SIGILL,  SIGSEGV};
 
-  HandlerStack stack_;
+  [[maybe_unused]] HandlerStack stack_;
   std::array<struct sigaction, kSignals.size()> actions_before_ = {};
   rlimit memory_before_ = {};
 };

@@ -51,7 +51,8 @@ std::string refuse_other_size(std::string_view bytes, const std::string& file) {
                     "; export the mesh again");
   }
   const std::uint64_t behind = bytes.size() - wanted;
-  if (behind >= kPerTriangle && !without_padding(bytes.substr(wanted)).empty()) {
+  if (behind >= kPerTriangle &&
+      !without_padding(bytes.substr(static_cast<std::size_t>(wanted))).empty()) {
     throw UserError(file, "its header announces ", count, " triangles, but ", behind,
                     " bytes follow them, which ", behind / kPerTriangle,
                     " more would fill; export the mesh again");
