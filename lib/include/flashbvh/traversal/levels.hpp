@@ -78,11 +78,15 @@ struct BasicMeshWithLevels<IndexType, Layout::post_indexed>
 using PreMeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::pre_indexed>;
 using MeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::post_indexed>;
 
-/// True for the types of meshes with levels.
+/// `value` is true for the types of meshes with levels.
 template <class MeshType>
-constexpr bool kHasLevels = false;
+struct HasLevels {
+  static constexpr bool value = false;
+};
 template <class Index, Layout layout>
-constexpr bool kHasLevels<BasicMeshWithLevels<Index, layout>> = true;
+struct HasLevels<BasicMeshWithLevels<Index, layout>> {
+  static constexpr bool value = true;
+};
 
 /// Opens an image as open_image() of image.hpp does. `image_kind` also for an image without levels.
 template <class Index, Layout layout>
