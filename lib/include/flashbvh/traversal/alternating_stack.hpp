@@ -24,7 +24,7 @@ struct AlternatingRule {
   template <class TreeWithLevels, class Node>
   static Side into(const TreeWithLevels& tree_a, const Node* a, const TreeWithLevels& tree_b,
                    const Node* b) {
-    static_assert(HasLevels<TreeWithLevels>::value, "alternating-stack needs levels: levels.hpp");
+    static_assert(HasLevels<TreeWithLevels>::kValue, "alternating-stack needs levels: levels.hpp");
     return side_of(a, b, [&] {
       return tree_a.level(static_cast<uint32_t>(a - tree_a.nodes)) <
              tree_b.level(static_cast<uint32_t>(b - tree_b.nodes));

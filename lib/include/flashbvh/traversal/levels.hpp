@@ -78,14 +78,15 @@ struct BasicMeshWithLevels<IndexType, Layout::post_indexed>
 using PreMeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::pre_indexed>;
 using MeshWithLevels = BasicMeshWithLevels<uint16_t, Layout::post_indexed>;
 
-/// `value` is true for the types of meshes with levels.
+/// Tells the types of meshes with levels.
 template <class MeshType>
 struct HasLevels {
-  static constexpr bool value = false;
+  static constexpr bool kValue = false;  ///< true if it has levels
 };
+/// Has levels.
 template <class Index, Layout layout>
 struct HasLevels<BasicMeshWithLevels<Index, layout>> {
-  static constexpr bool value = true;
+  static constexpr bool kValue = true;  ///< it has
 };
 
 /// Opens an image as open_image() of image.hpp does. `image_kind` also for an image without levels.

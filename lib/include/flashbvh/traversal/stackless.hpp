@@ -31,7 +31,7 @@ namespace flashbvh {
 template <class TreeWithLevels>
 class BasicStackless {
   using Index = typename TreeWithLevels::Index;
-  static_assert(HasLevels<TreeWithLevels>::value, "stackless needs levels: traversal/levels.hpp");
+  static_assert(HasLevels<TreeWithLevels>::kValue, "stackless needs levels: traversal/levels.hpp");
 
  public:
   using Tree = TreeWithLevels;
