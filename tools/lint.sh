@@ -12,9 +12,10 @@ lint() {
     -extra-arg=-Wno-unknown-warning-option -extra-arg=-Xclang -extra-arg=-analyzer-config -extra-arg=-Xclang \
     -extra-arg=max-nodes=20000 "$@"
 }
-[ $# -eq 0 ] || { lint "" "$@"; exit; }
+# A unity source includes sources.
+[ $# -eq 0 ] || { lint -bugprone-suspicious-include "$@"; exit; }
 lint "" '/lib/src/'
 # These take two thirds of the time and find little in the program: most of the analyzer's steps go into the standard
 # library.
 expensive=-clang-analyzer-*,-performance-unnecessary-value-param,-bugprone-stringview-nullptr
-lint "$expensive,-bugprone-reserved-identifier" '/tools/'
+lint "$expensive,-bugprone-reserved-identifier,-bugprone-suspicious-include" '/tools/'

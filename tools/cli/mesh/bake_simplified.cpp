@@ -31,6 +31,7 @@ double reading_error(const std::vector<InputMesh>& meshes) {
 std::vector<simplify::Coarsening> coarsenings(const std::vector<InputMesh>& meshes,
                                               const BakeOptions& options) {
   std::vector<simplify::Coarsening> all;
+  all.reserve(meshes.size());
   for (const InputMesh& mesh : meshes) {
     all.emplace_back(mesh.mesh, lattice_of(mesh, options));
   }

@@ -126,6 +126,7 @@ Json bound_json(const Scene& scene, const std::string& algorithm,
                {"leaf_size", std::max(a.leaf_size, b.leaf_size)}};
   if (!answers.empty()) {
     std::vector<std::uint64_t> work;
+    work.reserve(answers.size());
     for (const Answer& answer : answers) {
       work.push_back(answer.work);
     }

@@ -51,7 +51,7 @@ std::string metres_text(const GuardedTrajectory& guarded, std::uint32_t fine) {
 /// "first at line 3, upper - fore, at least 0.01 m apart".
 std::string first_of_unknown(const GuardedTrajectory& guarded, const ReplaySummary& summary,
                              std::size_t kind) {
-  const std::string text = first_of(guarded, summary, kind);
+  std::string text = first_of(guarded, summary, kind);
   const GuardAnswer& answer = guarded.answers[summary.first[kind]];
   if (kind != static_cast<std::size_t>(Verdict::not_yet_known) || answer.pair == kNoPair) {
     return text;

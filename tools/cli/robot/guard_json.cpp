@@ -86,7 +86,7 @@ double links_deviation(const Robot& robot) {
 std::string first_of(const GuardedTrajectory& guarded, const ReplaySummary& summary,
                      std::size_t kind) {
   const GuardAnswer& answer = guarded.answers[summary.first[kind]];
-  const std::string text = concat("first at line ", guarded.trajectory.line(summary.first[kind]));
+  std::string text = concat("first at line ", guarded.trajectory.line(summary.first[kind]));
   if (kind == kRefusedKind || answer.pair == kNoPair) {
     return text;
   }
