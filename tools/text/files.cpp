@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -43,6 +44,46 @@ class Rollback {
 
  private:
   std::vector<fs::path> made_;
+};
+
+constexpr std::array kEnding = {SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
+
+volatile std::sig_atomic_t held_signal = 0;  // the last received signal; 0 if none
+
+/// Holds back signals that end the program, so that no partial output stays behind. The destructor
+/// raises the last one. Precondition: there are no other threads.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    held_signal = 0;
+    for (std::size_t i = 0; i < kEnding.size(); ++i) {
+      before_[i] = std::signal(kEnding[i], [](int signal) { held_signal = signal; });
+      if (before_[i] == SIG_IGN) {
+        std::signal(kEnding[i], SIG_IGN);
+      }
+    }
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() {
+    for (std::size_t i = 0; i < kEnding.size(); ++i) {
+      std::signal(kEnding[i], before_[i]);
+    }
+    if (held_signal != 0) {
+      std::raise(held_signal);
+    }
+  }
+
+  /// Throws if a signal is held back.
+  static void stop_if_any() {
+    if (held_signal != 0) {
+      throw std::runtime_error("ended by a signal");
+    }
+  }
+
+ private:
+  using Handler = void (*)(int);
+  std::array<Handler, kEnding.size()> before_{};
 };
 
 void make_folder(const fs::path& folder, Rollback& rollback) {
@@ -178,9 +219,11 @@ void FileSet::add(fs::path path, std::string bytes) {
 
 void FileSet::write(const std::function<void()>& report) const {
   write_special();
+  const HeldSignals signals;
   Rollback rollback;
   for (const File& file : files_) {
     if (!is_special(file.path)) {
+      HeldSignals::stop_if_any();
       make_folder(file.path.parent_path(), rollback);
       const fs::path temporary = temporary_name(file.path);
       rollback.made(temporary);
@@ -188,6 +231,7 @@ void FileSet::write(const std::function<void()>& report) const {
     }
   }
   report();
+  HeldSignals::stop_if_any();
   for (const File& file : files_) {
     if (!is_special(file.path)) {
       put_in_place(file.path, rollback);
@@ -196,7 +240,7 @@ void FileSet::write(const std::function<void()>& report) const {
   rollback.keep();
 }
 
-/// Comes before files that could be left behind: a pipe may be full.
+/// Comes before files that could be left behind, and while signals arrive: a pipe may be full.
 void FileSet::write_special() const {
   for (const File& file : files_) {
     std::error_code error;
