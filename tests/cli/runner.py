@@ -47,13 +47,15 @@ from pathlib import Path
 import c_names
 import checks
 import commands
+import interrupted
 import meshes
 import pages
 from checks import THOROUGH, Failed, flashbvh, hold
 
 HERE = Path(__file__).resolve().parent
 WORK = Path(os.environ["WORK"]).resolve()
-MODULES = {module.__name__: module for module in (c_names, commands, math, meshes, pages, resource, zipfile)}
+MODULES = {module.__name__: module for module in (c_names, commands, interrupted, math, meshes, pages,
+                                                    resource, zipfile)}
 TAKES_BLOCK = re.compile(r"(file|each|for) (?!.*: )|refuse .*\.\.\.|(no )?\S+[:~]$")
 
 
