@@ -1,4 +1,4 @@
-// Checks the lines of an SRDF against the decided matrix, and writes an SRDF of what holds.
+// Checks the lines of an SRDF against the decided matrix, and writes an SRDF of the lines that hold.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 
 namespace flashbvh::detail {
 
-/// A query's tests of triangles, and the counts of what they find.
+/// A query's tests of triangles, and their counts.
 template <class Traversal, class Predicate>
 class LeafTests : protected QuerySetup<Traversal, Predicate> {
   using Base = QuerySetup<Traversal, Predicate>;
