@@ -1,4 +1,5 @@
-// Checks the lines of an SRDF against the decided matrix, and writes an SRDF of the lines that hold.
+// Checks the lines of an SRDF against the decided matrix, and writes an SRDF of the lines that
+// hold.
 #pragma once
 
 #include <array>
