@@ -45,13 +45,6 @@ inline std::string with(std::string text, const std::string& part, const std::st
   return text.replace(text.find(part), part.size(), by);
 }
 
-/// A change of a file, and what its reader then says.
-struct Change {
-  const char* part;
-  const char* by;
-  const char* said;
-};
-
 /// Six times the volume that a mesh encloses; negative if it is inside out.
 inline double volume6(const tool::FileMesh& file) {
   double sum = 0;

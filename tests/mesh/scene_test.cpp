@@ -1,14 +1,17 @@
-// DAE and glTF: what assimp would misread is refused by its name.
+// Scenes: DAE, glTF and 3MF. Units and placements apply; what would be misread is refused by its
+// name.
 #include <fstream>
 
 #include "mesh/any_format.hpp"
+#include "mesh/package.hpp"
 #include "support/test.hpp"
 
 using tool::FileMesh;
 
 namespace {
 
-/// A tetrahedron of volume 1/6; its buffer is a file.
+// A tetrahedron of volume 1/6 in each format; the glTF's buffer is a file.
+
 const std::string kGltf =
     R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
@@ -30,119 +33,176 @@ const std::string kCollada =
     <instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
     <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 
-/// Writes a file of this text, and the glTF's buffer, for one reading.
+const std::string k3mf =
+    R"(<?xml version="1.0"?><model xml:lang="en" xmlns:p="http://schemas.microsoft.com/)"
+    R"(3dmanufacturing/production/2015/06" requiredextensions="p"><resources><basematerials id="9"/>
+    <object id="1" type="model" p:UUID="1"><mesh><vertices><vertex x="0" y="0" z="0"/>
+    <vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1"/></vertices>
+    <triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/>
+    <triangle v1="0" v2="3" v3="2"/><triangle v1="1" v2="2" v3="3"/></triangles></mesh></object>
+    </resources><build><item objectid="1"/></build></model>)";
+
+/// Writes a file for one reading.
 std::string written(const std::string& text, const std::string& extension,
-                    std::uint16_t last_corner = 3) {
+                    std::uint16_t last_corner = 3, const Parts& others = {}) {
   const std::array<float, 12> points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const std::array<std::uint16_t, 12> corners = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, last_corner};
   std::ofstream buffer("tetrahedron.bin", std::ios::binary);
   buffer.write(reinterpret_cast<const char*>(points.data()), sizeof points);
   buffer.write(reinterpret_cast<const char*>(corners.data()), sizeof corners);
   const std::string path = "scene_test." + extension;
-  std::ofstream(path, std::ios::binary) << text;
+  if (extension == "3mf") {
+    write_3mf(path, text, others);
+  } else {
+    std::ofstream(path, std::ios::binary) << text;
+  }
   return path;
 }
 
-FileMesh read(const std::string& text, const std::string& extension) {
-  return tool::read_with_assimp(text, written(text, extension));
+FileMesh read_scene(const std::string& text, const std::string& path) {
+  return path.find(".3mf") != std::string::npos ? tool::read_3mf(text, path)
+                                                : tool::read_with_assimp(text, path);
+}
+
+const std::string& plain(const std::string& extension) {
+  return extension == "gltf" ? kGltf : extension == "dae" ? kCollada : k3mf;
+}
+
+/// A change of the plain file of a format.
+struct Change {
+  const char* extension;
+  const char* part;
+  const char* by;
+};
+
+FileMesh read_changed(const Change& change) {
+  const std::string text = with(plain(change.extension), change.part, change.by);
+  return read_scene(text, written(text, change.extension));
 }
 
 }  // namespace
 
-TEST_CASE("a glTF is in metres, its mirrored nodes are no inside out solids") {
-  const FileMesh mesh = read(kGltf, "gltf");
-  CHECK(mesh.unit == Unit::m);
-  CHECK(volume6(mesh) == Approx(1));
-  const FileMesh mirrored =
-      read(with(kGltf, R"("mesh":0)", R"("mesh":0,"scale":[-2,1,1])"), "gltf");
-  CHECK(volume6(mirrored) == Approx(2));
-  CHECK(mirrored.mesh.vertices[1][0] == -2);
-  const FileMesh turned_back = read(
-      with(kGltf, R"("mesh":0)", R"("children":[1],"scale":[-1,1,1]},{"mesh":0,"scale":[1,-1,1])"),
-      "gltf");
-  CHECK(volume6(turned_back) == Approx(1));
-}
-
-TEST_CASE("glTF: what moves no vertex may be required") {
-  const std::string used = R"("extensionsRequired":["KHR_texture_transform","KHR_materials_ior",
-      "KHR_mesh_quantization","EXT_texture_webp","KHR_lights_punctual"],"scene":0)";
-  CHECK(read(with(kGltf, R"("scene":0)", used), "gltf").mesh.triangles.size() == 4);
-  const FileMesh mesh =
-      read(with(kGltf, R"("scene":0,"scenes":[)", R"("scenes":[{"nodes":[0]},)"), "gltf");
-  CHECK(mesh.warnings ==
-        std::vector<std::string>{"has 2 scenes and no default; the first alone is read"});
-}
-
-TEST_CASE("glTF: what is not read is refused by its name") {
-  const Change changes[] = {
-      {R"("scene":0)", R"("extensionsRequired":["VENDOR_x"],"scene":0)",
-       "requires the extension VENDOR_x"},
-      {R"("mesh":0)", R"("mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}})",
-       "node 0 uses the extension EXT_mesh_gpu_instancing"},
-      {R"("mesh":0)", R"("mesh":0,"extensions":{"KHR_node_visibility":{"visible":false}})",
-       "node 0 uses the extension KHR_node_visibility"},
-      {R"("indices":1)", R"("indices":1,"extensions":{"VENDOR_x":{}})",
-       "mesh 0 uses the extension VENDOR_x"},
-      {R"("byteLength":48)", R"("byteLength":48,"extensions":{"EXT_meshopt_compression":{}})",
-       "a buffer view uses the extension EXT_meshopt_compression"},
-      {R"("indices":1)",
-       R"("indices":1,"mode":5,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0}})",
-       "mesh 0 is compressed by KHR_draco_mesh_compression"},
-      {R"("mesh":0)", R"("mesh":0,"skin":0)", "node 0 has a skin"},
-      {R"("mesh":0)", R"("mesh":0,"weights":[0,0.5])", "node 0 has weights of morph targets"},
-      {R"({"primitives")", R"({"weights":[1],"primitives")", "node 0 has weights of morph targets"},
-      {"5126", "5123", "KHR_mesh_quantization"},
-      {"5126", "5120", "KHR_mesh_quantization"},
-      {"VEC3", "VEC2", "accessor 0 has components of type 5126 in a VEC2"},
-      {"5123", "5122", "accessor 1 has components of type 5122"},
-      {R"("count":4)", R"("count":4,"sparse":{})", "accessor 0 is sparse"},
-      {R"("count":12)", R"("count":11)", "mesh 0 has 11 corners"},
-      {R"("count":12)", R"("count":15)", "accessor 1 ends behind its data"},
-      {R"("bufferView":0)", R"("bufferView":0,"byteOffset":4)", "accessor 0 ends behind its data"},
-      {R"("bufferView":0,)", "", "accessor 0 has no data"},
-      {R"("indices":1)", R"("indices":1,"mode":7)", "a primitive of mode 7"},
-      {R"("POSITION":0)", R"("NORMAL":0)", "a primitive of mode 4 without positions"},
-      {R"("version")", R"("minVersion":"2.1","version")", "is of glTF '2.1'"},
-      {R"("nodes":[0])", R"("nodes":[0,0])", "node 0 has two parents"}};
-  for (const auto& [part, by, said] : changes) {
-    CAPTURE(part, by);
-    const std::string text = with(kGltf, part, by);
-    CHECK_THAT(refusal(tool::read_with_assimp, text, written(text, "gltf")),
-               Catch::Matchers::Contains(said));
+TEST_CASE("a scene's nodes are placed, mirrored ones are no inside out solids") {
+  constexpr double kInch = 0.0254 * 0.0254 * 0.0254;
+  const std::pair<Change, double> scenes[] = {
+      {{"gltf", "", ""}, 1},
+      {{"gltf", R"("mesh":0)", R"("mesh":0,"scale":[-2,1,1])"}, 2},
+      {{"gltf", R"("mesh":0)", R"("children":[1],"scale":[-1,1,1]},{"mesh":0,"scale":[1,-1,1])"},
+       1},
+      {{"dae", "", ""}, kInch},
+      {{"dae", "<scale>1 1 1", "<scale>-1 1 1"}, kInch},
+      {{"3mf", "<item", "<item transform=\"0 1 0\n-1 0 0 0\t0 1 10 20 30\""}, 1},
+      {{"3mf", "<item", "<item transform=\"-2 0 0 0 1 0 0 0 1 0 0 0\""}, 2},
+      {{"3mf", "</resources><build><item objectid=\"1\"/>",
+        "<object id=\"2\"><components><component objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 -1 0 0 "
+        "5\"/></components></object></resources><build><item objectid=\"2\"/><item "
+        "objectid=\"1\"/>"},
+       2}};
+  for (const auto& [change, volume] : scenes) {
+    CAPTURE(change.extension, change.part, change.by);
+    CHECK(volume6(read_changed(change)) == Approx(volume));
   }
 }
 
+TEST_CASE("a scene carries its unit: a 3MF millimetres unless it says another") {
+  CHECK(read_changed({"gltf", "", ""}).unit == Unit::m);
+  CHECK(read_changed({"dae", "", ""}).unit == Unit::m);
+  CHECK(read_changed({"3mf", "", ""}).unit == Unit::mm);
+  const auto [name, unit] = GENERATE(table<const char*, Unit>({{"micron", Unit::um},
+                                                               {"centimeter", Unit::cm},
+                                                               {"inch", Unit::inch},
+                                                               {"foot", Unit::foot},
+                                                               {"meter", Unit::m}}));
+  CHECK(read_changed({"3mf", "<model", tool::concat("<model unit=\"", name, "\"").c_str()}).unit ==
+        unit);
+}
+
+TEST_CASE("glTF: what moves no vertex may be required") {
+  CHECK(read_changed({"gltf", R"("scene":0)",
+                      R"("extensionsRequired":["KHR_texture_transform","KHR_materials_ior",
+                      "EXT_texture_webp","KHR_lights_punctual"],"scene":0)"})
+            .mesh.triangles.size() == 4);
+  CHECK(read_changed({"gltf", R"("scene":0,"scenes":[)", R"("scenes":[{"nodes":[0]},)"}).warnings ==
+        std::vector<std::string>{"has 2 scenes and no default; the first alone is read"});
+}
+
 TEST_CASE("glTF: a triangle with a corner at no vertex is not left out in silence") {
-  CHECK_THAT(refusal(tool::read_with_assimp, kGltf, written(kGltf, "gltf", 4)),
+  CHECK_THAT(refusal(read_scene, kGltf, written(kGltf, "gltf", 4)),
              Catch::Matchers::Contains("has 4 triangles, of which assimp reads 3"));
 }
 
-TEST_CASE("a DAE's unit applies, its mirrored nodes are no inside out solids") {
-  const double inch = 0.0254 * 0.0254 * 0.0254;
-  CHECK(volume6(read(kCollada, "dae")) == Approx(inch));
-  const std::string mirrored = with(kCollada, "<scale>1 1 1", "<scale>-1 1 1");
-  CHECK(volume6(read(mirrored, "dae")) == Approx(inch));
+TEST_CASE("3MF: a project of a slicer, which may have parts that are no solids, is refused") {
+  for (const char* const part :
+       {"Metadata/Slic3r_PE_model.config", "Metadata/model_settings.config"}) {
+    CHECK_THAT(refusal(read_scene, "", written(k3mf, "3mf", 3, {{part, "<config/>"}})),
+               Catch::Matchers::Contains(tool::concat("is a slicer's project, by '", part)));
+  }
 }
 
-TEST_CASE("DAE: what is not read is refused by its name") {
-  const Change changes[] = {
-      {"<instance_geometry url=\"#g\"/>", "<instance_controller url=\"#g\"/>",
+TEST_CASE("what is not read of a scene is refused by its name") {
+  const std::pair<Change, const char*> changes[] = {
+      {{"gltf", R"("scene":0)", R"("extensionsRequired":["VENDOR_x"],"scene":0)"},
+       "requires the extension VENDOR_x"},
+      {{"gltf", R"("mesh":0)", R"("mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}})"},
+       "nodes[0] uses the extension EXT_mesh_gpu_instancing"},
+      {{"gltf", R"("indices":1)",
+        R"("indices":1,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0}})"},
+       "meshes[0] uses the extension KHR_draco_mesh_compression"},
+      {{"gltf", R"("byteLength":48)",
+        R"("byteLength":48,"extensions":{"EXT_meshopt_compression":{}})"},
+       "bufferViews[0] uses the extension EXT_meshopt_compression"},
+      {{"gltf", R"("mesh":0)", R"("mesh":0,"skin":0)"}, "nodes[0] has 'skin'"},
+      {{"gltf", R"("mesh":0)", R"("mesh":0,"weights":[0,0.5])"}, "nodes[0] has 'weights'"},
+      {{"gltf", R"({"primitives")", R"({"weights":[1],"primitives")"}, "meshes[0] has 'weights'"},
+      {{"gltf", R"("count":4)", R"("count":4,"sparse":{})"}, "accessors[0] has 'sparse'"},
+      {{"gltf", "5126", "5123"}, "accessors[0] does not hold floats as positions"},
+      {{"gltf", "VEC3", "VEC2"}, "accessors[0] does not hold floats as positions"},
+      {{"gltf", "5123", "5122"}, "accessors[1] does not hold unsigned integers as indices"},
+      {{"gltf", R"("count":12)", R"("count":11)"}, "meshes[0] has 11 corners"},
+      {{"gltf", R"("count":12)", R"("count":15)"}, "accessors[1] ends behind its data"},
+      {{"gltf", R"("bufferView":0)", R"("bufferView":0,"byteOffset":4)"},
+       "accessors[0] ends behind its data"},
+      {{"gltf", R"("bufferView":0,)", ""}, "accessors[0] has no data"},
+      {{"gltf", R"("indices":1)", R"("indices":1,"mode":7)"}, "a primitive of mode 7"},
+      {{"gltf", R"("POSITION":0)", R"("NORMAL":0)"}, "a primitive of mode 4 without positions"},
+      {{"gltf", R"("version")", R"("minVersion":"2.1","version")"}, "is of glTF '2.1'"},
+      {{"gltf", R"("nodes":[0])", R"("nodes":[0,0])"}, "nodes[0] has two parents"},
+      {{"dae", "<instance_geometry url=\"#g\"/>", "<instance_controller url=\"#g\"/>"},
        "has a <instance_controller>, a skin or a morph"},
-      {"<scale>", "<skew>45 1 0 0 0 1 0</skew><scale>", "has a <skew>"},
-      {"<triangles count=\"4\">", "<trifans count=\"4\"/><triangles count=\"4\">",
+      {{"dae", "<scale>", "<skew>45 1 0 0 0 1 0</skew><scale>"}, "has a <skew>"},
+      {{"dae", "<triangles count=\"4\">", "<trifans count=\"4\"/><triangles count=\"4\">"},
        "has a <trifans>"},
-      {"<triangles count=\"4\">", "<triangles>", "<triangles> without a count"},
-      {"0 2 1", "0 -2 1", "a negative index"},
-      {"url=\"#g\"", "url=\"#h\"", "refers to '#h', which is not in the file"},
-      {"url=\"#g\"", "url=\"other.dae#g\"", "refers to 'other.dae#g', which is not in the file"},
-      {"0.0254", "-1", "a <unit> of '-1' metres"},
-      {"0.0254", "0,0254", "a <unit> of '0,0254' metres"},
-      {"<mesh>", "<asset><unit meter=\"1\"/></asset><mesh>", "beside another"},
-      {"</node>", "", "is damaged or cut off in <'node'>"}};
-  for (const auto& [part, by, said] : changes) {
-    CAPTURE(part, by);
-    const std::string text = with(kCollada, part, by);
-    CHECK_THAT(refusal(tool::read_with_assimp, text, written(text, "dae")),
+      {{"dae", "<triangles count=\"4\">", "<triangles>"}, "<triangles> without a count"},
+      {{"dae", "0 2 1", "0 -2 1"}, "a negative index"},
+      {{"dae", "url=\"#g\"", "url=\"#h\""}, "refers to '#h', which is not in the file"},
+      {{"dae", "url=\"#g\"", "url=\"other.dae#g\""}, "refers to 'other.dae#g', which is not in"},
+      {{"dae", "0.0254", "-1"}, "a <unit> of '-1' metres"},
+      {{"dae", "0.0254", "0,0254"}, "a <unit> of '0,0254' metres"},
+      {{"dae", "<mesh>", "<asset><unit meter=\"1\"/></asset><mesh>"}, "beside another"},
+      {{"dae", "</node>", ""}, "is no XML"},
+      {{"3mf", "requiredextensions=\"p\"", "requiredextensions=\"p b\" xmlns:b=\"http://beams\""},
+       "requires the extension 'b' (http://beams)"},
+      {{"3mf", "<model", "<model unit=\"parsec\""}, "is in 'parsec'"},
+      {{"3mf", "type=\"model\"", "type=\"support\""}, "the object '1' of type 'support'"},
+      {{"3mf", "<object", "<object s:slicestackid=\"3\""}, "has a 's:slicestackid' in an <object>"},
+      {{"3mf", "<item", "<item p:path=\"/3D/other.model\""}, "has a 'p:path' in an <item>"},
+      {{"3mf", "</triangles>", "</triangles><b:beamlattice/>"}, "a <b:beamlattice> in a <mesh>"},
+      {{"3mf", "<mesh>", "<bo:booleanshape/><mesh>"}, "has a <bo:booleanshape> in a <object>"},
+      {{"3mf", "<mesh>", "<metadatagroup/><mesh>"}, "has a <metadatagroup> in a <object>"},
+      {{"3mf", "x=\"1\"", "x=\"1,5\""}, "'1,5' is no finite number"},
+      {{"3mf", "x=\"1\"", ""}, "object '1', x of a vertex: '' is no finite number"},
+      {{"3mf", "v2=\"2\"", "v2=\"4\""}, "a corner at vertex '4' of 4"},
+      {{"3mf", "v2=\"2\"", ""}, "a corner at vertex '' of 4"},
+      {{"3mf", "objectid=\"1\"", "objectid=\"2\""}, "refers to the object '2', which is not there"},
+      {{"3mf", "<item", "<item transform=\"1 0 0\""}, "has a transform of 3 numbers"},
+      {{"3mf", "<mesh>", "<components><component objectid=\"1\"/></components><mesh>"},
+       "refers to the object '1', which is in itself"},
+      {{"3mf", "</object>", "</object><object id=\"1\"/>"}, "has two objects 1"},
+      {{"3mf", "</triangles>", ""}, "is no XML"}};
+  for (const auto& [change, said] : changes) {
+    CAPTURE(change.extension, change.part, change.by);
+    const std::string text = with(plain(change.extension), change.part, change.by);
+    CHECK_THAT(refusal(read_scene, text, written(text, change.extension)),
                Catch::Matchers::Contains(said));
   }
 }

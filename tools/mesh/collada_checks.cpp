@@ -1,73 +1,75 @@
-#include <algorithm>
-#include <array>
+#include <cstring>
+#include <map>
 #include <set>
-#include <utility>
 
+#include "mesh/limited_import.hpp"
 #include "mesh/scene_checks.hpp"
+#include "mesh/xml.hpp"
 #include "text/messages.hpp"
-#include "text/xml_tags.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
 /// Elements that assimp leaves out, or reads as something else.
-constexpr std::array<std::pair<std::string_view, const char*>, 6> kMisread = {
-    {{"instance_controller", "a skin or a morph; export the pose as a mesh without it"},
-     {"skew", "a transform; export it as a <matrix>"},
-     {"trifans", "fans of triangles; export it as <triangles>"},
-     {"convex_mesh", "a convex hull; export it as a <mesh>"},
-     {"spline", "curves; export it as a <mesh>"},
-     {"brep", "a model of CAD; export it as a <mesh>"}}};
+const std::map<std::string_view, const char*> kMisread = {
+    {"instance_controller", "a skin or a morph; export the pose as a mesh without it"},
+    {"skew", "a transform; export it as a <matrix>"},
+    {"trifans", "fans of triangles; export it as <triangles>"},
+    {"convex_mesh", "a convex hull; export it as a <mesh>"},
+    {"spline", "curves; export it as a <mesh>"},
+    {"brep", "a model of CAD; export it as a <mesh>"}};
 
-constexpr std::array<std::string_view, 3> kReferences = {"instance_geometry", "instance_node",
-                                                         "instance_visual_scene"};
-constexpr std::array<std::string_view, 3> kTargets = {"geometry", "node", "visual_scene"};
-constexpr std::array<std::string_view, 4> kPolygons = {"triangles", "polylist", "polygons",
-                                                       "tristrips"};
+using Names = std::set<std::string, std::less<>>;
+const Names kReferences = {"instance_geometry", "instance_node", "instance_visual_scene"};
+const Names kTargets = {"geometry", "node", "visual_scene"};
+const Names kPolygons = {"triangles", "polylist", "polygons", "tristrips"};
 
-template <class Names>
-bool is_one_of(const Names& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+struct ColladaChecks {
+  const std::string& file;
+  Names ids;
+  Names references;
+  std::string unit;
+
+  void check(TiXmlElement& element) {
+    const std::string& name = element.ValueStr();
+    const char* const text = element.GetText();
+    if (const auto misread = kMisread.find(name); misread != kMisread.end()) {
+      throw UserError(file, "has a <", name, ">, ", misread->second);
+    }
+    if (kTargets.count(name) != 0) {
+      ids.insert(attribute(&element, "id"));
+    } else if (kReferences.count(name) != 0) {
+      references.insert(attribute(&element, "url"));
+    } else if (kPolygons.count(name) != 0 && attribute(&element, "count").empty()) {
+      throw UserError(file, "can't be read: has <", name, "> without a count", kImportFix);
+    } else if (name == "p" && text != nullptr && std::strchr(text, '-') != nullptr) {
+      throw UserError(file, "can't be read: has a <p> with a negative index", kImportFix);
+    } else if (name == "unit") {
+      check_unit(element.Attribute("meter") == nullptr ? "1" : attribute(&element, "meter"));
+    }
+    for (TiXmlElement* const inside : elements_in(element)) {
+      check(*inside);
+    }
+  }
+
+  void check_unit(const std::string& metres) {
+    if (!(parse_number(metres).value_or(0) > 0) || (!unit.empty() && unit != metres)) {
+      throw UserError(file, "has a <unit> of ", quoted(metres), " metres",
+                      unit.empty() ? "" : " beside another", "; give one positive number");
+    }
+    unit = metres;
+  }
+};
 
 }  // namespace
 
 void check_collada(std::string_view text, const std::string& file) {
-  std::set<std::string, std::less<>> ids;
-  std::set<std::string> references;
-  std::string unit;
-  XmlTags tags(text, file);
-  while (const std::optional<XmlTag> tag = tags.next()) {
-    const auto text_of = [&](const char* name) {
-      return std::string(tag->attribute(name).value_or(""));
-    };
-    for (const auto& [name, what] : kMisread) {
-      if (tag->name == name) {
-        throw UserError(file, "has a <", tag->name, ">, ", what);
-      }
-    }
-    if (is_one_of(kTargets, tag->name)) {
-      ids.insert(text_of("id"));
-    } else if (is_one_of(kReferences, tag->name)) {
-      references.insert(text_of("url"));
-    } else if (is_one_of(kPolygons, tag->name) && text_of("count").empty()) {
-      throw UserError(file, "can't be read: has <", tag->name,
-                      "> without a count; export the mesh again");
-    } else if (tag->name == "p" && tag->text.find('-') != std::string_view::npos) {
-      throw UserError(file,
-                      "can't be read: has a <p> with a negative index; export the mesh again");
-    } else if (tag->name == "unit") {
-      const std::string metres = std::string(tag->attribute("meter").value_or("1"));
-      if (!(parse_number(metres).value_or(0) > 0) || (!unit.empty() && unit != metres)) {
-        throw UserError(file, "has a <unit> of ", tool::quoted(metres), " metres",
-                        unit.empty() ? "" : " beside another", "; give one positive number");
-      }
-      unit = metres;
-    }
-  }
-  for (const std::string& reference : references) {
-    if (reference.empty() || reference[0] != '#' || ids.count(reference.substr(1)) == 0) {
-      throw UserError(file, "refers to ", tool::quoted(reference),
+  TiXmlDocument document;
+  ColladaChecks checks = {file, {}, {}, {}};
+  checks.check(xml_root(text, file, "export the mesh again", document));
+  for (const std::string& reference : checks.references) {
+    if (reference.empty() || reference[0] != '#' || checks.ids.count(reference.substr(1)) == 0) {
+      throw UserError(file, "refers to ", quoted(reference),
                       ", which is not in the file; export it as one file");
     }
   }

@@ -1,5 +1,6 @@
 #include "mesh/mesh_builder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,16 +10,48 @@
 
 namespace flashbvh::tool {
 
+void MeshBuilder::begin_part(const Placement& placement) {
+  first_ = points_.size();
+  placement_ = placement;
+}
+
+void MeshBuilder::add_point(const Position& point) {
+  points_.push_back({placement_ ? placed(point) : point, kUnused});
+}
+
+Position MeshBuilder::placed(const Position& point) {
+  Position placed{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto& row = (*placement_)[axis];
+    double size = 0;
+    for (const double part : {row[0] * point[0], row[1] * point[1], row[2] * point[2], row[3]}) {
+      placed[axis] += part;
+      size += std::fabs(part);
+    }
+    if (!is_coordinate(size)) {
+      throw UserError(file_,
+                      "has a coordinate that is no finite number of at most 3.4e38; repair "
+                      "the mesh");
+    }
+    largest_ = std::max(largest_, size);
+  }
+  return placed;
+}
+
 void MeshBuilder::add_polygon(const std::vector<std::uint32_t>& points) {
+  std::vector<std::uint32_t> order = points;
+  if (placement_ && is_mirrored(*placement_)) {
+    std::reverse(order.begin() + 1, order.end());
+  }
   std::vector<Position> corners;
-  corners.reserve(points.size());
-  for (const std::uint32_t point : points) {
-    corners.push_back(points_[point].position);
+  corners.reserve(order.size());
+  for (const std::uint32_t point : order) {
+    corners.push_back(points_[first_ + point].position);
   }
   for (const auto& [a, b, c] : triangulate(corners)) {
-    const std::uint32_t first = vertex_of(points_[points[a]]);
-    const std::uint32_t second = vertex_of(points_[points[b]]);
-    add({first, second, vertex_of(points_[points[c]])});
+    const std::uint32_t first = vertex_of(points_[first_ + order[a]]);
+    const std::uint32_t second = vertex_of(points_[first_ + order[b]]);
+    add({first, second, vertex_of(points_[first_ + order[c]])});
   }
 }
 

@@ -10,12 +10,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bake/mesh.hpp"
+#include "mesh/placement.hpp"
 
 namespace flashbvh::tool {
 
@@ -36,9 +38,13 @@ class MeshBuilder {
   /// `file`: for messages.
   explicit MeshBuilder(std::string file) : file_(std::move(file)) {}
 
-  void add_point(const Position& point) { points_.push_back({point, kUnused}); }
-  std::size_t point_count() const { return points_.size(); }
-  /// Adds a polygon of three or more points, which must exist.
+  /// Begins a part whose points are placed. Mirrored polygons keep their outside.
+  void begin_part(const Placement& placement);
+  /// UserError for a placed point that is_coordinate() refuses.
+  void add_point(const Position& point);
+  /// Of the part.
+  std::size_t point_count() const { return points_.size() - first_; }
+  /// Adds a polygon of three or more points of the part, which must exist.
   void add_polygon(const std::vector<std::uint32_t>& points);
   /// Adds a triangle that does not refer to points.
   void add_triangle(const std::array<Position, 3>& corners);
@@ -48,6 +54,8 @@ class MeshBuilder {
 
   /// Returns the mesh and empties the builder. UserError if there is no triangle.
   FileMesh finish();
+  /// The largest sum of a placed coordinate's absolute summands.
+  double largest() const { return largest_; }
 
  private:
   static constexpr std::uint32_t kUnused = 0xFFFFFFFF;
@@ -56,12 +64,16 @@ class MeshBuilder {
     std::uint32_t vertex;  ///< in the mesh, from its first use on
   };
 
+  Position placed(const Position& point);
   std::uint32_t vertex_at(const Position& position);
   std::uint32_t vertex_of(FilePoint& point);
   void add(const bake::TriangleCorners& triangle);
 
   std::string file_;
   std::vector<FilePoint> points_;
+  std::size_t first_ = 0;  ///< of the part's points
+  std::optional<Placement> placement_;
+  double largest_ = 0;
   std::map<Position, std::uint32_t> vertex_at_;
   std::size_t left_out_ = 0;
   FileMesh built_;

@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include "mesh/mesh_builder.hpp"
-
 namespace flashbvh::tool {
 
 /// Rows of a rotation and scale with a translation, in double precision: placing a mesh adds no
@@ -28,27 +26,11 @@ inline Placement composed(const Placement& outer, const Placement& inner) {
   return product;
 }
 
-/// A mirrored triangle keeps its outside only with its corners in the other order.
 inline bool is_mirrored(const Placement& p) {
   return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
              p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
              p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]) <
          0;
 }
-
-/// Adds points to the builder, each placed. UserError for a point that is_coordinate() refuses.
-class PlacedPoints {
- public:
-  PlacedPoints(const std::string& file, MeshBuilder& builder) : file_(file), builder_(builder) {}
-
-  void add(const Position& at, const Placement& placement);
-  /// The largest sum of a coordinate's absolute summands.
-  double largest() const { return largest_; }
-
- private:
-  const std::string& file_;
-  MeshBuilder& builder_;
-  double largest_ = 0;
-};
 
 }  // namespace flashbvh::tool

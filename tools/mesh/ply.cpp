@@ -1,6 +1,6 @@
 // PLY: a header of elements and their properties, then the elements, as text or binary. Vertices
-// and faces make the mesh. Other elements are read only to check that the file has all that its
-// header announces.
+// and faces make the mesh. Other elements and properties are read only to check that the file has
+// all that its header announces.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "mesh/mesh_builder.hpp"
-#include "mesh/ply_header.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -20,50 +19,166 @@
 namespace flashbvh::tool {
 namespace {
 
-using Encoding = PlyHeader::Encoding;
+using Words = std::vector<std::string_view>;
 
-/// Reads the numbers after the header in order. None at the end of the file, or if no such number
-/// follows.
+/// The type of a number.
+struct Type {
+  std::string_view name;
+  std::string_view other_name;
+  unsigned size;  ///< in bytes
+  enum { is_signed, is_unsigned, is_floating } kind;
+};
+
+constexpr std::array<Type, 8> kTypes = {{{"char", "int8", 1, Type::is_signed},
+                                         {"uchar", "uint8", 1, Type::is_unsigned},
+                                         {"short", "int16", 2, Type::is_signed},
+                                         {"ushort", "uint16", 2, Type::is_unsigned},
+                                         {"int", "int32", 4, Type::is_signed},
+                                         {"uint", "uint32", 4, Type::is_unsigned},
+                                         {"float", "float32", 4, Type::is_floating},
+                                         {"double", "float64", 8, Type::is_floating}}};
+
+enum class Encoding { ascii, little_endian, big_endian };
+constexpr std::array<std::string_view, 3> kEncodings = {"ascii", "binary_little_endian",
+                                                        "binary_big_endian"};
+
+struct Property {
+  std::string_view name;
+  Type value;
+  std::optional<Type> length;  ///< of a list's length
+  enum { other, x, y, z, corners } role = other;
+};
+
+struct Element {
+  std::string_view name;
+  long long count;
+  std::vector<Property> properties;
+};
+
+/// Element and property names are unique where they belong.
+struct Header {
+  std::optional<Encoding> encoding;  ///< always present after reading
+  std::vector<Element> elements;
+  std::string_view body;  ///< all that follows the header
+};
+
+template <class Named>
+auto find(std::vector<Named>& all, std::string_view name) {
+  return std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+}
+
+class HeaderReader {
+ public:
+  HeaderReader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+
+  Header read() {
+    if (!lines_.next() || words_of(lines_.line()) != Words{"ply"}) {
+      throw UserError(file_, "is no PLY file: it does not begin with 'ply'");
+    }
+    while (lines_.next()) {
+      const Words words = words_of(lines_.line());
+      if (words.empty() || words[0] == "comment" || words[0] == "obj_info") {
+        continue;
+      }
+      if (words[0] == "end_header") {
+        need(header_.encoding.has_value(), "the header ends without a 'format'");
+        header_.body = lines_.rest();
+        return std::move(header_);
+      }
+      line(words);
+    }
+    need(false, "the file ends in its header");
+    return {};
+  }
+
+ private:
+  template <class... Parts>
+  void need(bool is_so, const Parts&... what) const {
+    if (!is_so) {
+      throw UserError(at_line(file_, lines_.number()), what..., "; export the mesh again");
+    }
+  }
+
+  void line(const Words& words) {
+    if (words[0] == "format" && words.size() == 3 && !header_.encoding) {
+      const auto* const found = std::find(kEncodings.begin(), kEncodings.end(), words[1]);
+      need(found != kEncodings.end(), "no format of PLY");
+      header_.encoding = static_cast<Encoding>(found - kEncodings.begin());
+    } else if (words[0] == "element" && words.size() == 3) {
+      const auto count = parse_integer(words[2]);
+      need(count && *count >= 0, "an element without a count");
+      need(find(header_.elements, words[1]) == header_.elements.end(), "a second element ",
+           quoted(words[1]));
+      header_.elements.push_back({words[1], *count, {}});
+    } else if (words[0] == "property" && !header_.elements.empty()) {
+      property(words);
+    } else {
+      need(false, "no line of a PLY header");
+    }
+  }
+
+  void property(const Words& words) {
+    const bool is_list = words.size() == 5 && words[1] == "list";
+    need(words.size() == 3 || is_list, "no property of PLY");
+    std::vector<Property>& known = header_.elements.back().properties;
+    need(find(known, words.back()) == known.end(), "a second property ", quoted(words.back()));
+    Property made = {words.back(), type(words[words.size() - 2]), {}};
+    if (is_list) {
+      made.length = type(words[2]);
+      need(made.length->kind != Type::is_floating, "a list whose length is no integer");
+    }
+    known.push_back(made);
+  }
+
+  Type type(std::string_view name) const {
+    const auto* const found = std::find_if(kTypes.begin(), kTypes.end(), [&](const Type& type) {
+      return type.name == name || type.other_name == name;
+    });
+    need(found != kTypes.end(), "no type of PLY");
+    return *found;
+  }
+
+  Lines lines_;
+  const std::string& file_;
+  Header header_;
+};
+
+/// Reads the numbers after the header in order.
 class Body {
  public:
-  explicit Body(const PlyHeader& header) : bytes_(header.body), encoding_(*header.encoding) {}
+  explicit Body(const Header& header) : bytes_(header.body), encoding_(*header.encoding) {}
 
-  std::optional<long long> integer(const PlyType& type) {
+  /// None if there is no such number; integers to 32 bits are exact.
+  std::optional<double> number(const Type& type) {
     if (encoding_ == Encoding::ascii) {
-      return parse_integer(word());
+      bytes_.remove_prefix(std::min(bytes_.find_first_not_of(kBlanks), bytes_.size()));
+      word_ = bytes_.substr(0, bytes_.find_first_of(kBlanks));
+      bytes_.remove_prefix(word_.size());
+      return type.kind == Type::is_floating ? parse_number(word_) : integer(parse_integer(word_));
     }
-    const auto bits = binary(type);
-    if (!bits) {
+    word_ = bytes_.substr(0, type.size);
+    if (word_.size() < type.size) {
+      word_ = {};
       return std::nullopt;
     }
+    bytes_.remove_prefix(type.size);
+    std::uint64_t bits = 0;
+    for (unsigned i = 0; i < type.size; ++i) {
+      const unsigned at = encoding_ == Encoding::little_endian ? type.size - 1 - i : i;
+      bits = bits << 8 | static_cast<unsigned char>(word_[at]);
+    }
+    if (type.kind == Type::is_floating) {
+      return type.size == 8
+                 ? number_of<double>(bits)
+                 : static_cast<double>(number_of<float>(static_cast<std::uint32_t>(bits)));
+    }
+    const auto value = static_cast<long long>(bits);
     const long long range = 1LL << 8 * type.size;
-    const auto value = static_cast<long long>(*bits);
-    return type.kind == PlyType::is_signed && value >= range / 2 ? value - range : value;
+    return integer(type.kind == Type::is_signed && value >= range / 2 ? value - range : value);
   }
 
-  std::optional<double> real(const PlyType& type) {
-    if (type.kind != PlyType::is_floating) {
-      const auto value = integer(type);
-      return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
-    }
-    if (encoding_ == Encoding::ascii) {
-      return parse_number(word());
-    }
-    const auto bits = binary(type);
-    if (!bits) {
-      return std::nullopt;
-    }
-    return type.size == 4 ? static_cast<double>(number_of<float>(static_cast<std::uint32_t>(*bits)))
-                          : number_of<double>(*bits);
-  }
-
-  /// Skips a number that does not affect the shape; false at the end of the file.
-  bool skip(const PlyType& type) {
-    return encoding_ == Encoding::ascii ? !word().empty() : binary(type).has_value();
-  }
-
-  /// In a text; empty at the end of the file and in a binary.
-  std::string_view last_word() const { return last_word_; }
+  /// That number() read last; empty at the end of the file.
+  std::string_view word() const { return word_; }
   bool at_end() const {
     return without_padding(bytes_).find_first_not_of(kBlanks) == std::string_view::npos;
   }
@@ -71,25 +186,8 @@ class Body {
  private:
   static constexpr std::string_view kBlanks = " \t\r\n";
 
-  /// The next word; empty at the end of the file.
-  std::string_view word() {
-    bytes_.remove_prefix(std::min(bytes_.find_first_not_of(kBlanks), bytes_.size()));
-    last_word_ = bytes_.substr(0, bytes_.find_first_of(kBlanks));
-    bytes_.remove_prefix(last_word_.size());
-    return last_word_;
-  }
-
-  std::optional<std::uint64_t> binary(const PlyType& type) {
-    if (bytes_.size() < type.size) {
-      return std::nullopt;
-    }
-    std::uint64_t bits = 0;
-    for (unsigned i = 0; i < type.size; ++i) {
-      const unsigned at = encoding_ == Encoding::little_endian ? type.size - 1 - i : i;
-      bits = bits << 8 | static_cast<unsigned char>(bytes_[at]);
-    }
-    bytes_.remove_prefix(type.size);
-    return bits;
+  static std::optional<double> integer(std::optional<long long> value) {
+    return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
   }
 
   template <class Number, class Bits>
@@ -101,23 +199,18 @@ class Body {
   }
 
   std::string_view bytes_;
-  std::string_view last_word_;
+  std::string_view word_;
   Encoding encoding_;
 };
-
-bool holds_corners(const PlyProperty& property) {
-  return property.length && property.value.kind != PlyType::is_floating &&
-         (property.name == "vertex_indices" || property.name == "vertex_index");
-}
 
 class PlyReader {
  public:
   PlyReader(std::string_view text, const std::string& file)
-      : file_(file), header_(read_ply_header(text, file)), body_(header_), builder_(file) {}
+      : file_(file), header_(HeaderReader(text, file).read()), body_(header_), builder_(file) {}
 
   FileMesh read() {
     check_header();
-    for (const PlyElement& element : header_.elements) {
+    for (const Element& element : header_.elements) {
       for (long long i = 0; i < element.count; ++i) {
         read(element, i);
       }
@@ -135,114 +228,120 @@ class PlyReader {
 
  private:
   template <class... Parts>
-  [[noreturn]] void refuse(const PlyElement& element, long long i, const Parts&... what) const {
+  [[noreturn]] void refuse(const Element& element, long long i, const Parts&... what) const {
     throw UserError(file_, element.name, " ", i, " of ", element.count, ": ", what...,
                     "; export the mesh again");
   }
 
-  template <class Number>
-  Number need(std::optional<Number> value, const PlyType& type, const PlyElement& element,
-              long long i) const {
-    if (!value && body_.last_word().empty()) {
-      refuse(element, i, "the file ends here");
-    }
-    if (!value) {
-      refuse(element, i, quoted(body_.last_word()), " is no ",
-             type.kind == PlyType::is_floating ? "finite " : "", type.name);
-    }
-    return *value;
-  }
-
+  /// Finds the coordinates and the corners.
   void check_header() {
-    for (const PlyElement& element : header_.elements) {
+    for (const Element& element : header_.elements) {
       if (element.count != 0 && element.properties.empty()) {
         refuse(element, 0, "no properties in the header");
       }
+      if (element.name == "tristrips" && element.count != 0) {
+        throw UserError(file_, "has triangle strips ('tristrips'); export the mesh as polygons");
+      }
     }
-    if (const PlyElement* strips = header_.element("tristrips"); strips && strips->count != 0) {
-      throw UserError(file_, "has triangle strips ('tristrips'); export the mesh as polygons");
-    }
-    vertices_ = header_.element("vertex");
-    faces_ = header_.element("face");
-    if (vertices_ == nullptr || faces_ == nullptr) {
+    const auto vertices = find(header_.elements, "vertex");
+    const auto faces = find(header_.elements, "face");
+    if (vertices == header_.elements.end() || faces == header_.elements.end()) {
       throw UserError(file_, "has no polygons ('vertex' and 'face'); export the mesh again");
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string_view name = std::string_view("xyz").substr(axis, 1);
-      const auto& properties = vertices_->properties;
-      const auto found = std::find_if(properties.begin(), properties.end(), [&](const auto& known) {
-        return known.name == name && !known.length;
-      });
-      if (found == properties.end()) {
+    vertex_count_ = vertices->count;
+    for (const auto role : {Property::x, Property::y, Property::z}) {
+      const std::string_view name = std::string_view("xyz").substr(role - Property::x, 1);
+      const auto found = find(vertices->properties, name);
+      if (found == vertices->properties.end() || found->length) {
         throw UserError(file_, "has vertices without a number ", quoted(name),
                         "; export the mesh again");
       }
-      axes_[axis] = static_cast<std::size_t>(found - properties.begin());
+      found->role = role;
     }
-    if (std::count_if(faces_->properties.begin(), faces_->properties.end(), holds_corners) != 1) {
+    int lists = 0;
+    for (Property& property : faces->properties) {
+      if (property.length && property.value.kind != Type::is_floating &&
+          (property.name == "vertex_indices" || property.name == "vertex_index")) {
+        property.role = Property::corners;
+        ++lists;
+      }
+    }
+    if (lists != 1) {
       throw UserError(file_,
                       "has faces without one list of integers 'vertex_indices'; export the "
                       "mesh again");
     }
   }
 
-  void read(const PlyElement& element, long long i) {
+  /// Keeps corners to the end of the file: faces may come before vertices.
+  void read(const Element& element, long long i) {
     Position point{};
-    for (std::size_t at = 0; at < element.properties.size(); ++at) {
-      const PlyProperty& property = element.properties[at];
-      const auto axis = std::find(axes_.begin(), axes_.end(), at);
-      if (&element == vertices_ && axis != axes_.end()) {
-        const double value = need(body_.real(property.value), property.value, element, i);
-        if (!is_coordinate(value)) {
-          refuse(element, i, "no finite number of at most 3.4e38, which a coordinate must be");
+    for (const Property& property : element.properties) {
+      double length = 1;
+      if (property.length) {
+        length = number(*property.length, element, i);
+        if (length < (property.role == Property::corners ? 3 : 0)) {
+          refuse(element, i, property.role == Property::corners ? "a polygon of " : "a list of ",
+                 fixed(length, 0), property.role == Property::corners ? " corners" : "");
         }
-        point[static_cast<std::size_t>(axis - axes_.begin())] = value;
-      } else if (&element == faces_ && holds_corners(property)) {
-        read_corners(property, i);
-      } else {
-        skip(element, i, property);
+      }
+      if (property.role == Property::corners) {
+        polygons_.emplace_back();
+      }
+      for (double at = 0; at < length; ++at) {
+        if (property.role == Property::other) {
+          skip(property.value, element, i);
+        } else if (property.role == Property::corners) {
+          polygons_.back().push_back(corner(number(property.value, element, i), element, i));
+        } else {
+          point[property.role - Property::x] = coordinate(property.value, element, i);
+        }
       }
     }
-    if (&element == vertices_) {
+    if (element.name == "vertex") {
       builder_.add_point(point);
     }
   }
 
-  /// Keeps the corners to the end of the file: faces may come before vertices.
-  void read_corners(const PlyProperty& property, long long i) {
-    const long long length = need(body_.integer(*property.length), *property.length, *faces_, i);
-    if (length < 3) {
-      refuse(*faces_, i, "a polygon of ", length, " corners");
+  double number(const Type& type, const Element& element, long long i) {
+    const std::optional<double> value = body_.number(type);
+    if (!value && body_.word().empty()) {
+      refuse(element, i, "the file ends here");
     }
-    polygons_.emplace_back();
-    for (long long at = 0; at < length; ++at) {
-      const long long corner = need(body_.integer(property.value), property.value, *faces_, i);
-      if (corner < 0 || corner >= vertices_->count) {
-        refuse(*faces_, i, "a corner at vertex ", corner, " of ", vertices_->count);
-      }
-      polygons_.back().push_back(static_cast<std::uint32_t>(corner));
+    if (!value) {
+      refuse(element, i, quoted(body_.word()), " is no ",
+             type.kind == Type::is_floating ? "finite " : "", type.name);
+    }
+    return *value;
+  }
+
+  /// A number that does not affect the shape may be any word.
+  void skip(const Type& type, const Element& element, long long i) {
+    (void)body_.number(type);
+    if (body_.word().empty()) {
+      refuse(element, i, "the file ends here");
     }
   }
 
-  void skip(const PlyElement& element, long long i, const PlyProperty& property) {
-    const long long length =
-        property.length ? need(body_.integer(*property.length), *property.length, element, i) : 1;
-    if (length < 0) {
-      refuse(element, i, "a list of ", length);
+  double coordinate(const Type& type, const Element& element, long long i) {
+    const double value = number(type, element, i);
+    if (!is_coordinate(value)) {
+      refuse(element, i, "no finite number of at most 3.4e38, which a coordinate must be");
     }
-    for (long long at = 0; at < length; ++at) {
-      if (!body_.skip(property.value)) {
-        refuse(element, i, "the file ends here");
-      }
+    return value;
+  }
+
+  std::uint32_t corner(double number, const Element& element, long long i) const {
+    if (number < 0 || number >= static_cast<double>(vertex_count_)) {
+      refuse(element, i, "a corner at vertex ", fixed(number, 0), " of ", vertex_count_);
     }
+    return static_cast<std::uint32_t>(number);
   }
 
   const std::string& file_;
-  PlyHeader header_;
+  Header header_;
   Body body_;
-  const PlyElement* vertices_ = nullptr;
-  const PlyElement* faces_ = nullptr;
-  std::array<std::size_t, 3> axes_{};  ///< the vertices' properties x, y and z
+  long long vertex_count_ = 0;
   std::vector<std::vector<std::uint32_t>> polygons_;
   MeshBuilder builder_;
 };

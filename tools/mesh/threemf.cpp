@@ -1,61 +1,28 @@
-// 3MF: a zip of parts, the model and those that it refers to.
+// 3MF: a zip of parts, of which the model has the meshes and places them. Other parts and
+// extensions may change the geometry: those that do, or may, are refused by their names.
 #include <minizip/unzip.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
-#include <set>
-#include <utility>
 
 #include "mesh/limited_import.hpp"
-#include "mesh/placement.hpp"
-#include "mesh/scene_checks.hpp"
+#include "mesh/mesh_builder.hpp"
 #include "mesh/units.hpp"
+#include "mesh/xml.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
-#include "text/xml_tags.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-constexpr const char* kSpace = "http://schemas.microsoft.com/3dmanufacturing/";
-
-/// What elements may hold.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPartTypes = {
-    {{"object", "mesh"},
-     {"object", "components"},
-     {"object", "metadatagroup"},
-     {"mesh", "vertices"},
-     {"mesh", "triangles"},
-     {"mesh", "trianglesets"},
-     {"vertices", "vertex"},
-     {"components", "component"},
-     {"build", "item"}}};
-
-/// What Cura's metadata say of objects that are no solids.
-constexpr std::array<std::string_view, 4> kCuraKinds = {
-    "cura:anti_overhang_mesh", "cura:cutting_mesh", "cura:infill_mesh", "cura:support_mesh"};
-
+constexpr const char* kModel = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+/// Extensions that change the geometry by nothing that is not refused.
+constexpr std::array<std::string_view, 2> kHarmlessSpaces = {
+    "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"};
 constexpr std::size_t kMostObjectLevels = 64;
-
-/// A part's object, placed: an item of the build, or a component of an object.
-struct Placed {
-  std::string part;
-  std::string id;
-  Placement placement;
-};
-
-struct Object {
-  std::string type;
-  std::vector<Position> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<Placed> components;
-};
-
-std::string without_root(std::string_view part) {
-  return std::string(part.substr(std::min(part.find_first_not_of('/'), part.size())));
-}
 
 class Package {
  public:
@@ -68,28 +35,32 @@ class Package {
   Package& operator=(const Package&) = delete;
   ~Package() { unzClose(zip_); }
 
-  std::string part(const std::string& name) {
+  std::string part(const std::string& name) const {
+    unz_file_info about{};
     std::string bytes;
-    std::array<char, 0x10000> some{};
-    bool is_whole = unzLocateFile(zip_, name.c_str(), 2) == UNZ_OK &&  // 2: in any case of letters
-                    unzOpenCurrentFile(zip_) == UNZ_OK;
-    for (int size = 1; is_whole && size > 0; is_whole = size >= 0) {
-      size = unzReadCurrentFile(zip_, some.data(), some.size());
-      bytes.append(some.data(), static_cast<std::size_t>(std::max(size, 0)));
+    bool is_whole =
+        unzLocateFile(zip_, name.c_str(), 2) == UNZ_OK &&  // 2: in any case of letters
+        unzGetCurrentFileInfo(zip_, &about, nullptr, 0, nullptr, 0, nullptr, 0) == UNZ_OK &&
+        unzOpenCurrentFile(zip_) == UNZ_OK;
+    if (is_whole) {
+      bytes.resize(about.uncompressed_size);
+      const auto size = static_cast<unsigned>(bytes.size());
+      is_whole = unzReadCurrentFile(zip_, bytes.data(), size) == static_cast<int>(size) &&
+                 unzCloseCurrentFile(zip_) == UNZ_OK;  // compares the checksum
     }
-    if (!is_whole || unzCloseCurrentFile(zip_) != UNZ_OK) {  // compares the checksum
+    if (!is_whole) {
       throw UserError(file_, "can't be read: its part ", tool::quoted(name),
                       " is damaged or not there", kImportFix);
     }
     return bytes;
   }
 
-  std::vector<std::string> parts() {
+  std::vector<std::string> parts() const {
     std::vector<std::string> names;
     for (int at = unzGoToFirstFile(zip_); at == UNZ_OK; at = unzGoToNextFile(zip_)) {
       std::array<char, 1024> name{};
-      unz_file_info info{};
-      unzGetCurrentFileInfo(zip_, &info, name.data(), name.size() - 1, nullptr, 0, nullptr, 0);
+      unz_file_info about{};
+      unzGetCurrentFileInfo(zip_, &about, name.data(), name.size() - 1, nullptr, 0, nullptr, 0);
       names.emplace_back(name.data());
     }
     return names;
@@ -102,18 +73,29 @@ class Package {
 
 class Reader {
  public:
-  explicit Reader(const std::string& file)
-      : file_(file), package_(file), builder_(file), points_(file_, builder_) {}
+  explicit Reader(const std::string& file) : file_(file), package_(file), builder_(file) {}
 
   FileMesh read() {
-    refuse_modifiers();
-    root_ = root_part();
-    read_part(root_);
-    for (const Placed& item : items_) {
-      add(item, kIdentity, 0);
+    refuse_projects();
+    const std::string part = model_part();
+    TiXmlDocument document;
+    TiXmlElement& model =
+        xml_root(package_.part(part), concat(file_, ", ", part), "export the mesh again", document);
+    check_model(model);
+    for (TiXmlElement* const resources : elements_in(model, "resources")) {
+      for (TiXmlElement* const object : elements_in(*resources, "object")) {
+        if (!objects_.emplace(attribute(object, "id"), object).second) {
+          refuse("has two objects ", attribute(object, "id"), "; export the mesh again");
+        }
+      }
+    }
+    for (TiXmlElement* const build : elements_in(model, "build")) {
+      for (TiXmlElement* const item : elements_of(*build, {"item"})) {
+        add(*item, kIdentity, 0);
+      }
     }
     FileMesh mesh = builder_.finish();
-    mesh.unit = unit_;
+    mesh.unit = unit_of_3mf(unit_name_of(model));
     return mesh;
   }
 
@@ -123,209 +105,150 @@ class Reader {
     throw UserError(file_, one_line(concat(what...)));
   }
 
-  /// Slicers store volumes that are cut away, or are no part, as meshes, and say so elsewhere.
-  void refuse_modifiers() {
+  /// In settings beside the model, slicers say which meshes are cut away, or are no part.
+  void refuse_projects() const {
     for (const std::string& part : package_.parts()) {
-      if (part.substr(0, 9) != "Metadata/" || part.substr(part.find_last_of('.') + 1) != "config") {
-        continue;
-      }
-      const std::string text = package_.part(part);
-      // No XmlTags: other settings are no XML.
-      for (std::optional<Markup> at = next_markup(text, 0); at; at = next_markup(text, at->end)) {
-        const std::string_view tag = std::string_view(text).substr(at->begin, at->end - at->begin);
-        const XmlTag known = {"", tag.substr(std::min(tag.find(' '), tag.size())), ""};
-        const std::string_view key = known.attribute("key").value_or("");
-        const std::string_view value = known.attribute("value").value_or("");
-        const std::string_view subtype = known.attribute("subtype").value_or("normal_part");
-        if (subtype != "normal_part") {
-          refuse_kind(subtype, part);
-        }
-        if (key == "volume_type" && value != "ModelPart") {
-          refuse_kind(value, part);
-        }
-        if (key == "modifier" && value == "1") {
-          refuse_kind(key, part);
-        }
+      if (part.substr(0, 9) == "Metadata/" && part.substr(part.find_last_of('.') + 1) == "config") {
+        refuse("is a slicer's project, by ", tool::quoted(part), "; export its parts as STL");
       }
     }
   }
 
-  [[noreturn]] void refuse_kind(std::string_view kind, std::string_view where) const {
-    refuse("has a ", tool::quoted(kind), ", by ", tool::quoted(where),
-           ", which is no solid; export the printed parts alone, or as STL");
-  }
-
-  std::string root_part() {
-    const std::string relations = package_.part("_rels/.rels");
-    XmlTags tags(relations, file_);
-    while (const std::optional<XmlTag> tag = tags.next()) {
-      if (tag->attribute("Type") == concat(kSpace, "2013/01/3dmodel")) {
-        return without_root(tag->attribute("Target").value_or(""));
+  std::string model_part() const {
+    TiXmlDocument document;
+    for (const TiXmlElement* const relation : elements_in(
+             xml_root(package_.part("_rels/.rels"), file_, "export the mesh again", document))) {
+      if (attribute(relation, "Type") == kModel) {
+        const std::string part = attribute(relation, "Target");
+        return part.substr(std::min(part.find_first_not_of('/'), part.size()));
       }
     }
     refuse("can't be read: names no part as its model", kImportFix);
   }
 
-  void read_part(const std::string& part) {
-    parts_.insert(part);
-    const std::string text = package_.part(part);
-    XmlTags tags(text, concat(file_, ", ", part));
-    Object* object = nullptr;
-    std::string id;
-    while (const std::optional<XmlTag> tag = tags.next()) {
-      const std::string_view name = local_name(tag->name);
-      const std::string_view parent = tags.parent();
-      if (parent.empty()) {
-        read_model(*tag, part);
-      } else if (name == "metadata") {
-        const std::string_view kind = tag->attribute("name").value_or("");
-        if (tag->text == "True" &&
-            std::find(kCuraKinds.begin(), kCuraKinds.end(), kind) != kCuraKinds.end()) {
-          refuse_kind(kind, part);
-        }
-      } else if (parent == "resources" && name == "object") {
-        id = tag->attribute("id").value_or("");
-        const auto [made, is_new] = objects_.emplace(std::pair(part, id), Object());
-        if (!is_new || tag->attribute(":slicestackid")) {
-          refuse("has ", is_new ? "slices as" : "two objects", " ", id, " in ", part,
-                 "; export it as one mesh an object");
-        }
-        object = &made->second;
-        object->type = tag->attribute("type").value_or("model");
-      } else if (parent == "triangles" && name == "triangle") {
-        add_triangle(*tag, id, *object);
-      } else if (is_read(parent, name)) {
-        read_element(*tag, name, id, part, object);
-      }
-    }
+  static std::string unit_name_of(const TiXmlElement& model) {
+    return model.Attribute("unit") == nullptr ? "millimeter" : attribute(&model, "unit");
   }
 
-  /// False for elements that are no geometry. UserError for geometry that is not read.
-  bool is_read(std::string_view parent, std::string_view name) const {
-    const auto holds = [&](const auto& pair) { return pair.first == parent; };
-    if (std::none_of(kPartTypes.begin(), kPartTypes.end(), holds)) {
-      return false;
+  void check_model(const TiXmlElement& model) const {
+    if (model.ValueStr() != "model") {
+      refuse("begins with <", model.ValueStr(), ">, not with <model>; export the mesh again");
     }
-    if (std::find(kPartTypes.begin(), kPartTypes.end(), std::pair(parent, name)) ==
-        kPartTypes.end()) {
-      refuse("has a <", name, "> in a <", parent, ">, which is not read; export it as triangles");
+    if (unit_of_3mf(unit_name_of(model)) == Unit::none) {
+      refuse("is in ", tool::quoted(unit_name_of(model)), "; export it in millimeter");
     }
-    return true;
-  }
-
-  void read_model(const XmlTag& model, const std::string& part) {
-    const std::string_view name = model.attribute("unit").value_or("millimeter");
-    const Unit unit = unit_of_3mf(name);
-    if (unit == Unit::none || (unit_ != Unit::none && unit_ != unit)) {
-      refuse("is in ", tool::quoted(name), " in ", part,
-             unit_ != Unit::none ? ", but elsewhere in another unit" : "",
-             "; export it in millimeter");
-    }
-    unit_ = unit;
-    for (const std::string_view prefix :
-         words_of(model.attribute("requiredextensions").value_or(""))) {
-      const std::string_view space =
-          model.attribute(concat("xmlns:", std::string(prefix))).value_or("");
-      if (!is_understood(space)) {
+    for (const std::string_view prefix : words_of(attribute(&model, "requiredextensions"))) {
+      const std::string space = attribute(&model, concat("xmlns:", std::string(prefix)).c_str());
+      if (std::find(kHarmlessSpaces.begin(), kHarmlessSpaces.end(), space) ==
+          kHarmlessSpaces.end()) {
         refuse("requires the extension ", tool::quoted(prefix), " (", space,
                "), which is not read; export it without");
       }
     }
   }
 
-  void read_element(const XmlTag& tag, std::string_view name, const std::string& id,
-                    const std::string& part, Object* object) {
-    if (name == "vertex") {
-      object->vertices.push_back(
-          {number(tag, "x", id), number(tag, "y", id), number(tag, "z", id)});
-    } else if (name == "component") {
-      object->components.push_back(placed(tag, part));
-    } else if (name == "item" && part == root_) {
-      items_.push_back(placed(tag, part));
-    }
-  }
-
-  double number(const XmlTag& tag, const char* name, const std::string& object) const {
-    return number_of(tag.attribute(name).value_or(""),
-                     concat(file_, ", object ", tool::quoted(object), ", ", name, " of a vertex"));
-  }
-
-  void add_triangle(const XmlTag& tag, const std::string& id, Object& object) const {
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string_view text = tag.attribute(std::array{"v1", "v2", "v3"}[i]).value_or("");
-      const std::optional<long long> corner = parse_integer(text);
-      if (!corner || *corner < 0 || static_cast<std::uint64_t>(*corner) >= object.vertices.size()) {
-        refuse("object ", tool::quoted(id), ": a corner at vertex ", tool::quoted(text), " of ",
-               object.vertices.size(), "; export the mesh again");
+  /// The elements inside. UserError for one of another name.
+  std::vector<TiXmlElement*> elements_of(TiXmlElement& element,
+                                         const std::vector<std::string>& names) const {
+    std::vector<TiXmlElement*> inside = elements_in(element);
+    for (const TiXmlElement* const e : inside) {
+      if (std::find(names.begin(), names.end(), e->ValueStr()) == names.end()) {
+        refuse("has a <", e->ValueStr(), "> in a <", element.ValueStr(),
+               ">, which is not read; export it as triangles");
       }
-      corners[i] = static_cast<std::uint32_t>(*corner);
     }
-    object.triangles.push_back(corners);
+    return inside;
   }
 
-  Placed placed(const XmlTag& tag, const std::string& part) const {
-    Placed made = {part, std::string(tag.attribute("objectid").value_or("")), kIdentity};
-    if (const auto path = tag.attribute(":path")) {
-      made.part = without_root(*path);
-    }
-    if (const auto transform = tag.attribute("transform")) {
-      std::vector<double> numbers;
-      for (const std::string_view word : words_of(*transform)) {
-        numbers.push_back(number_of(word, file_ + ", transform"));
+  /// UserError for attributes of extensions, but identifiers.
+  void check_attributes(const TiXmlElement& element) const {
+    for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+      const std::string name = a->Name();
+      const std::size_t colon = name.find(':');
+      if (colon != std::string::npos && name.substr(colon) != ":UUID") {
+        refuse("has a ", tool::quoted(name), " in an <", element.ValueStr(),
+               ">, which is not read; export it without");
       }
+    }
+  }
+
+  /// Adds the object that an item or a component refers to.
+  void add(TiXmlElement& reference, const Placement& outer, std::size_t level) {
+    check_attributes(reference);
+    const std::string id = attribute(&reference, "objectid");
+    const auto found = objects_.find(id);
+    if (found == objects_.end() || level > kMostObjectLevels) {
+      refuse("refers to the object ", tool::quoted(id),
+             found == objects_.end() ? ", which is not there" : ", which is in itself",
+             "; export it again");
+    }
+    TiXmlElement& object = *found->second;
+    check_attributes(object);
+    if (const std::string type = attribute(&object, "type"); !type.empty() && type != "model") {
+      refuse("builds the object ", tool::quoted(id), " of type ", tool::quoted(type),
+             ", not 'model'; export it without");
+    }
+    const Placement placement = composed(outer, placement_of(reference));
+    for (TiXmlElement* const inside : elements_of(object, {"mesh", "components"})) {
+      if (inside->ValueStr() == "mesh") {
+        builder_.begin_part(placement);
+        add_mesh(*inside, concat(file_, ", object ", tool::quoted(id)));
+        continue;
+      }
+      for (TiXmlElement* const component : elements_of(*inside, {"component"})) {
+        add(*component, placement, level + 1);
+      }
+    }
+  }
+
+  Placement placement_of(const TiXmlElement& reference) const {
+    Placement placement = kIdentity;
+    if (reference.Attribute("transform") != nullptr) {
+      const std::string text = attribute(&reference, "transform");
+      const std::vector<std::string_view> numbers = words_of(text);
       if (numbers.size() != 12) {
         refuse("has a transform of ", numbers.size(), " numbers, not of 12; export it again");
       }
       for (std::size_t i = 0; i < 12; ++i) {
-        made.placement[i % 3][i / 3] = numbers[i];
+        placement[i % 3][i / 3] = number_of(numbers[i], file_ + ", transform");
       }
     }
-    return made;
+    return placement;
   }
 
-  void add(const Placed& at, const Placement& outer, std::size_t level) {
-    if (parts_.count(at.part) == 0) {
-      read_part(at.part);
-    }
-    const auto found = objects_.find({at.part, at.id});
-    if (found == objects_.end() || level > kMostObjectLevels) {
-      refuse("refers to the object ", tool::quoted(at.id), " of ", at.part,
-             found == objects_.end() ? ", which is not there" : ", which is in itself",
-             "; export it again");
-    }
-    const Object& object = found->second;
-    if (object.type != "model") {
-      refuse("builds the object ", tool::quoted(at.id), " of type ", tool::quoted(object.type),
-             ", not 'model'; export it without");
-    }
-    const Placement placement = composed(outer, at.placement);
-    add_mesh(object, placement);
-    for (const Placed& component : object.components) {
-      add(component, placement, level + 1);
+  /// `object`: a place for messages.
+  void add_mesh(TiXmlElement& mesh, const std::string& object) {
+    for (TiXmlElement* const part : elements_of(mesh, {"vertices", "triangles"})) {
+      const bool has_vertices = part->ValueStr() == "vertices";
+      for (const TiXmlElement* const e :
+           elements_of(*part, {has_vertices ? "vertex" : "triangle"})) {
+        if (has_vertices) {
+          builder_.add_point({number_of(attribute(e, "x"), object + ", x of a vertex"),
+                              number_of(attribute(e, "y"), object + ", y of a vertex"),
+                              number_of(attribute(e, "z"), object + ", z of a vertex")});
+        } else {
+          builder_.add_polygon({corner(attribute(e, "v1"), object),
+                                corner(attribute(e, "v2"), object),
+                                corner(attribute(e, "v3"), object)});
+        }
+      }
     }
   }
 
-  void add_mesh(const Object& object, const Placement& placement) {
-    const auto first = static_cast<std::uint32_t>(builder_.point_count());
-    for (const Position& vertex : object.vertices) {
-      points_.add(vertex, placement);
+  std::uint32_t corner(const std::string& text, const std::string& object) const {
+    const auto count = static_cast<long long>(builder_.point_count());
+    const long long number = parse_integer(text).value_or(-1);
+    if (number < 0 || number >= count) {
+      throw UserError(object, "a corner at vertex ", tool::quoted(text), " of ", count,
+                      "; export the mesh again");
     }
-    const bool mirrored = is_mirrored(placement);
-    for (const auto& [a, b, c] : object.triangles) {
-      builder_.add_polygon({first + a, first + (mirrored ? c : b), first + (mirrored ? b : c)});
-    }
+    return static_cast<std::uint32_t>(number);
   }
 
   const std::string& file_;
   Package package_;
-  std::string root_;
-  Unit unit_ = Unit::none;
-  std::set<std::string> parts_;
-  std::map<std::pair<std::string, std::string>, Object> objects_;  ///< by part and id
-  std::vector<Placed> items_;
+  std::map<std::string, TiXmlElement*> objects_;  ///< by id
   MeshBuilder builder_;
-  PlacedPoints points_;
 };
 
 }  // namespace

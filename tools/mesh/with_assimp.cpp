@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "mesh/mesh_builder.hpp"
-#include "mesh/placement.hpp"
 #include "mesh/scene_checks.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
@@ -41,12 +40,12 @@ double half_ulp(double size) {
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, const std::string& file)
-      : scene_(scene), file_(file), builder_(file), points_(file, builder_) {}
+      : scene_(scene), file_(file), builder_(file) {}
 
   FileMesh read() {
     add(*scene_.mRootNode, kIdentity);
     FileMesh mesh = builder_.finish();
-    mesh.precision = half_ulp(points_.largest());
+    mesh.precision = half_ulp(builder_.largest());
     return mesh;
   }
 
@@ -62,30 +61,23 @@ class SceneReader {
   }
 
   void add(const aiMesh& mesh, const Placement& placement) {
-    const auto first = static_cast<std::uint32_t>(builder_.point_count());
+    builder_.begin_part(placement);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       const aiVector3D& at = mesh.mVertices[i];
-      points_.add({static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)},
-                  placement);
+      builder_.add_point(
+          {static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)});
     }
-    const bool mirrored = is_mirrored(placement);
-    std::vector<std::uint32_t> corners;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace& face = mesh.mFaces[i];
-      if (face.mNumIndices < 3) {
+      const std::vector<std::uint32_t> corners(face.mIndices, face.mIndices + face.mNumIndices);
+      if (corners.size() < 3) {
         builder_.leave_out();
         continue;
       }
-      corners.clear();
-      for (unsigned j = 0; j < face.mNumIndices; ++j) {
-        if (face.mIndices[j] >= mesh.mNumVertices) {
-          throw UserError(file_, "a corner at vertex ", face.mIndices[j], " of ", mesh.mNumVertices,
-                          "; export the mesh again");
-        }
-        corners.push_back(first + face.mIndices[j]);
-      }
-      if (mirrored) {
-        std::reverse(corners.begin() + 1, corners.end());
+      if (const auto last = *std::max_element(corners.begin(), corners.end());
+          last >= mesh.mNumVertices) {
+        throw UserError(file_, "a corner at vertex ", last, " of ", mesh.mNumVertices,
+                        "; export the mesh again");
       }
       builder_.add_polygon(corners);
     }
@@ -94,7 +86,6 @@ class SceneReader {
   const aiScene& scene_;
   const std::string& file_;
   MeshBuilder builder_;
-  PlacedPoints points_;
 };
 
 /// Opens regular files alone: a file may refer to a device or a pipe without end.
@@ -127,23 +118,20 @@ FileMesh read_scene(const std::string& file) {
 
 FileMesh read_checked(std::string_view bytes, const std::string& file) {
   const std::string kind = lower_case(std::filesystem::path(file).extension().string());
-  FileMesh mesh;
-  if (kind == ".gltf" || kind == ".glb") {
-    const GltfContents contents = check_gltf(bytes, file);
-    mesh = read_scene(file);
-    if (mesh.mesh.triangles.size() != contents.triangles) {
-      throw UserError(file, "has ", contents.triangles, " triangles, of which assimp reads ",
-                      mesh.mesh.triangles.size(),
-                      ": others have corners at no vertex; export the mesh again");
-    }
-    mesh.warnings.insert(mesh.warnings.end(), contents.warnings.begin(), contents.warnings.end());
-  } else {
+  if (kind != ".gltf" && kind != ".glb") {
     if (kind == ".dae") {
       check_collada(bytes, file);
     }
-    mesh = read_scene(file);
+    return read_scene(file);
   }
-  mesh.unit = Unit::m;  // assimp applies the unit of a DAE
+  const GltfContents contents = check_gltf(bytes, file);
+  FileMesh mesh = read_scene(file);
+  if (mesh.mesh.triangles.size() != contents.triangles) {
+    throw UserError(file, "has ", contents.triangles, " triangles, of which assimp reads ",
+                    mesh.mesh.triangles.size(),
+                    ": others have corners at no vertex; export the mesh again");
+  }
+  mesh.warnings.insert(mesh.warnings.end(), contents.warnings.begin(), contents.warnings.end());
   return mesh;
 }
 
@@ -156,7 +144,9 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw UserError(file, "is a pipe, from which this format can't be read; name a file");
   }
-  return read_checked(bytes, file);
+  FileMesh mesh = read_checked(bytes, file);
+  mesh.unit = Unit::m;  // assimp applies the unit of a DAE
+  return mesh;
 }
 
 }  // namespace flashbvh::tool

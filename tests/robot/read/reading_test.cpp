@@ -2,7 +2,7 @@
 #include <clocale>
 #include <locale>
 
-#include "mesh/zip.hpp"
+#include "mesh/package.hpp"
 #include "support/arms/robot_files.hpp"
 #include "support/test.hpp"
 
@@ -203,13 +203,12 @@ TEST_CASE("Collada: units and nodes count, the up axis does not") {
 
 TEST_CASE("the unit that a 3MF carries is converted to metres") {
   RobotFiles files;
-  files.write("t.3mf",
-              package_of("<model unit=\"inch\"><resources><object id=\"1\"><mesh><vertices>"
-                         "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"10\" y=\"0\" z=\"0\"/>"
-                         "<vertex x=\"0\" y=\"10\" z=\"0\"/></vertices><triangles><triangle "
-                         "v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources>"
-                         "<build><item objectid=\"1\"/></build></model>",
-                         {}));
+  write_3mf(files.path("t.3mf"),
+            "<model unit=\"inch\"><resources><object id=\"1\"><mesh><vertices>"
+            "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"10\" y=\"0\" z=\"0\"/>"
+            "<vertex x=\"0\" y=\"10\" z=\"0\"/></vertices><triangles><triangle "
+            "v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources>"
+            "<build><item objectid=\"1\"/></build></model>");
   const tool::Model model = files.read(link_text("a", mesh("t.3mf", "2 2 2")));
   CHECK(model.links[0].mesh.vertices[1] == std::array<double, 3>{0.508, 0, 0});
 }
