@@ -33,8 +33,8 @@ test_packages="clang lld libclang-rt-14-dev libgmp-dev ccache"
 # The boards need C++ headers, not the library; the RISC-V compiler has none and uses those of Arm.
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm"
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"
-# Stacks, code and bounds from machine code.
-measure_packages="python3-pyelftools"
+# Stacks, code and bounds from machine code; conditions that a test has seen.
+measure_packages="python3-pyelftools llvm"
 style_packages="clang-format clang-tidy doxygen"
 # Compiles 32-bit programs that run on this machine, for the digest that all compilers must produce.
 digest_packages="g++-i686-linux-gnu"

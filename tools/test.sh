@@ -1,8 +1,8 @@
 #!/bin/sh
-# test.sh          The library and the program on this machine, with sanitizers; answers on a Cortex-M4F, a Cortex-M0
-#                  and an RV32IMAC under QEMU.
-# test.sh --all    Also style, lint, long tests, the Python package, all boards of ports/cores.json, WebAssembly; figures,
-#                  stacks and bounds of a Cortex-M4F and a Cortex-M0.
+# test.sh          The library and the program on this machine; answers on a Cortex-M4F, a Cortex-M0 and an RV32IMAC
+#                  under QEMU.
+# test.sh --all    With sanitizers. Also style, lint, long tests, the Python package, all boards of ports/cores.json,
+#                  WebAssembly; figures, stacks and bounds of a Cortex-M4F and a Cortex-M0.
 #
 # Steps (tools/test_step.sh) run side by side; build/log has what each prints. Installs what is missing.
 set -eu

@@ -1,6 +1,6 @@
 #!/bin/sh
 # test_step.sh STEP    One step of tools/test.sh:
-#   native       the library and the program on this machine, with sanitizers; what later steps need
+#   native       the library and the program on this machine; with --all with sanitizers, and what later steps need
 #   long         the tests that damage meshes and images in many ways, or compile projects of their own
 #   python       the Python package, and one hash of queries and guard periods in it and in C++
 #   style        formatting, the order of the library's rooms, generated presets, budgets of lines
@@ -36,9 +36,11 @@ board() {
 run() {
   case $1 in
     native)
-      cmake --preset $native -DFLASHBVH_KR5_FIGURES=
-      cmake --build --preset $native
-      ctest --preset $native -LE long -j "$(nproc)"
+      preset=$native
+      [ -n "${FLASHBVH_TEST_ALL:-}" ] || preset=dev
+      cmake --preset $preset -DFLASHBVH_KR5_FIGURES=
+      cmake --build build/$preset
+      ctest --test-dir build/$preset --output-on-failure --no-tests=error -LE long -j "$(nproc)"
       [ -z "${FLASHBVH_TEST_ALL:-}" ] || FLASHBVH_NATIVE=$native tools/figures.sh --prepare ;;
     long) ctest --preset $native -L long ;;
     python)

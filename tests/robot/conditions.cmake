@@ -15,4 +15,4 @@ set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT LLVM_PROFILE_FILE=${profil
 set(name "${FLASHBVH_TEST_PREFIX}/guard_test: conditions")
 add_test(NAME ${name} COMMAND python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/conditions.py
   $<TARGET_FILE:guard_test> ${profile} ${CMAKE_CURRENT_SOURCE_DIR}/conditions.txt)
-set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED guard_profile)
+set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED guard_profile LABELS long)
