@@ -1,5 +1,7 @@
 // Arguments that do not compile: temporary meshes and poses, and numbers where a length is due.
+#include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/deformable.hpp"
