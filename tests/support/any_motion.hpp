@@ -1,5 +1,5 @@
 // Motions of every kind: chains of moves about near and far axes, whole and multiple turns, screws,
-// and motions between two poses.
+// translations, and motions between two poses.
 #pragma once
 
 #include <cmath>
@@ -80,6 +80,12 @@ inline Pose any_end(Random& random, const MotionScene& scene) {
 /// A motion at some moment of which two corners meet, or nearly so.
 inline AnyMotion any_motion(Random& random, const MotionScene& scene) {
   AnyMotion any;
+  if (random.below(4) == 0) {
+    const BodyMotion straight = any_translation(random, scene).motion();
+    any.from = straight.from();
+    any.to = straight.to();
+    return any;
+  }
   any.from = any_end(random, scene);
   any.to = any_end(random, scene);
   const uint32_t kind = random.below(6);
@@ -103,5 +109,27 @@ inline AnyMotion any_motion(Random& random, const MotionScene& scene) {
       {static_cast<int32_t>(off[0]), static_cast<int32_t>(off[1]), static_cast<int32_t>(off[2])}));
   return any;
 }
+
+/// Two bodies, a motion, and the distance that they keep.
+struct Encounter {
+  explicit Encounter(Random& random)
+      : scene(MotionScene::any(random)),
+        any(any_motion(random, scene)),
+        motion(any.motion()),
+        a(scene.a.baked.view()),
+        b(scene.b.baked.view()),
+        within(random.below(2) * random.below(3000)) {}
+  Encounter(const Encounter&) = delete;
+
+  FirstContact query() const { return {a, b, motion, {within}}; }
+  bool is_in_range() const { return query().status() == Status::suspended; }
+
+  MotionScene scene;
+  AnyMotion any;
+  BodyMotion motion;
+  Mesh a;
+  Mesh b;
+  std::uint32_t within;
+};
 
 }  // namespace flashbvh::test

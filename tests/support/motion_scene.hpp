@@ -106,23 +106,15 @@ struct Translation {
 
 /// A step of a translation: along an edge, along an axis, none, or any.
 inline Point any_step(Random& random, const MotionScene& scene) {
-  Point step = any_point(random, scene.size);
-  switch (random.below(6)) {
-    case 0:
-    case 1: {
-      const Body& of = random.below(2) == 0 ? scene.a : scene.b;
-      const Point corner = of.any_corner(random);
-      return sum(corner, scaled(-1, of.any_corner(random)));
-    }
-    case 2:
-      step.*kPointAxes[random.below(3)] = 0;
-      step.*kPointAxes[random.below(3)] = 0;
-      return step;
-    case 3:
-      return random.below(4) == 0 ? Point{0, 0, 0} : step;
-    default:
-      return step;
-  }
+  const Body& of = random.below(2) == 0 ? scene.a : scene.b;
+  const Point corner = of.any_corner(random);
+  const Point edge = sum(corner, scaled(-1, of.any_corner(random)));
+  const Point step = any_point(random, scene.size);
+  Point along = {0, 0, 0};
+  along.*kPointAxes[random.below(3)] = step.x;
+  const Point rest = random.below(4) == 0 ? Point{0, 0, 0} : step;
+  const Point steps[] = {edge, edge, along, rest, step, step};
+  return random.one_of(steps);
 }
 
 /// Two corners meet, or nearly so, after `after` of `count` steps: 0 to `count` + 1.
