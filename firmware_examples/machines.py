@@ -1,13 +1,10 @@
-"""machines.py SHAPE: prints a body of a machine of the examples in OBJ, in millimetres.
+"""machines.py SHAPE: prints a body of the toolhead example in OBJ, in millimetres.
 
     head gantry             of a printer, from the nozzle's tip on: what goes with it
     clamp vase wheel arch   on its bed, from the middle of their foot on
-    tube weights            of an equatorial mount, from where its axes meet on: the polar axis is z, the
-                            declination axis x, the tube points along z
-    tripod                  under it, in the same frame, at a latitude of 48 degrees
 """
 import sys
-from math import copysign, cos, pi, radians, sin
+from math import copysign, cos, pi, sin
 
 from meshes import Mesh
 
@@ -99,37 +96,8 @@ def arch(mesh):
     bent(mesh, (0, 0, 0), 28, steps(pi, 0, 44), [(5, 5)] * 45, around=32)
 
 
-def tube(mesh):
-    """The tube, across the declination axis, 240 mm from the polar axis."""
-    for profile in ([(z, 105, 105) for z in steps(-420, 520, 24)], [(z, 118, 118) for z in steps(490, 620, 4)],
-                    [(z, 40, 40) for z in steps(-520, -410, 4)],  # the focuser
-                    [(z, 45, 45) for z in steps(-640, -515, 4)]):  # the camera
-        upright(mesh, profile, (240, 0))
-    skin(mesh, [ring((x, 0, 0), (0, 45, 0), (0, 0, 45), 32) for x in steps(75, 150, 4)])  # the saddle
-
-
-def weights(mesh):
-    """The weights at the other end of the declination axis; they turn with the polar axis."""
-    for begin, end, radius in (-330, -60, 12), (-320, -230, 65):
-        skin(mesh, [ring((x, 0, 0), (0, radius, 0), (0, 0, radius), 40) for x in steps(begin, end, 8)])
-
-
-def tripod(mesh):
-    def placed(points):
-        c, s = cos(radians(48)), sin(radians(48))
-        return [(c * up - s * north, east, s * up + c * north) for east, north, up in points]
-
-    # The pier under the polar axis, and three legs; one points north.
-    skin(mesh, [placed(ring((0, 0, up), (60, 0, 0), (0, 60, 0))) for up in steps(-300, -110, 8)])
-    for turn in 90, 210, 330:
-        out = cos(radians(turn)), sin(radians(turn))
-        legs = [(60 + 500 * i / 24, -190 - 780 * i / 24) for i in range(25)]
-        skin(mesh, [placed(ring((r * out[0], r * out[1], up), (-28 * out[1], 28 * out[0], 0),
-                                (-24 * out[0], -24 * out[1], -14), 32)) for r, up in reversed(legs)])
-
-
 def main():
-    shapes = {shape.__name__: shape for shape in (head, gantry, clamp, vase, wheel, arch, tube, weights, tripod)}
+    shapes = {shape.__name__: shape for shape in (head, gantry, clamp, vase, wheel, arch)}
     if len(sys.argv) != 2 or sys.argv[1] not in shapes:
         sys.exit(__doc__)
     mesh = Mesh()

@@ -1,17 +1,12 @@
 """meshes.py SHAPE [SIZE...]: prints a mesh of the examples and of the figures in OBJ.
 
     torus AROUND ACROSS RING TUBE           about the z axis, 2 * AROUND * ACROSS triangles, on whole numbers
-    box X Y Z                               about the origin, its sides twice these
     sheet COLUMNS ROWS PITCH LEAN HEIGHT    square meshes, 2 * COLUMNS * ROWS triangles, diagonals that
                                             alternate; stands on one edge along y, HEIGHT above the origin,
                                             each column LEAN further along x
-    link AROUND RINGS PARTS RADIUS TUBE     along y: two half balls of RINGS rings, between them a tube in
-                                            PARTS
     room                                    5 x 4 x 2.5 m with a pillar, a table and shelves, in millimetres
     lump PARTS RADIUS                       a ball with bumps, 12 * PARTS^2 triangles, all well shaped
-    limb AROUND PARTS RADIUS LENGTH         a bent bone, 2 * AROUND * (PARTS - 1) triangles
     gear TEETH RINGS RADIUS                 a spur gear with a bore, of well-shaped triangles
-    turned AROUND RADIUS LENGTH             a part from a lathe, 18 * AROUND triangles, slivers all
 """
 import sys
 from math import copysign, cos, pi, sin, sqrt
@@ -59,13 +54,6 @@ def torus(mesh, around, across, ring, tube):
         mesh.quad(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1))
 
 
-def box(mesh, x, y, z):
-    for i in range(8):
-        mesh.corner(x if i & 1 else -x, y if i & 2 else -y, z if i & 4 else -z)
-    for side in (1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6):
-        mesh.quad(*side)
-
-
 def sheet(mesh, columns, rows, pitch, lean, height):
     up = sqrt(pitch * pitch - lean * lean)
     for j in range(rows + 1):
@@ -80,35 +68,6 @@ def sheet(mesh, columns, rows, pitch, lean, height):
                 mesh.face(a + 1, c + 1, c)
             else:
                 mesh.quad(a, a + 1, c + 1, c)
-
-
-def link(mesh, around, rings, parts, radius, tube):
-    def ring(y, r):
-        for i in range(around):
-            turn = 2 * pi * i / around
-            mesh.corner(*(nearest(100 * x) / 100 for x in (r * sin(turn), y, r * cos(turn))))
-
-    def half_ball(middle, side, order):
-        for i in order:
-            turn = pi / 2 * i / rings
-            ring(middle + side * radius * cos(turn), radius * sin(turn))
-
-    def corner(row, i):
-        return row * around + i % around + 2
-
-    mesh.corner(0, -tube / 2 - radius, 0)
-    half_ball(-tube / 2, -1, range(1, rings + 1))
-    for i in range(1, parts):
-        ring(tube * (i / parts - 0.5), radius)
-    half_ball(tube / 2, 1, range(rings, 0, -1))
-    last = mesh.corner(0, tube / 2 + radius, 0)
-    rows = 2 * rings + parts - 1
-    for i in range(around):
-        mesh.face(1, corner(0, i + 1), corner(0, i))
-        mesh.face(last, corner(rows - 1, i), corner(rows - 1, i + 1))
-        for j in range(rows - 1):
-            mesh.face(corner(j, i), corner(j + 1, i + 1), corner(j + 1, i))
-            mesh.face(corner(j, i), corner(j, i + 1), corner(j + 1, i + 1))
 
 
 def room(mesh):
@@ -176,34 +135,6 @@ def lump(mesh, parts, radius):
                     mesh.quad(*(square if (side != 0) == (axis != 1) else reversed(square)))
 
 
-def rounds(mesh, around, middles, radii, bend):
-    """Rings about points on the y axis, bent along x, with a corner at each end."""
-    first = mesh.corner(nearest(bend(middles[0])), nearest(middles[0]), 0)
-    for y, radius in zip(middles[1:-1], radii[1:-1]):
-        for i in range(around):
-            turn = 2 * pi * i / around
-            mesh.corner(nearest(bend(y) + radius * sin(turn)), nearest(y), nearest(radius * cos(turn)))
-    last = mesh.corner(nearest(bend(middles[-1])), nearest(middles[-1]), 0)
-    rows = len(middles) - 2
-
-    def corner(row, i):
-        return first + 1 + row * around + i % around
-
-    for i in range(around):
-        mesh.face(first, corner(0, i + 1), corner(0, i))
-        mesh.face(last, corner(rows - 1, i), corner(rows - 1, i + 1))
-        for j in range(rows - 1):
-            mesh.quad(corner(j, i), corner(j, i + 1), corner(j + 1, i + 1), corner(j + 1, i))
-
-
-def limb(mesh, around, parts, radius, length):
-    places = [i / parts for i in range(parts + 1)]
-    # The ends are round and thick, the middle is thin.
-    radii = [radius * sqrt(max(0, sin(pi * at))) * (0.65 + 0.35 * cos(4 * pi * at)) for at in places]
-    rounds(mesh, around, [length * (at - 0.5) for at in places], radii,
-           lambda y: radius * (2 * y / length) ** 2)
-
-
 def gear(mesh, teeth, rings, radius):
     """Both faces have rings from the bore to the teeth; the rims are as high as four rings are wide."""
     around, bore, height = 4 * teeth, 0.45 * radius, 0.3 * radius
@@ -231,16 +162,8 @@ def gear(mesh, teeth, rings, radius):
         mesh.band(walls[1][layer], walls[1][layer + 1])
 
 
-def turned(mesh, around, radius, length):
-    profile = [(0, 0), (0, 0.5), (0.1, 0.5), (0.12, 0.3), (0.55, 0.3), (0.55, 1), (0.62, 1), (0.66, 0.4),
-               (0.95, 0.35), (1, 0.3), (1, 0)]
-    rounds(mesh, around, [length * (at - 0.5) for at, _ in profile], [radius * r for _, r in profile],
-           lambda y: 0)
-
-
 def main():
-    shapes = {"torus": (torus, 4), "box": (box, 3), "sheet": (sheet, 5), "link": (link, 5), "room": (room, 0),
-              "lump": (lump, 2), "limb": (limb, 4), "gear": (gear, 3), "turned": (turned, 3)}
+    shapes = {"torus": (torus, 4), "sheet": (sheet, 5), "room": (room, 0), "lump": (lump, 2), "gear": (gear, 3)}
     shape, sizes = shapes.get(sys.argv[1] if len(sys.argv) > 1 else "", (None, 0))
     if not shape or len(sys.argv) != 2 + sizes:
         sys.exit(__doc__)

@@ -142,7 +142,7 @@ class Scene {
       const double unit = unit_of_coordinate(joints_[i]->type, cell_);
       const double part = joints_[i]->type == JointType::prismatic ? 0.2 : 1;
       const double way = real_between(random_, -kReach, kReach) * part / unit;
-      to.values[i] = kept(i, place.values[i] + way);
+      to.values[i] = random_.below(2) == 0 ? place.values[i] : kept(i, place.values[i] + way);
       const double moved = std::abs(double(to.values[i]) - place.values[i]);
       periods = std::max(periods, moved * unit / (turn_ * part) * 1.5);
     }
@@ -340,7 +340,7 @@ void print(const std::string& name, const AllCounts& counts) {
 /// Guards a robot, or random arms if there is none.
 void check(const std::string& name, const Robot* robot) {
   const char* const robots = setting("FLASHBVH_ROBOTS");
-  const long periods = number_in("FLASHBVH_PERIODS", rounds(2000L, 20'000L));
+  const long periods = number_in("FLASHBVH_PERIODS", rounds(4000L, 40'000L));
   Random random = test_random();
   AllCounts counts{};
   for (int seeds = 0; counts[0].periods < periods; ++seeds) {

@@ -25,10 +25,9 @@ struct Pairwise {
 
 /// The distances of all pairs of triangles, by slot in A, then in B.
 inline std::vector<Pairwise> all_distances(const Mesh& a, const Mesh& b, const Pose& pose) {
-  const detail::Transform transform = transform_of_any(pose, a, b);
   std::vector<Pairwise> all;
   for_all_pairs(
-      a, b, transform,
+      a, b, pose,
       [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
         detail::Fraction squared = detail::kInfinite;
         detail::Features features{};

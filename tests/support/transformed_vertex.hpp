@@ -3,7 +3,6 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/bounds/transform.hpp"
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/lattice.hpp"
@@ -81,28 +80,14 @@ inline uint32_t lower_of(const detail::Fraction& squared) {
       detail::square_root(detail::quotient(detail::shifted_up(squared.above, 16), squared.below)));
 }
 
-/// The transform by which distance queries place B.
-template <class Mesh>
-detail::Transform transform_of_any(const Pose& pose, const Mesh& a, const Mesh& b) {
-  detail::Transform transform(pose, a, b, /*may_stop=*/false);
-  if (!transform.is_near()) {
-    transform.place_far(pose, a.origin, b.origin);
-  }
-  return transform;
-}
-
-/// Calls visit(slot_a, slot_b, of_a, of_b) for each pair of triangles; the library's transform
-/// gives the coordinates, in A's lattice.
+/// Calls visit(slot_a, slot_b, of_a, of_b) for each pair of triangles, in A's frame.
 template <class Mesh, class Visit>
-void for_all_pairs(const Mesh& a, const Mesh& b, const detail::Transform& transform,
-                   const Visit& visit) {
+void for_all_pairs(const Mesh& a, const Mesh& b, const Pose& pose, const Visit& visit) {
+  const Pose here = Pose::translated(0, 0, 0);
   for (uint32_t i = 0; i < a.triangle_count; ++i) {
-    Triangle of_a;
-    detail::translate_triangle(a, i, detail::kNoOffset, of_a);
+    const Triangle of_a = transformed(a, i, here);
     for (uint32_t j = 0; j < b.triangle_count; ++j) {
-      Triangle of_b;
-      detail::transform_any_triangle(b, j, transform, of_b);
-      visit(i, j, of_a, of_b);
+      visit(i, j, of_a, transformed(b, j, pose));
     }
   }
 }
