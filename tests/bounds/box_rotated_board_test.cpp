@@ -1,7 +1,6 @@
-// Boxes under a rotation: each form against the definition in 64-bit integers.
+// Boxes under a rotation against the definition in 64-bit integers.
 #include <stdint.h>
 
-#include "arch/plain/sums.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "support/points.hpp"
 #include "support/rotations.hpp"
@@ -50,13 +49,6 @@ PackedBox rotated_box(const SplitMatrix& matrix, const BoxTestStart* starts, con
           join_halves(z.upper, z.lower)};
 }
 
-PackedBox rotated_without_zeros(const SplitMatrix& matrix, const BoxTestStart* starts,
-                                const PackedBox& box) {
-  PackedBox rotated{};
-  rotate_plain(matrix, starts, box, rotated);
-  return rotated;
-}
-
 bool overlap(const PackedBox& a, const PackedBox& b) {
   return test::overlap(unpack(a), unpack(b));
 }
@@ -78,10 +70,6 @@ PackedBox box_beside(Random& random, const PackedBox& box) {
   return pack(beside);
 }
 
-bool reaches(const PackedBox& box, const PackedTriple& window) {
-  return halves_reach({{box.upper_xy, box.lower_xy, box.z}}, window);
-}
-
 /// A random pose with a rotation, and its transform for the largest meshes, at any distance.
 struct AnyRotation {
   Pose pose = Pose::translated(0, 0, 0);
@@ -99,49 +87,6 @@ struct AnyRotation {
 };
 
 }  // namespace
-
-TEST_CASE("a box rotated without the products that are zero is the rotated box") {
-  for_rounds(2000, [&](Random& random, int) {
-    const AnyRotation rotation(random);
-    for (int i = 0; i < 10; ++i) {
-      CAPTURE(i);
-      const PackedBox box = pack(any_box(random));
-      REQUIRE(same(rotated_without_zeros(rotation.pose.matrix().rows, rotation.transform.on_a, box),
-                   rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, box)));
-      REQUIRE(same(rotated_without_zeros(rotation.transform.columns, rotation.transform.on_b, box),
-                   rotated_box(rotation.transform.columns, rotation.transform.on_b, box)));
-    }
-  });
-}
-
-TEST_CASE("boxes reach a window exactly when they overlap the rotated box that it is of") {
-  int overlaps = 0;
-  int gaps = 0;
-  for_rounds(1000, 2, [&](Random& random, int) {
-    const AnyRotation rotation(random);
-    const PackedBox any = pack(any_box(random));
-    const PackedBox of_a = rotated_box(rotation.transform.columns, rotation.transform.on_b, any);
-    const PackedBox of_b = rotated_box(rotation.pose.matrix().rows, rotation.transform.on_a, any);
-    const BoxInNode kept = in_node(random, unpack(any));
-    const BoxInNode other = in_node(random, any_box(random));
-    RotatedBoxTest bound(rotation.transform);
-    // A box that is not kept has a window that every box reaches.
-    CHECK(reaches(other.box, bound.window_of_a(kept.box)));
-    CHECK(reaches(other.box, bound.window_of_b(kept.box)));
-    bound.keep_a(kept.box);
-    bound.keep_b(kept.box);
-    for (int i = 0; i < 20; ++i) {
-      const bool a = i % 2 == 0;
-      const PackedBox box = box_beside(random, a ? of_a : of_b);
-      const bool expected = overlap(box, a ? of_a : of_b);
-      REQUIRE(reaches(box, a ? bound.window_of_a(kept.box) : bound.window_of_b(kept.box)) ==
-              expected);
-      ++(expected ? overlaps : gaps);
-    }
-  });
-  CHECK(overlaps > 1000);
-  CHECK(gaps > 1000);
-}
 
 TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, whatever was kept") {
   int overlaps = 0;

@@ -1,7 +1,7 @@
-// A program's measurements, by name: gathered over all its calls, and printed for figures.py.
+// A program's measurements, printed for figures.py, which sums up those of one name.
 //     core Cortex-M4F
-//     figure kr5.rotated.close.query.mean 52422    instructions, which depend on the core
-//     count kr5.rotated.close.visits.max 708       equal on every core and on this machine
+//     figure kr5.rotated.close.query 52422    instructions, which depend on the core
+//     count kr5.rotated.close.visits 708      equal on every core and on this machine
 // The host counts no instructions and prints only counts.
 #pragma once
 
@@ -17,9 +17,9 @@ struct Name {
   const char* word[5];
 };
 
-/// Adds a value; the mean and maximum are printed, or the value alone if it is added once.
+/// Prints a value.
 void add_figure(const Name& name, uint32_t value);
-/// Adds a count, also to the digest.
+/// Prints a count, and adds it to the digest.
 void add_count(const Name& name, uint32_t value);
 
 /// Hashes the counts of a part into one number.
@@ -30,12 +30,10 @@ inline void add_to_digest(const flashbvh::QueryStats& counts) {
   add_to_digest(counts.triangle_pairs);
 }
 
-/// Adds a figure, the instructions of `function()`, and returns it.
+/// Prints a figure, the instructions of `function()`.
 template <class Function>
-uint32_t measure(const Name& name, const Function& function) {
-  const uint32_t instructions = port::instructions_of(function);
-  add_figure(name, instructions);
-  return instructions;
+void measure(const Name& name, const Function& function) {
+  add_figure(name, port::instructions_of(function));
 }
 
 /// The parts of the program: each adds its figures, and returns whether its answers are right.

@@ -1,7 +1,7 @@
 """figures.py COMMAND: what calls cost on the measured cores.
 
-    run OUTPUT PROGRAM...   runs the measuring programs, by the command in RUN if they are firmware, and writes their
-                            output to OUTPUT. Fails if a program does
+    run OUTPUT PROGRAM...   runs the measuring programs, by the command in RUN if they are firmware, and writes the sums
+                            of their output to OUTPUT. Fails if a program does
     check OUTPUT...         compares those OUTPUTs of programs that exist with budgets.csv; lists figures that differ by
                             more than 2 %, either way, and counts that differ at all, and fails if there are any
     write OUTPUT...         writes the figures of OUTPUTs that have a row into budgets.csv, and the page
@@ -26,6 +26,7 @@ BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
 PAGE = BUDGETS.parents[2] / "lib/docs/figures.md"
 SLACK = 2  # percent
 ALL = "all"  # the column of counts
+MANY = 10000  # values with a thousandth
 
 
 class Refused(Exception):
@@ -38,11 +39,30 @@ def run(output, *programs):
     for program in programs:
         done = subprocess.run([*os.environ.get("RUN", "").split(), program], stdout=subprocess.PIPE, text=True,
                               errors="replace", env={"FLASHBVH_TIMEOUT": "600", **os.environ})
-        print(done.stdout, end="", flush=True)
+        texts.append(summary(done.stdout))
+        print(texts[-1], end="", flush=True)
         if done.returncode:
             raise Refused(f"{program} ended with status {done.returncode}")
-        texts.append(done.stdout)
     Path(output).write_text("".join(texts))
+
+
+def summary(text):
+    """A program's output with the values of each name summed up: mean, maximum, and of many values the one that a
+    thousandth of them exceed."""
+    lines, values = [], {}
+    for line in text.splitlines():
+        match line.split():
+            case ["figure" | "count" as kind, name, value] if value.isdecimal():
+                values.setdefault((kind, name), []).append(int(value))
+            case _:
+                lines.append(line)
+    for (kind, name), all_values in values.items():
+        count = len(all_values)
+        sums = {".mean": (2 * sum(all_values) + count) // (2 * count), ".max": max(all_values)}
+        if count >= MANY:
+            sums[".thousandth"] = sorted(all_values)[-(count // 1000) - 1]
+        lines += [f"{kind} {name}{word} {value}" for word, value in (sums if count > 1 else {"": all_values[0]}).items()]
+    return "".join(f"{line}\n" for line in lines)
 
 
 def lines_in(texts):

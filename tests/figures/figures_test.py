@@ -1,7 +1,7 @@
 """Accepted and refused figures, rewritten budgets, and a page's tables, for invented figures."""
 import unittest
 
-from figures import Budgets, Refused, measured_in
+from figures import Budgets, Refused, measured_in, summary
 
 BUDGETS = "figure,all,M4,M5\nset.visits,1000,,\nset.query,,1000,\nstack.query.graph,,252,260\n"
 
@@ -31,6 +31,12 @@ class FiguresTest(unittest.TestCase):
         for lines in "count a 1\ncount a 2\n", "figure a none\n":
             with self.assertRaises(Refused):
                 measured_in([lines])
+
+    def test_sums(self):
+        self.assertEqual(summary("core M4\nfigure a 3\nfigure b 7\nfigure a 10\nhello\n"),
+                         "core M4\nhello\nfigure a.mean 7\nfigure a.max 10\nfigure b 7\n")
+        many = "".join(f"count c {i}\n" for i in range(20000))
+        self.assertEqual(summary(many), "count c.mean 10000\ncount c.max 19999\ncount c.thousandth 19979\n")
 
     def test_update(self):
         book = Budgets(BUDGETS)

@@ -85,47 +85,21 @@ class Motions {
   uint32_t at_ = 0;
 };
 
-/// The number of instructions that 999 of 1,000 periods do not exceed.
-class Thousandth {
- public:
-  void add(uint32_t instructions) {
-    const uint32_t bucket = instructions / kWidth;
-    ++buckets_[bucket < kBuckets ? bucket : kBuckets - 1];
-  }
-  uint32_t value() const {
-    uint32_t above = 0;
-    uint32_t bucket = kBuckets;
-    while (bucket != 0 && above + buckets_[bucket - 1] <= kPeriods / 1000) {
-      above += buckets_[--bucket];
-    }
-    return bucket * kWidth;
-  }
-
- private:
-  static constexpr uint32_t kWidth = 500;
-  static constexpr uint32_t kBuckets = 600;
-  uint16_t buckets_[kBuckets] = {};
-};
-
 /// Returns whether the guard stops no period.
 bool guard_motions(const char* name, uint32_t percent) {
   Motions motions(percent);
   Guard guard(robot, guard_memory);
   bool good = guard.prime(motions.values()).verdict == Verdict::free;
-  Thousandth thousandth;
   uint32_t unknown = 0;
   for (uint32_t i = 0; i < kPeriods; ++i) {
     motions.next();
     GuardAnswer answer = {};
-    const uint32_t instructions =
-        measure({{"guard", name}}, [&] { answer = guard.update(motions.values(), kWork); });
-    thousandth.add(instructions);
+    measure({{"guard", name}}, [&] { answer = guard.update(motions.values(), kWork); });
     add_to_digest(answer.work);
     add_to_digest(static_cast<uint32_t>(answer.verdict));
     good = good && answer.status == Status::done && answer.verdict != Verdict::stop;
     unknown += answer.verdict == Verdict::not_yet_known ? 1 : 0;
   }
-  add_figure({{"guard", name, "thousandth"}}, thousandth.value());
   add_count({{"guard", "unknown", name}}, unknown);
   return good;
 }

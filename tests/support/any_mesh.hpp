@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "support/points.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"

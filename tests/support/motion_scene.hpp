@@ -5,7 +5,6 @@
 
 #include "flashbvh/first_contact.hpp"
 #include "support/boxes.hpp"
-#include "support/record.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
 #include "support/triangle_pairs.hpp"

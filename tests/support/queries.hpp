@@ -3,18 +3,23 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "heap_guard.hpp"
 #include "support/any_query.hpp"
-#include "support/record.hpp"
 
 namespace flashbvh::test {
 
 /// Pairs of triangles of A and B, by their numbers in the source.
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+inline Pairs sorted(Pairs pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
 
 constexpr std::uint32_t kNoLimit = 0xFFFFFFFFu;
 
@@ -39,6 +44,15 @@ Pairs run_to_end(Query& query, std::uint32_t work = kNoLimit, std::uint32_t capa
     REQUIRE((step.status == Status::suspended || step.status == Status::full));
     REQUIRE((step.status != Status::full || step.count == capacity));
   }
+}
+
+/// Checks the pairs of each traversal that supports this layout. `truth`: in order.
+template <class Tree>
+void check_pairs(const Tree& a, const Tree& b, const Pose& pose, const Pairs& truth) {
+  for_each_query(a, b, pose, [&truth](const char* name, auto& query) {
+    CAPTURE(name);
+    REQUIRE(sorted(run_to_end(query)) == truth);
+  });
 }
 
 }  // namespace flashbvh::test

@@ -103,16 +103,6 @@ bake::BuildTree chain(const bake::LatticeMesh& mesh, bool leaf_first) {
   return tree;
 }
 
-bake::BuildTree star(const bake::LatticeMesh& mesh) {
-  bake::BuildTree tree = single_leaf(mesh, all_triangles(mesh));
-  std::vector<std::vector<std::uint32_t>> parts;
-  for (const std::uint32_t triangle : tree.nodes[0].triangles) {
-    parts.push_back({triangle});
-  }
-  split(tree, 0, mesh, parts);
-  return tree;
-}
-
 bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth) {
   std::vector<std::uint32_t> triangles = all_triangles(mesh);
   triangles.resize(std::size_t{1} << depth);

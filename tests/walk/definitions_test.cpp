@@ -1,5 +1,5 @@
 // The paper's definitions on baked trees of every form, and its figures.
-#include "support/record.hpp"
+#include "flashbvh/traversal/levels.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
 
@@ -61,42 +61,13 @@ void check_both_layouts(const bake::BuildTree& build, const bake::LatticeMesh& m
   check_definitions(build, baked<Layout::post_indexed>(build, mesh));
 }
 
-// The eight cases of sections 6.3 and 7.1, and the extensions of section 8.1, on figure 1's tree:
+// Figure 1's tree, pre-indexed:
 //
 //                      0
 //            1                   8            level 1
 //        2       5           9       12       level 2
 //      3   4   6   7       10 11   13  14     level 3
 constexpr std::uint32_t kEnd = 15;
-
-/// The pair after (a, b), by pre-indexed numbers in both layouts.
-template <Layout layout>
-NodePair test_next(std::uint32_t a, std::uint32_t b) {
-  static Random random(1);
-  static const auto mesh = random_mesh(random, 8, 100, 10);
-  static const auto numbers =
-      bake::lay_out<std::uint16_t, Layout::pre_indexed>(full_tree(mesh, 3), mesh);
-  static const auto baked = bake::lay_out<std::uint16_t, layout>(full_tree(mesh, 3), mesh);
-  const auto position = [](const auto& tree, std::uint32_t build_node) {
-    std::uint32_t i = 0;
-    while (tree.build_nodes[i] != build_node) {
-      ++i;
-    }
-    return i;
-  };
-  const auto to_layout = [&](std::uint32_t i) { return position(baked, numbers.build_nodes[i]); };
-  const auto to_number = [&](std::uint32_t i) {
-    return i == kEnd ? kEnd : position(numbers, baked.build_nodes[i]);
-  };
-  const auto tree = baked.view();
-  using Traversal = BasicStackless<BasicMeshWithLevels<std::uint16_t, layout>>;
-  Traversal order(
-      tree, tree,
-      {static_cast<std::uint16_t>(to_layout(a)), static_cast<std::uint16_t>(to_layout(b))});
-  const bool goes_on = order.next();
-  CHECK(goes_on == (order.index_a() != kEnd && order.index_b() != kEnd));
-  return {to_number(order.index_a()), to_number(order.index_b())};
-}
 
 template <Layout layout>
 Baked<layout> figure_1() {
@@ -113,70 +84,6 @@ std::vector<std::uint32_t> values(Function function) {
   }
   return found;
 }
-
-struct Step {
-  std::uint32_t a, b;
-  NodePair next;
-};
-
-const Step kSteps[] = {
-    // Case 1: same level, both left: A escapes.
-    {1, 1, {8, 1}},
-    {2, 9, {5, 9}},
-    {3, 13, {4, 13}},
-    // Case 2: same level, A left, B right: A escapes.
-    {1, 8, {8, 8}},
-    {2, 5, {5, 5}},
-    {10, 14, {11, 14}},
-    // Case 3: A a level above B, both left: B escapes.
-    {1, 2, {1, 5}},
-    {2, 13, {2, 14}},
-    // Case 4: A a level above B, A right, B left: B escapes.
-    {8, 2, {8, 5}},
-    {5, 3, {5, 4}},
-    {0, 1, {0, 8}},
-    // Case 5: same level, A right, B left: A to its parent, B escapes.
-    {8, 1, {0, 8}},
-    {5, 2, {1, 5}},
-    {14, 6, {12, 7}},
-    // Case 6: A a level above B, A left, B right: A escapes, B to its parent.
-    {1, 5, {8, 1}},
-    {2, 7, {5, 5}},
-    // Case 7: same level, both right: up along right children to a left one.
-    // A's left child is reached first, or both at once.
-    {5, 5, {8, 1}},   // RCL 1 and 1
-    {5, 12, {8, 8}},  // 1 and 2
-    {4, 14, {5, 12}},
-    {7, 14, {8, 8}},  // 2 and 3
-    // B's left child is reached first.
-    {12, 5, {0, 8}},  // 2 and 1
-    {14, 4, {8, 5}},  // 3 and 1
-    {14, 11, {8, 12}},
-    {14, 7, {0, 8}},  // 3 and 2
-    // Neither: the walk is over.
-    {8, 8, {kEnd, 0}},
-    // Case 8: A a level above B, both right: as case 7 with B's parent.
-    // A's left child is reached first, or both at once.
-    {5, 7, {8, 1}},   // RCL 1 and 2
-    {5, 14, {8, 8}},  // 1 and 3
-    // B's left child is reached first.
-    {8, 5, {0, 8}},   // 1 and 1
-    {12, 7, {0, 8}},  // 2 and 2
-    {12, 4, {8, 5}},  // 2 and 1
-    // Section 8.1: levels further apart go up to where the leaf was reached.
-    // B is a leaf, A below its level: the leaf algorithm in A's subtree.
-    {3, 1, {4, 1}},  // as if node 1 of B were a leaf
-    {4, 1, {5, 1}},
-    {7, 1, {8, 1}},   // the subtree of A's node 1 is done
-    {14, 1, {0, 8}},  // A's node 8 is done: case 5
-    {14, 8, {kEnd, 0}},
-    // A is a leaf, B below its level: the leaf algorithm in B's subtree.
-    {1, 3, {1, 4}},
-    {1, 4, {1, 5}},
-    {1, 7, {8, 1}},  // the subtree of B's node 1 is done: case 1
-    {8, 7, {0, 8}},  // case 5
-    {8, 14, {kEnd, 0}},
-};
 
 }  // namespace
 
@@ -199,38 +106,9 @@ TEST_CASE("figures 1, 3, 22 and 26: levels, right child levels and escape indice
         List{15, 15, 15, 15, 3, 2, 2, 6, 1, 1, 1, 10, 9, 9, 13});
 }
 
-TEST_CASE("section 8.2: a single child is a last child") {
-  bake::BuildTree build;
-  const auto mesh = any_mesh(1);
-  const Box box = bake::box_of(mesh, 0);
-  build.nodes.push_back({box, {1}, {}});
-  build.nodes.push_back({box, {2}, {}});
-  build.nodes.push_back({box, {}, {0}});
-  check_both_layouts(build, mesh);
-}
-
-TEST_CASE("figure 24: all but the last of many children are left children") {
-  const auto mesh = any_mesh(6);
-  check_both_layouts(star(mesh), mesh);
-}
-
 TEST_CASE("the definitions hold on random trees of every shape") {
   for_rounds(300, [&](Random& random, int) {
     const auto mesh = random_mesh(random, 1 + random.below(24), 100, 20);
     check_both_layouts(any_tree(random, mesh), mesh);
   });
-}
-
-TEST_CASE("chains as deep as their triangles keep the definitions") {
-  const auto mesh = any_mesh(300);
-  check_both_layouts(chain(mesh, true), mesh);
-  check_both_layouts(chain(mesh, false), mesh);
-}
-
-TEST_CASE("each case of the walk without a stack, in both layouts") {
-  for (const Step& step : kSteps) {
-    CAPTURE(step.a, step.b);
-    CHECK(test_next<Layout::pre_indexed>(step.a, step.b) == step.next);
-    CHECK(test_next<Layout::post_indexed>(step.a, step.b) == step.next);
-  }
 }

@@ -1,4 +1,5 @@
 // Queries under any pose: each traversal and layout against brute force on transformed triangles.
+#include "support/points.hpp"
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
