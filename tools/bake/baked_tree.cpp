@@ -11,15 +11,13 @@
 namespace flashbvh::bake {
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-
-/// The shape of the tree in array order; all indices are array positions.
+/// The tree in array order: all vectors are by array position, all indices are such positions.
 struct Traversal {
-  std::vector<std::uint32_t> build_nodes;  ///< by array position
-  std::vector<std::uint32_t> parents;      ///< kNone at the root
+  std::vector<std::uint32_t> build_nodes;
+  std::vector<std::uint32_t> parents;  ///< the root's is itself
   std::vector<std::uint32_t> levels;
-  std::vector<std::uint32_t> next_sibling;  ///< kNone for a last child
-  std::vector<std::uint32_t> first_sibling;
+  std::vector<std::uint32_t> links;               ///< Node::link
+  std::vector<std::uint32_t> right_child_levels;  ///< definition 8.1
   std::vector<std::uint32_t> stack_need;  ///< pairs that a descent to the node leaves on a stack
 };
 
@@ -41,43 +39,28 @@ Traversal array_order(const BuildTree& tree, bool post) {
       pending.insert(pending.end(), children.rbegin(), children.rend());
     }
   }
-  order.parents.assign(count, kNone);
-  order.next_sibling.assign(count, kNone);
-  order.first_sibling.assign(count, 0);
+  order.parents.assign(count, 0);
   order.levels.assign(count, 0);
+  order.links.assign(count, static_cast<std::uint32_t>(count));
+  order.right_child_levels.assign(count, 0);
   order.stack_need.assign(count, 0);
   for (std::uint32_t at = 0; at < count; ++at) {
     const auto& children = tree.nodes[order.build_nodes[at]].children;
     for (std::size_t i = 0; i < children.size(); ++i) {
       const std::uint32_t child = position[children[i]];
+      const bool is_last = i + 1 == children.size();
       order.parents[child] = at;
       order.levels[child] = order.levels[at] + 1;
+      // A last child's is the escape index, definitions 3.1 to 3.3, or the first sibling.
+      order.links[child] = !is_last ? position[children[i + 1]]
+                           : post   ? position[children.front()]
+                                    : order.links[at];
+      order.right_child_levels[child] = is_last ? order.right_child_levels[at] + 1 : 0;
       order.stack_need[child] =
           order.stack_need[at] + static_cast<std::uint32_t>(children.size()) - 1;
-      order.first_sibling[child] = position[children.front()];
-      order.next_sibling[child] = i + 1 < children.size() ? position[children[i + 1]] : kNone;
     }
   }
   return order;
-}
-
-/// Definitions 3.1 to 3.3 and 8.1, on array positions. A parent lies before its children.
-std::vector<std::uint32_t> escape_indices(const Traversal& order) {
-  const std::size_t count = order.build_nodes.size();
-  std::vector<std::uint32_t> escapes(count, static_cast<std::uint32_t>(count));
-  for (std::size_t at = 1; at < count; ++at) {
-    escapes[at] =
-        order.next_sibling[at] != kNone ? order.next_sibling[at] : escapes[order.parents[at]];
-  }
-  return escapes;
-}
-
-std::vector<std::uint32_t> right_child_levels(const Traversal& order) {
-  std::vector<std::uint32_t> levels(order.build_nodes.size(), 0);
-  for (std::size_t at = 1; at < levels.size(); ++at) {
-    levels[at] = order.next_sibling[at] != kNone ? 0 : levels[order.parents[at]] + 1;
-  }
-  return levels;
 }
 
 /// By array position, clamped to the parent's rank.
@@ -86,29 +69,14 @@ std::vector<std::uint32_t> ranks(const Traversal& order, const BuildTree& tree) 
   for (std::size_t at = 0; at < ranks.size(); ++at) {
     const BuildNode& node = tree.nodes[order.build_nodes[at]];
     ranks[at] = node.is_leaf() ? 0 : rank_of(tree, node);
-    if (at != 0) {
-      ranks[at] = std::min(ranks[at], ranks[order.parents[at]]);
-    }
+    ranks[at] = std::min(ranks[at], ranks[order.parents[at]]);
   }
   return ranks;
-}
-
-std::vector<std::uint32_t> links(const Traversal& order, Layout layout) {
-  if (layout == Layout::pre_indexed) {
-    return escape_indices(order);
-  }
-  std::vector<std::uint32_t> links(order.build_nodes.size());
-  links[0] = static_cast<std::uint32_t>(links.size());
-  for (std::size_t at = 1; at < links.size(); ++at) {
-    links[at] = order.next_sibling[at] != kNone ? order.next_sibling[at] : order.first_sibling[at];
-  }
-  return links;
 }
 
 template <class Index, Layout layout>
 void lay_out_nodes(const Traversal& order, const BuildTree& tree, BakedTree<Index, layout>& baked) {
   const std::vector<std::uint32_t> rank = ranks(order, tree);
-  const std::vector<std::uint32_t> link = links(order, layout);
   constexpr unsigned rank_shift = Node<Index>::kBits - 8;
   for (std::size_t at = 0; at < order.build_nodes.size(); ++at) {
     const BuildNode& build = tree.nodes[order.build_nodes[at]];
@@ -117,7 +85,7 @@ void lay_out_nodes(const Traversal& order, const BuildTree& tree, BakedTree<Inde
     const std::uint32_t data = build.is_leaf() ? Node<Index>::kLeafFlag | baked.leaf_count++
                                                : (rank[at] << rank_shift) | parent_rank;
     baked.nodes.push_back(
-        {pack(build.box), static_cast<Index>(link[at]), static_cast<Index>(data)});
+        {pack(build.box), static_cast<Index>(order.links[at]), static_cast<Index>(data)});
     baked.depth = std::max(baked.depth, order.levels[at]);
     baked.stack_need = std::max(baked.stack_need, order.stack_need[at]);
     baked.arity = std::max(baked.arity, static_cast<std::uint32_t>(build.children.size()));
@@ -187,9 +155,8 @@ BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh)
   lay_out_nodes(order, tree, baked);
   lay_out_triangles(order, tree, mesh, baked);
   baked.levels = narrowed<Index>(order.levels);
-  order.parents[0] = 0;
   baked.climb =
-      narrowed<Index>(layout == Layout::pre_indexed ? order.parents : right_child_levels(order));
+      narrowed<Index>(layout == Layout::pre_indexed ? order.parents : order.right_child_levels);
   baked.vertices = mesh.vertices;
   baked.origin = mesh.origin;
   baked.cell = mesh.cell;

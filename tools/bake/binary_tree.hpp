@@ -27,10 +27,6 @@ struct BinaryTree {
   std::vector<BinaryNode> nodes;
 };
 
-/// The surface area heuristic's cost (Goldsmith and Salmon 1987): the sum of the surfaces of all
-/// internal nodes, at most 2^32 numbers below 2^32.
-std::uint64_t cost_of(const BinaryTree& tree);
-
 /// The tree over the triangles of the mesh, at least one, by the surface area heuristic.
 /// O(n log n) to sort, then O(n) per level.
 BinaryTree sweep(const LatticeMesh& mesh);

@@ -144,9 +144,7 @@ std::vector<LatticePoint> vertices_of(const AnyTree& any) {
       [](const auto& tree) {
         std::vector<LatticePoint> points;
         for (std::uint32_t i = 0; i < tree.vertex_count; ++i) {
-          const Vertex& v = tree.vertices[i];
-          points.push_back({std::int64_t{v.x} + tree.origin[0], std::int64_t{v.y} + tree.origin[1],
-                            std::int64_t{v.z} + tree.origin[2]});
+          points.push_back(lattice_point(tree.vertices[i], tree.origin));
         }
         return points;
       },

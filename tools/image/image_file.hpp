@@ -57,6 +57,13 @@ class ImageFile {
 /// A point of the lattice, in cells of the mesh's frame: the vertex and the origin.
 using LatticePoint = std::array<std::int64_t, 3>;
 
+/// `origin`: of the mesh, an array.
+template <class Origin>
+LatticePoint lattice_point(const Vertex& vertex, const Origin& origin) {
+  return {std::int64_t{vertex.x} + origin[0], std::int64_t{vertex.y} + origin[1],
+          std::int64_t{vertex.z} + origin[2]};
+}
+
 /// A triangle by its number in the source mesh.
 struct SourceTriangle {
   std::uint32_t number;

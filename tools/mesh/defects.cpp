@@ -147,44 +147,25 @@ EdgeDefects edge_defects(const std::vector<TriangleCorners>& triangles,
   return defects;
 }
 
-bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates) {
-  // Six times the volume: sums tetrahedra with an apex at the lattice's zero, each below 2^45. Sums
-  // may wrap; the total fits unless the surface winds round the same cells 2^15 times.
-  std::uint64_t volume = 0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (is_one_of(duplicates, i)) {
-      continue;
-    }
-    const Vertex& p = mesh.vertices[mesh.triangles[i][0]];
-    const Vertex& q = mesh.vertices[mesh.triangles[i][1]];
-    const Vertex& r = mesh.vertices[mesh.triangles[i][2]];
-    const std::int64_t x = std::int64_t{q.y} * r.z - std::int64_t{q.z} * r.y;
-    const std::int64_t y = std::int64_t{q.z} * r.x - std::int64_t{q.x} * r.z;
-    const std::int64_t z = std::int64_t{q.x} * r.y - std::int64_t{q.y} * r.x;
-    volume += static_cast<std::uint64_t>(p.x * x + p.y * y + p.z * z);
-  }
-  return volume >> 63 != 0;
-}
-
-void set_orientation(const bake::LatticeMesh& mesh, MeshDefects& defects) {
+MeshDefects surface_defects(const bake::LatticeMesh& mesh) {
+  MeshDefects defects;
+  defects.duplicates = duplicate_triangles(mesh.triangles);
+  defects.edges = edge_defects(mesh.triangles, defects.duplicates);
   if (defects.edges.none()) {
-    defects.inside_out = is_inside_out(mesh, defects.duplicates);
-    defects.shells_inside_out = shells_inside_out(mesh, defects.duplicates);
+    set_orientation(mesh, defects);
   }
+  return defects;
 }
 
 MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
                        const TriangleIds& degenerate) {
-  MeshDefects defects;
+  MeshDefects defects = surface_defects(rounded);
   defects.degenerate = degenerate;
   const TriangleIds flat = degenerate_triangles(rounded);
   std::set_difference(flat.begin(), flat.end(), degenerate.begin(), degenerate.end(),
                       std::back_inserter(defects.collapsed));
-  defects.duplicates = duplicate_triangles(rounded.triangles);
-  defects.edges = edge_defects(rounded.triangles, defects.duplicates);
   defects.closed_before = !defects.edges.none() &&
                           edge_defects(mesh.triangles, duplicate_triangles(mesh.triangles)).none();
-  set_orientation(rounded, defects);
   return defects;
 }
 

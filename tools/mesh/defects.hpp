@@ -45,14 +45,6 @@ std::vector<OddEdge> odd_edges(const std::vector<bake::TriangleCorners>& triangl
 EdgeDefects edge_defects(const std::vector<bake::TriangleCorners>& triangles,
                          const TriangleIds& duplicates);
 
-/// True if the surface encloses a negative volume: its triangles run clockwise, seen from outside.
-/// Precondition: it is closed and oriented. O(n).
-bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates);
-
-/// The number of shells, parts that share no vertex, that are inside out and no cavities: not
-/// within the others, at up to some thousand points. Precondition: as above.
-std::size_t shells_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates);
-
 /// Defects of a mesh after rounding to the lattice, and before it.
 struct MeshDefects {
   TriangleIds degenerate;             ///< without area in the file
@@ -61,14 +53,19 @@ struct MeshDefects {
   EdgeDefects edges;                  ///< on the lattice
   bool closed_before = false;         ///< edges have defects by rounding alone
   bool inside_out = false;            ///< closed, oriented, and normals face into the solid
-  std::size_t shells_inside_out = 0;  ///< if closed and oriented
+  std::size_t shells_inside_out = 0;  ///< likewise
 };
 
-/// Sets what is inside out, by the mesh on the lattice and its edges' defects.
-void set_orientation(const bake::LatticeMesh& mesh, MeshDefects& defects);
-
+/// The defects that a mesh on the lattice has by itself.
+MeshDefects surface_defects(const bake::LatticeMesh& mesh);
 /// `degenerate`: of the mesh in the file.
 MeshDefects defects_of(const bake::SourceMesh& mesh, const bake::LatticeMesh& rounded,
                        const TriangleIds& degenerate);
+
+/// Sets what is inside out: the surface, if it encloses a negative volume; shells, parts that share
+/// no vertex, that do so and are no cavities: not within the others, at up to some thousand points.
+/// Precondition: no edge has a defect. The volume is exact while no cell is within over 2^15
+/// shells.
+void set_orientation(const bake::LatticeMesh& mesh, MeshDefects& defects);
 
 }  // namespace flashbvh::tool

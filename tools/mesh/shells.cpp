@@ -36,15 +36,24 @@ double area_of(const Point3& p, const Point3& q, const Point3& r) {
   return (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
 }
 
-/// Six times the volume.
-double volume_of(const bake::LatticeMesh& mesh, const TriangleIds& shell) {
-  double volume = 0;
+/// Six times the volume: sums tetrahedra with an apex at the lattice's zero, each below 2^45. Sums
+/// may wrap.
+std::uint64_t volume_of(const bake::LatticeMesh& mesh, const TriangleIds& shell) {
+  std::uint64_t volume = 0;
   for (const std::uint32_t i : shell) {
-    const Point3 corners[] = {corner_of(mesh, i, 0), corner_of(mesh, i, 1), corner_of(mesh, i, 2)};
-    volume += area_of(corners[0], corners[1], corners[2]) *
-              (corners[0][0] + corners[1][0] + corners[2][0]);
+    const Vertex& p = mesh.vertices[mesh.triangles[i][0]];
+    const Vertex& q = mesh.vertices[mesh.triangles[i][1]];
+    const Vertex& r = mesh.vertices[mesh.triangles[i][2]];
+    const std::int64_t x = std::int64_t{q.y} * r.z - std::int64_t{q.z} * r.y;
+    const std::int64_t y = std::int64_t{q.z} * r.x - std::int64_t{q.x} * r.z;
+    const std::int64_t z = std::int64_t{q.x} * r.y - std::int64_t{q.y} * r.x;
+    volume += static_cast<std::uint64_t>(p.x * x + p.y * y + p.z * z);
   }
   return volume;
+}
+
+bool is_negative(std::uint64_t volume) {
+  return volume >> 63 != 0;
 }
 
 /// How often the triangles wind round a point, by a ray along x. The point is on no edge's
@@ -95,15 +104,18 @@ std::vector<Point3> points_of(const bake::LatticeMesh& mesh, const TriangleIds& 
 
 }  // namespace
 
-std::size_t shells_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates) {
-  const std::vector<TriangleIds> shells = triangles_of_shells(mesh, duplicates);
+void set_orientation(const bake::LatticeMesh& mesh, MeshDefects& defects) {
+  const std::vector<TriangleIds> shells = triangles_of_shells(mesh, defects.duplicates);
   std::vector<const TriangleIds*> inverted;
+  std::uint64_t volume = 0;
   for (const TriangleIds& shell : shells) {
-    if (volume_of(mesh, shell) < 0) {
+    const std::uint64_t of_shell = volume_of(mesh, shell);
+    volume += of_shell;
+    if (is_negative(of_shell)) {
       inverted.push_back(&shell);
     }
   }
-  std::size_t count = 0;
+  defects.inside_out = is_negative(volume);
   for (const TriangleIds* const shell : inverted) {
     TriangleIds others;
     for (const TriangleIds& other : shells) {
@@ -112,10 +124,11 @@ std::size_t shells_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& 
       }
     }
     const std::vector<Point3> points = points_of(mesh, *shell, kMostPoints / inverted.size() + 6);
-    count += std::any_of(points.begin(), points.end(),
-                         [&](const Point3& point) { return winding_of(mesh, others, point) <= 0; });
+    const auto is_outside = [&](const Point3& point) {
+      return winding_of(mesh, others, point) <= 0;
+    };
+    defects.shells_inside_out += std::any_of(points.begin(), points.end(), is_outside) ? 1 : 0;
   }
-  return count;
 }
 
 }  // namespace flashbvh::tool

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <numeric>
 
 #include "bake/bending.hpp"
 #include "bake/image_bytes.hpp"
@@ -76,23 +75,11 @@ Json bake_one(const BakeOrder& order, BakedMesh& mesh, const InputMesh& input,
       mesh.tree);
 }
 
-/// The progress weights: reading takes about as long as baking; both grow with the file.
-std::vector<double> weights_of(const std::vector<std::string>& paths) {
-  std::vector<double> weights;
-  for (const std::string& path : paths) {
-    std::error_code unknown;
-    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-    weights.push_back(unknown ? 1 : static_cast<double>(size));
-  }
-  return weights;
-}
-
-std::vector<InputMesh> read_meshes(const BakeOrder& order, const std::vector<double>& weights,
-                                   Progress& progress, Warnings& warnings) {
+std::vector<InputMesh> read_meshes(const BakeOrder& order, Progress& progress, Warnings& warnings) {
   std::vector<InputMesh> meshes;
-  for (std::size_t i = 0; i < order.meshes.size(); ++i) {
-    progress.begin("reading " + order.meshes[i], weights[i]);
-    meshes.push_back(read_mesh(order.meshes[i], order.units, warnings));
+  for (const std::string& path : order.meshes) {
+    progress.begin("reading " + path, 1);
+    meshes.push_back(read_mesh(path, order.units, warnings));
   }
   if (order.units.common().empty()) {
     check_units(meshes, warnings);
@@ -127,11 +114,10 @@ struct Outcome {
 /// meshes share and the leaf size that fits.
 Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files,
                     Warnings& warnings) {
-  const std::vector<double> weights = weights_of(order.meshes);
-  const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const auto count = static_cast<double>(order.meshes.size());
   const bool simplifies = order.simplify || order.fit;
-  Progress progress((simplifies ? 3 : 2) * weight);
-  const std::vector<InputMesh> meshes = read_meshes(order, weights, progress, warnings);
+  Progress progress((simplifies ? 3 : 2) * count);
+  const std::vector<InputMesh> meshes = read_meshes(order, progress, warnings);
   double finest = 0;
   for (const InputMesh& mesh : meshes) {
     finest = std::max(finest, mesh.finest_cell);
@@ -139,13 +125,13 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   options.cell = order.options.cell.value_or(order.deformable ? kRoomToBend * finest : finest);
   Outcome outcome;
   if (simplifies) {
-    progress.begin("simplifying", weight);
+    progress.begin("simplifying", count);
   }
   const Simplified simplified = simplified_meshes(order, meshes, options);
   outcome.simplified = simplified.length;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const InputMesh& mesh = meshes[i];
-    progress.begin("baking " + mesh.path, weights[i]);
+    progress.begin("baking " + mesh.path, 1);
     BakedMesh baked =
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
     outcome.meshes.push_back(bake_one(order, baked, mesh, order.names[i], files));

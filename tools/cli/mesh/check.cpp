@@ -3,8 +3,9 @@
 // An image represents a mesh if both have the same corners, triangle by triangle in the file's
 // order, after rounding with the image's cell. The image may omit triangles that `bake --drop`
 // leaves out.
+#include <algorithm>
+#include <array>
 #include <iostream>
-#include <set>
 
 #include "bake/quantise.hpp"
 #include "bake/surface.hpp"
@@ -26,94 +27,72 @@ std::string text_of(const LatticePoint& point) {
   return concat("(", point[0], " ", point[1], " ", point[2], ")");
 }
 
-LatticePoint point_of(const bake::LatticeMesh& mesh, std::uint32_t vertex) {
-  const Vertex& v = mesh.vertices[vertex];
-  return {std::int64_t{v.x} + mesh.origin[0], std::int64_t{v.y} + mesh.origin[1],
-          std::int64_t{v.z} + mesh.origin[2]};
+/// How an image differs from a mesh; `left_out`: triangles that it may lack.
+struct Comparison {
+  std::string difference;  ///< the first one; empty if there is none
+  std::size_t left_out_degenerate = 0;
+  std::size_t left_out_duplicate = 0;
+};
+
+/// Allows rotated corners, since `bake --deformable` rotates them. Empty if there is no difference.
+std::string difference_of(std::uint32_t number, const std::array<LatticePoint, 3>& found,
+                          const std::array<LatticePoint, 3>& wanted) {
+  std::array<LatticePoint, 3> turned = found;
+  for (int turns = 0; turns < 3; ++turns) {
+    if (turned == wanted) {
+      return "";
+    }
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  }
+  const std::size_t corner = found[0] != wanted[0] ? 0 : found[1] != wanted[1] ? 1 : 2;
+  return concat("corner ", corner, " of triangle ", number, " lies at ", text_of(found[corner]),
+                " in the image, at ", text_of(wanted[corner]), " in the mesh");
 }
 
-/// Counts of missing triangles, as `bake --drop` leaves them out.
-struct LeftOut {
-  std::size_t degenerate = 0;
-  std::size_t duplicate = 0;
-};
-
-/// Compares an image with a mesh, both in the source's order of triangles.
-class Comparison {
- public:
-  Comparison(const ImageFile& image, const InputMesh& input)
-      : vertices_(vertices_of(image.tree())),
-        rounded_(bake::round_to_lattice(input.mesh, input.extent, image.cell()).mesh) {
-    const MeshDefects defects = defects_of(input.mesh, rounded_, input.degenerate);
-    for (const TriangleIds& numbers : {defects.degenerate, defects.collapsed}) {
-      degenerate_.insert(numbers.begin(), numbers.end());
-    }
-    duplicates_.insert(defects.duplicates.begin(), defects.duplicates.end());
+/// `triangles`: of the image, in the mesh's order.
+Comparison comparison(const ImageFile& image, const std::vector<SourceTriangle>& triangles,
+                      const InputMesh& input) {
+  Comparison found;
+  if (!bake::fits(input.extent, image.cell())) {
+    found.difference = "the mesh is too large for the image's cell";
+    return found;
   }
-
-  /// The first difference; empty if there is none.
-  std::string difference(const std::vector<SourceTriangle>& triangles) {
-    const std::size_t count = rounded_.triangles.size();
-    auto at = triangles.begin();
-    for (std::uint32_t number = 0; number < count; ++number) {
-      if (at == triangles.end() || at->number != number) {
-        if (!may_lack(number)) {
-          return concat("the image lacks triangle ", number);
-        }
-        continue;
+  const std::vector<LatticePoint> vertices = vertices_of(image.tree());
+  const bake::LatticeMesh rounded =
+      bake::round_to_lattice(input.mesh, input.extent, image.cell()).mesh;
+  const MeshDefects defects = defects_of(input.mesh, rounded, input.degenerate);
+  auto at = triangles.begin();
+  for (std::uint32_t number = 0; number < rounded.triangles.size(); ++number) {
+    const auto is_in = [&](const TriangleIds& ids) {
+      return std::binary_search(ids.begin(), ids.end(), number);
+    };
+    if (at != triangles.end() && at->number == number) {
+      std::array<LatticePoint, 3> in_image{};
+      std::array<LatticePoint, 3> in_mesh{};
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        in_image[corner] = vertices[at->vertices[corner]];
+        in_mesh[corner] =
+            lattice_point(rounded.vertices[rounded.triangles[number][corner]], rounded.origin);
       }
-      std::string moved = difference(*at++);
-      if (!moved.empty()) {
-        return moved;
-      }
+      found.difference = difference_of(number, in_image, in_mesh);
+      ++at;
+    } else if (is_in(defects.degenerate) || is_in(defects.collapsed)) {
+      ++found.left_out_degenerate;
+    } else if (is_in(defects.duplicates)) {
+      ++found.left_out_duplicate;
+    } else {
+      found.difference = concat("the image lacks triangle ", number);
     }
-    return at == triangles.end()
-               ? ""
-               : concat("the image has a triangle ", at->number, ", the mesh only ", count);
-  }
-
-  const LeftOut& left_out() const { return left_out_; }
-
- private:
-  bool may_lack(std::uint32_t triangle) {
-    if (degenerate_.count(triangle) != 0) {
-      ++left_out_.degenerate;
-      return true;
+    if (!found.difference.empty()) {
+      return found;
     }
-    left_out_.duplicate += duplicates_.count(triangle);
-    return duplicates_.count(triangle) != 0;
   }
-
-  /// Allows rotated corners, since `bake --deformable` rotates them.
-  std::string difference(const SourceTriangle& triangle) const {
-    std::string first;
-    for (std::size_t turns = 0; turns < 3; ++turns) {
-      const std::string turned = difference(triangle, turns);
-      if (turned.empty()) {
-        return "";
-      }
-      first = turns == 0 ? turned : first;
-    }
-    return first;
+  if (at != triangles.end()) {
+    found.difference = concat("the image has a triangle ", at->number, ", the mesh only ",
+                              rounded.triangles.size());
   }
-  std::string difference(const SourceTriangle& triangle, std::size_t turns) const {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const LatticePoint& found = vertices_[triangle.vertices[(corner + turns) % 3]];
-      const LatticePoint wanted = point_of(rounded_, rounded_.triangles[triangle.number][corner]);
-      if (found != wanted) {
-        return concat("corner ", corner, " of triangle ", triangle.number, " lies at ",
-                      text_of(found), " in the image, at ", text_of(wanted), " in the mesh");
-      }
-    }
-    return {};
-  }
-
-  std::vector<LatticePoint> vertices_;
-  bake::LatticeMesh rounded_;
-  std::set<std::uint32_t> degenerate_;
-  std::set<std::uint32_t> duplicates_;
-  LeftOut left_out_;
-};
+  return found;
+}
 
 /// UserError unless the shells that the image stores, and whether they are closed, agree with its
 /// triangles. The library does not test the shells, and tests closedness by a sum. `of`: the mesh
@@ -142,15 +121,6 @@ void check_deviation(const ImageFile& image) {
   }
 }
 
-/// Warns of defects of the image's own surface.
-void warn_of_surface(const ImageFile& image, const bake::LatticeMesh& mesh, Warnings& warnings) {
-  MeshDefects defects;
-  defects.duplicates = duplicate_triangles(mesh.triangles);
-  defects.edges = edge_defects(mesh.triangles, defects.duplicates);
-  set_orientation(mesh, defects);
-  warn_of_surface(defects, image.path(), warnings);
-}
-
 struct CheckArguments {
   std::string image;
   std::string mesh;
@@ -160,57 +130,47 @@ struct CheckArguments {
 
 /// The results for a well-formed image.
 struct CheckResult {
-  std::string name;
-  std::string text;  ///< without the name
-  ExitCode exit_code = kSuccess;
+  std::string text;
+  Json facts;
+  bool is_equal = true;  ///< to the mesh, if one is given
 };
 
 /// Adds the result of comparing the mesh with the image.
 void compare(const CheckArguments& arguments, const ImageFile& image,
-             const std::vector<SourceTriangle>& triangles, CheckResult& result, Json& facts,
+             const std::vector<SourceTriangle>& triangles, CheckResult& result,
              Warnings& warnings) {
   const InputMesh input =
       read_mesh(arguments.mesh, Units(arguments.units, {arguments.mesh}), warnings);
-  const bool is_small = bake::fits(input.extent, image.cell());
-  std::string difference = "the mesh is too large for the image's cell";
-  LeftOut left_out;
-  if (is_small) {
-    Comparison comparison(image, input);
-    difference = comparison.difference(triangles);
-    left_out = comparison.left_out();
-  }
-  facts.update({{"mesh", input.path}, {"equal", difference.empty()}});
-  if (!difference.empty()) {
-    result.exit_code = kCheckFailed;
+  const auto [difference, degenerate, duplicate] = comparison(image, triangles, input);
+  result.is_equal = difference.empty();
+  result.facts.update({{"mesh", input.path}, {"equal", result.is_equal}});
+  if (!result.is_equal) {
     result.text += ", but not " + input.path + ": " + difference;
-    facts["difference"] = difference;
+    result.facts["difference"] = difference;
     return;
   }
-  facts.update(
-      {{"left_out_degenerate", left_out.degenerate}, {"left_out_duplicate", left_out.duplicate}});
+  result.facts.update({{"left_out_degenerate", degenerate}, {"left_out_duplicate", duplicate}});
   result.text += ", equal to " + input.path;
-  if (left_out.degenerate + left_out.duplicate != 0) {
-    result.text += concat(" without ", left_out.degenerate, " degenerate and ", left_out.duplicate,
-                          " duplicate triangles");
+  if (degenerate + duplicate != 0) {
+    result.text +=
+        concat(" without ", degenerate, " degenerate and ", duplicate, " duplicate triangles");
   }
 }
 
-/// Checks an image of a mesh; adds its properties to `facts`.
-CheckResult check_mesh(const CheckArguments& arguments, Json& facts, Warnings& warnings) {
+CheckResult check_mesh(const CheckArguments& arguments, Warnings& warnings) {
   const ImageFile image(arguments.image);
   const std::vector<SourceTriangle> triangles = source_triangles(image);
   const bake::LatticeMesh mesh = mesh_of(image, triangles);
   std::visit([&](const auto& tree) { check_surface(tree, mesh, image.path(), ""); }, image.tree());
   check_deviation(image);
-  CheckResult result;
-  result.name = image.name();
-  result.text = concat("well-formed, ", triangles.size(), " triangles, ", image.header().node_count,
-                       " nodes");
-  facts = {{"kind", "mesh"}, {"triangles", triangles.size()}, {"nodes", image.header().node_count}};
+  const std::uint32_t nodes = image.header().node_count;
+  CheckResult result = {
+      concat(image.name(), ": well-formed, ", triangles.size(), " triangles, ", nodes, " nodes"),
+      {{"kind", "mesh"}, {"triangles", triangles.size()}, {"nodes", nodes}}};
   if (!arguments.mesh.empty()) {
-    compare(arguments, image, triangles, result, facts, warnings);
+    compare(arguments, image, triangles, result, warnings);
   }
-  warn_of_surface(image, mesh, warnings);
+  warn_of_surface(surface_defects(mesh), image.path(), warnings);
   return result;
 }
 
@@ -225,8 +185,7 @@ bake::LatticeMesh mesh_of(const Mesh& link) {
   return mesh;
 }
 
-/// Checks an image of a robot; adds its properties to `facts`.
-CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
+CheckResult check_robot(const CheckArguments& arguments) {
   if (!arguments.mesh.empty()) {
     throw UserError(arguments.image,
                     "is a robot's image, which --mesh can't be compared to; leave --mesh out");
@@ -243,35 +202,30 @@ CheckResult check_robot(const CheckArguments& arguments, Json& facts) {
     }
     triangles += link.triangle_count;
   }
-  CheckResult result;
-  result.name = file.name();
-  result.text = concat("well-formed, a robot of ", robot.joint_count, " joints, ", robot.link_count,
-                       " links with ", triangles, " triangles, ", robot.pair_count,
-                       " pairs of links that can collide");
-  facts = {{"kind", "robot"},
+  return {concat(file.name(), ": well-formed, a robot of ", robot.joint_count, " joints, ",
+                 robot.link_count, " links with ", triangles, " triangles, ", robot.pair_count,
+                 " pairs of links that can collide"),
+          {{"kind", "robot"},
            {"joints", robot.joint_count},
            {"links", robot.link_count},
            {"triangles", triangles},
-           {"pairs", robot.pair_count}};
-  return result;
+           {"pairs", robot.pair_count}}};
 }
 
 ExitCode check_and_print(const CheckArguments& arguments) {
   Warnings warnings;
-  Json facts;
-  const CheckResult result = is_robot_file_name(arguments.image)
-                                 ? check_robot(arguments, facts)
-                                 : check_mesh(arguments, facts, warnings);
+  const CheckResult result = is_robot_file_name(arguments.image) ? check_robot(arguments)
+                                                                 : check_mesh(arguments, warnings);
   warnings.print();
-  if (!arguments.json) {
-    std::cout << result.name << ": " << result.text << "\n";
-    return result.exit_code;
+  if (arguments.json) {
+    Json line = {{"image", arguments.image}, {"ok", result.is_equal}};
+    line.update(result.facts);
+    line["warnings"] = json_of(warnings);
+    print_object(line);
+  } else {
+    std::cout << result.text << "\n";
   }
-  Json line = {{"image", arguments.image}, {"ok", result.exit_code == kSuccess}};
-  line.update(facts);
-  line["warnings"] = json_of(warnings);
-  print_object(line);
-  return result.exit_code;
+  return result.is_equal ? kSuccess : kCheckFailed;
 }
 
 ExitCode check(const CheckArguments& arguments) {
@@ -279,8 +233,7 @@ ExitCode check(const CheckArguments& arguments) {
     return check_and_print(arguments);
   } catch (const UserError& error) {
     if (arguments.json) {
-      const Json line = {{"image", arguments.image}, {"ok", false}, {"wrong", error.what()}};
-      print_object(line);
+      print_object({{"image", arguments.image}, {"ok", false}, {"wrong", error.what()}});
     }
     throw;
   }

@@ -15,28 +15,14 @@
 namespace flashbvh::tool {
 namespace {
 
-/// A box of a tree in cells of the mesh's frame.
-struct NodeBox {
-  LatticePoint lower;
-  LatticePoint upper;
-};
-
-NodeBox root_box(const AnyTree& any) {
+/// The root's box in cells of the mesh's frame: its lower and its upper corner.
+std::array<LatticePoint, 2> root_box(const AnyTree& any) {
   return std::visit(
-      [](const auto& tree) -> NodeBox {
-        const std::int64_t x = tree.origin[0];
-        const std::int64_t y = tree.origin[1];
-        const std::int64_t z = tree.origin[2];
+      [](const auto& tree) -> std::array<LatticePoint, 2> {
         const auto box = unpack(tree.nodes[0].box);
-        return {{x + box.lower.x, y + box.lower.y, z + box.lower.z},
-                {x + box.upper.x, y + box.upper.y, z + box.upper.z}};
+        return {lattice_point(box.lower, tree.origin), lattice_point(box.upper, tree.origin)};
       },
       any);
-}
-
-std::array<double, 3> in_unit(const LatticePoint& point, double cell) {
-  return {static_cast<double>(point[0]) * cell, static_cast<double>(point[1]) * cell,
-          static_cast<double>(point[2]) * cell};
 }
 
 std::string text_of(const Json& value) {
@@ -111,13 +97,18 @@ void info(const InfoArguments& arguments) {
 
 Json image_facts(const ImageFile& image) {
   const ImageHeader& header = image.header();
-  const NodeBox bounds = root_box(image.tree());
+  const auto [low, high] = root_box(image.tree());
   const double cell = image.cell();
   const bake::BendingCost bending =
       std::visit([](const auto& tree) { return bake::bending_cost(tree); }, image.tree());
-  const auto lower = in_unit(bounds.lower, cell);
-  const auto upper = in_unit(bounds.upper, cell);
-  const Size size = {upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]};
+  Size lower{};
+  Size upper{};
+  Size size{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lower[axis] = static_cast<double>(low[axis]) * cell;
+    upper[axis] = static_cast<double>(high[axis]) * cell;
+    size[axis] = upper[axis] - lower[axis];
+  }
   return {
       {"name", image.source()},
       {"format_version", header.version},
@@ -145,7 +136,7 @@ Json image_facts(const ImageFile& image) {
       {"origin", header.origin},
       {"box", {{"lower", lower}, {"upper", upper}}},
       {"size", size},
-      {"box_cells", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
+      {"box_cells", {{"lower", low}, {"upper", high}}},
   };
 }
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "mesh/defects.hpp"
+#include "image/mesh_warnings.hpp"
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
 
@@ -26,44 +26,37 @@ void mark_triangles(Subject& subject, const std::vector<SourceTriangle>& sources
 }
 
 void mark_edges(Subject& subject, const std::vector<OddEdge>& edges, EdgeDefect defect,
-                const char* colour, const char* one, const char* many) {
+                const char* colour) {
   LiveMarks marks = {colour, {}};
   for (const auto& [vertices, found] : edges) {
     if (found == defect) {
       marks.vertices.insert(marks.vertices.end(), vertices.begin(), vertices.end());
     }
   }
-  if (const std::size_t count = marks.vertices.size() / 2; count != 0) {
+  if (!marks.vertices.empty()) {
     subject.marks.push_back(std::move(marks));
-    subject.warnings.push_back(concat(count, " ", count == 1 ? one : many));
-  }
-}
-
-void mark_defects(const ImageFile& image, Subject& subject) {
-  const std::vector<SourceTriangle> sources = source_triangles(image);
-  const bake::LatticeMesh mesh = mesh_of(image, sources);
-  const TriangleIds duplicates = duplicate_triangles(mesh.triangles);
-  mark_triangles(subject, sources, duplicates, "p1", " with the three vertices of an earlier one.");
-  mark_triangles(subject, sources, degenerate_triangles(mesh), "p4",
-                 " without area: a segment or a point.");
-  const std::vector<OddEdge> edges = odd_edges(mesh.triangles, duplicates);
-  mark_edges(subject, edges, EdgeDefect::boundary, "p0", "boundary edge of one triangle only.",
-             "boundary edges of one triangle only.");
-  mark_edges(subject, edges, EdgeDefect::non_manifold, "p3",
-             "non-manifold edge of more than two triangles.",
-             "non-manifold edges of more than two triangles.");
-  mark_edges(subject, edges, EdgeDefect::twisted, "p2",
-             "edge of two triangles that face opposite ways.",
-             "edges of two triangles that face opposite ways.");
-  if (edges.empty() && shells_inside_out(mesh, duplicates) != 0) {
-    subject.warnings.push_back("inside out: normals face into the solid.");
   }
 }
 
 }  // namespace
 
-Subject::Subject(const ImageFile& file) {
-  mark_defects(file, *this);
+Subject::Subject(const ImageFile& image) {
+  const std::vector<SourceTriangle> sources = source_triangles(image);
+  const bake::LatticeMesh mesh = mesh_of(image, sources);
+  const MeshDefects defects = surface_defects(mesh);
+  mark_triangles(*this, sources, defects.duplicates, "p1",
+                 " with the three vertices of an earlier one");
+  mark_triangles(*this, sources, degenerate_triangles(mesh), "p4",
+                 " without area: a segment or a point");
+  const std::vector<OddEdge> edges = odd_edges(mesh.triangles, defects.duplicates);
+  mark_edges(*this, edges, EdgeDefect::boundary, "p0");
+  mark_edges(*this, edges, EdgeDefect::non_manifold, "p3");
+  mark_edges(*this, edges, EdgeDefect::twisted, "p2");
+  Warnings of_surface;
+  warn_of_surface(defects, "", of_surface);
+  for (const PlacedWarning& warning : of_surface.all()) {
+    warnings.push_back(warning.what);
+  }
 }
 
 }  // namespace flashbvh::tool

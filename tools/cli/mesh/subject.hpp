@@ -11,10 +11,10 @@ namespace flashbvh::tool {
 
 /// A mesh of a page and its odd triangles and edges.
 struct Subject {
-  explicit Subject(const ImageFile& file);
+  explicit Subject(const ImageFile& image);
 
   std::vector<LiveMarks> marks;
-  std::vector<std::string> warnings;  ///< a sentence each
+  std::vector<std::string> warnings;  ///< without the image's name
 };
 
 }  // namespace flashbvh::tool
