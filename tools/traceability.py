@@ -9,9 +9,9 @@ ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "lib/docs/safety.md"
 STATUSES = ROOT / "lib/include/flashbvh/plain/status.h"
 ROW = re.compile(r"^\| ([A-Z]\d+) \| (.+) \| (.*) \|$", re.M)
-# Titles of Catch2, CTest, the command line's cases and unittest.
-TITLE = re.compile(r'(?:TEST_CASE|_test)\("((?:[^"\\\n]|\\.)*)"|"\$\{\w+\}/([^"\n]*)"|^== (.*)$|def test_(\w+)', re.M)
-FILES = ("tests/**/*.cpp", "tests/**/*.cmake", "tests/**/CMakeLists.txt", "tests/cli/**/*.txt", "tests/**/*.py",
+# Titles of Catch2, CTest and unittest.
+TITLE = re.compile(r'(?:TEST_CASE|_test)\("((?:[^"\\\n]|\\.)*)"|"\$\{\w+\}/([^"\n]*)"|def test_(\w+)', re.M)
+FILES = ("tests/**/*.cpp", "tests/**/*.cmake", "tests/**/CMakeLists.txt", "tests/**/*.py",
          "firmware_examples/**/CMakeLists.txt", "proofs/**/CMakeLists.txt")
 
 
@@ -19,7 +19,7 @@ def titles_of_tests():
     for pattern in FILES:
         for file in ROOT.glob(pattern):
             for groups in TITLE.findall(file.read_text()):
-                yield next(filter(None, groups), "").replace("_", " ") if groups[3] else "".join(groups)
+                yield next(filter(None, groups), "").replace("_", " ") if groups[2] else "".join(groups)
 
 
 def gaps_of(page, titles):

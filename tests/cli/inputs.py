@@ -1,0 +1,164 @@
+"""Inputs of the tests: fixtures, poses, meshes in OBJ and robots."""
+import random
+import re
+import shutil
+from math import sqrt
+from pathlib import Path
+
+from cli import compiled, fixture, flashbvh, run, text, write
+from meshes import write_large_meshes, write_meshes
+
+HOME = "1 0 0 0 1 0 0 0 1"  # not rotated
+
+
+@fixture
+def meshes():
+    write_meshes("meshes")
+
+
+@fixture
+def large_meshes():
+    write_large_meshes("meshes")
+
+
+@fixture
+def images():
+    meshes()
+    flashbvh("bake meshes/ring.stl meshes/coarse.stl -o post --cell 0.01")
+    flashbvh("bake meshes/ring.stl meshes/coarse.stl -o pre --cell 0.01 --layout pre")
+    flashbvh("bake meshes/ring.stl -o wide --cell 0.01 --index-bits 32")
+    flashbvh("bake meshes/ring.stl -o coarser --cell 0.02")
+    write("home", f"{HOME} 0 0 0")
+
+
+OPTIONS = "--srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01"
+
+
+# A base, a shoulder turned by -y with a mesh, a slide, and two fingers, one of which mimics the other, on a link
+# without geometry.
+@fixture
+def two_fingers():
+    meshes()
+    limit = '<limit lower="-1" upper="1.5" effort="1" velocity="1"/>'
+    write("arm.urdf", f"""
+        <robot name="two fingers">
+        <link name="base"><collision><geometry><box size="0.2 0.2 0.1"/></geometry></collision></link>
+        <link name="upper-arm"><collision><geometry>
+          <mesh filename="package://parts/ring.stl" scale="0.01 0.01 0.01"/></geometry></collision></link>
+        <link name="class"><collision><origin rpy="0 1 0"/><geometry>
+          <cylinder radius="0.02" length="0.3"/></geometry></collision></link>
+        <link name="hand"></link>
+        <link name="finger.l"><collision><geometry><box size="0.01 0.02 0.05"/></geometry></collision></link>
+        <link name="finger.r"><collision><geometry><sphere radius="0.02"/></geometry></collision></link>
+        <joint name="turn" type="revolute"><parent link="base"/><child link="upper-arm"/>
+          <origin xyz="0 0 0.4"/><axis xyz="0 -1 0"/>{limit}</joint>
+        <joint name="slide" type="prismatic"><parent link="upper-arm"/><child link="class"/>
+          <axis xyz="0 0 1"/>{limit}</joint>
+        <joint name="wrist" type="continuous"><parent link="class"/><child link="hand"/><axis xyz="0 0 1"/></joint>
+        <joint name="left" type="revolute"><parent link="hand"/><child link="finger.l"/>
+          <origin xyz="0 0.05 0"/>{limit}</joint>
+        <joint name="right" type="revolute"><parent link="hand"/><child link="finger.r"/>
+          <origin xyz="0 -0.05 0"/>{limit}<mimic joint="left" multiplier="-0.5"/></joint>
+        </robot>""")
+    write("arm.srdf", """
+        <robot name="two fingers"><disable_collisions link1="base" link2="class" reason="Never"/></robot>""")
+    Path("parts").mkdir()
+    shutil.copy("meshes/ring.stl", "parts")
+    write("json", flashbvh(f"robot arm.urdf -o first {OPTIONS} --json --report page.html"))
+    flashbvh(f"robot arm.urdf -o image {OPTIONS} --format image")
+    # Used like in firmware.
+    write("bytes.cpp", """
+        #include "two_fingers.robot.h"
+        #include <cstdio>
+        #include "flashbvh/robot/guard.hpp"
+        #include "flashbvh/robot/motion.hpp"
+        int main() {
+          using GuardState = flashbvh::GuardStateOf<two_fingers_JOINT_COUNT, two_fingers_PAIR_COUNT,
+                                                    two_fingers_PAIR_JOINT_COUNT>;
+          using MotionState = flashbvh::MotionStateOf<two_fingers_VARIABLE_COUNT, two_fingers_JOINT_COUNT>;
+          std::printf("%zu %zu", sizeof(GuardState), sizeof(MotionState));
+        }""")
+    compiled("-std=c++17", "-Ifirst", "bytes.cpp", "-o", "bytes")
+    write("bytes_of_ram", run("./bytes"))
+
+
+def rotation(w, x, y, z):
+    return (w * w + x * x - y * y - z * z, 2 * (x * y - z * w), 2 * (x * z + y * w),
+            2 * (x * y + z * w), w * w - x * x + y * y - z * z, 2 * (y * z - x * w),
+            2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z)
+
+
+def any_poses(count, seed, reach):
+    """Poses of 17 digits, one per line: a rotation by a random unit quaternion, every fourth one by quarter turns about
+    an axis, and a translation within +-reach."""
+    any_of, lines = random.Random(seed), []
+    for n in range(count):
+        if n % 4 == 0:
+            turned = [1, 0, 0, 0]
+            turned[any_of.randint(1, 3)] = any_of.randint(-1, 1)
+        else:
+            turned = [any_of.uniform(-1, 1) for _ in range(4)]
+        length = sqrt(sum(part * part for part in turned))
+        place = [any_of.uniform(-reach, reach) for _ in range(3)]
+        lines.append(" ".join(f"{entry:.17g}" for entry in (*rotation(*(part / length for part in turned)), *place)))
+    return "\n".join(lines)
+
+
+def numbers(file):
+    """The numbers of each line."""
+    return [list(map(int, line.split())) for line in text(file).splitlines()]
+
+
+def vertices(file):
+    """The vertices of an OBJ file."""
+    return [tuple(map(float, line.split()[1:])) for line in text(file).splitlines() if line.startswith("v ")]
+
+
+def faces(file):
+    """The faces of an OBJ file, with vertex numbers from 0; negative numbers unchanged."""
+    return [tuple(int(word) - (int(word) > 0) for word in line.split()[1:]) for line in text(file).splitlines()
+            if line.startswith("f ")]
+
+
+def edit_vertices(source, target, change):
+    """Copies an OBJ file with the words of each vertex changed."""
+    lines = (line.split() for line in text(source).splitlines())
+    write(target, "\n".join(" ".join(["v", *map(str, change(*words[1:]))] if words[0] == "v" else words)
+                            for words in lines if words[0] in ("v", "f")))
+
+
+def box(x=0, y=0, z=0, size=1, first=0, inwards=False):
+    """A box in OBJ, from its lower corner; `first`: the number of vertices before it."""
+    corners = [(x + size * (i % 2), y + size * (i // 2 % 2), z + size * (i // 4)) for i in range(8)]
+    sides = [side[::-1] if inwards else side for side in ("1342", "5687", "1265", "3784", "1573", "2486")]
+    return "".join([*("v {:.15g} {:.15g} {:.15g}\n".format(*corner) for corner in corners),
+                    *("f " + " ".join(str(first + int(c)) for c in side) + "\n" for side in sides)])
+
+
+# Parts of URDFs: links with one or several collision primitives, and joints.
+def shape(geometry, place=""):
+    return f'<collision><origin xyz="{place or "0 0 0"}"/><geometry>{geometry}</geometry></collision>'
+
+
+def box_of(sides, place=""):
+    return shape(f'<box size="{sides}"/>', place)
+
+
+def link(name, *shapes):
+    return f'<link name="{name}">{"".join(shapes)}</link>\n'
+
+
+def joint(name, kind, parent, child, inside="", limits=None):
+    limit = '<limit lower="{}" upper="{}" effort="1" velocity="1"/>'.format(*limits) if limits else ""
+    return (f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{inside}{limit}'
+            "</joint>\n")
+
+
+def robot(name, *parts):
+    """Writes a URDF file."""
+    return write(f"{name}.urdf", f'<robot name="{name}">\n{"".join(parts)}</robot>\n')
+
+
+def disables(a, b):
+    """An SRDF element that disables a pair."""
+    return f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>'

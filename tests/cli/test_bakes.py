@@ -1,0 +1,171 @@
+"""What bakes give: equal bytes and answers, in any unit and in C++; and no time that is quadratic."""
+import os
+import resource
+import shutil
+from pathlib import Path
+
+from cli import Case, elsewhere, fixture, flashbvh, long, refuse, refuse_each, run, same, search, text, TOOLS, write
+from inputs import any_poses, box, edit_vertices, HOME, large_meshes, meshes, numbers
+
+
+@fixture
+def ten_inches():
+    Path("parts").mkdir()
+    for name, side in (("mm", 254), ("m", 0.254), ("in", 10)):
+        write(f"parts/{name}.obj", box(size=side))
+
+
+class BakesTest(Case):
+    inputs = meshes,
+
+    @long
+    def test_nothing_is_quadratic_in_the_number_of_triangles(self):
+        large_meshes()
+        # Of processor time, per process.
+        resource.setrlimit(resource.RLIMIT_CPU, (30, 30))
+        out = flashbvh("bake meshes/many_triangles.stl -o baked --index-bits 32 --format image")
+        self.assertEqual(out.err, "")
+        flashbvh("check baked/many_triangles.fbvh --mesh meshes/many_triangles.stl").matches(
+            "66000 triangles, .* nodes, equal to")
+        refuse("bake meshes/many_triangles.stl -o out --cell 1e-6",
+               "many_triangles.stl: is too large for a cell of 1e-06: out of range are 66000 triangles (0, 1, 2, 3, 4 "
+               "and 65995 more)")
+
+    # Under equal poses: the library knows no unit of length. Lengths are the mesh's lattice points, times ten to the
+    # exponent.
+    def test_a_mesh_in_a_unit_a_thousand_times_smaller_or_larger_gives_the_originals_answers(self):
+        flashbvh("bake meshes/ring.stl -o plain --cell 0.013")
+        flashbvh("export --cells plain/ring.fbvh -o ring.obj")
+        poses = [line.split() for line in any_poses(15, 7, 25).splitlines()]
+        for exponent, cell in ((0, "8"), (3, "8e3"), (-3, "8e-3")):
+            with self.subTest(exponent):
+
+                def scaled(*lengths):
+                    return [f"{x}e{exponent}" for x in lengths]
+
+                Path(f"by{exponent}").mkdir()
+                edit_vertices("ring.obj", f"by{exponent}/ring.obj", scaled)
+                write("poses", "\n".join(" ".join([*pose[:9], *scaled(*pose[9:])]) for pose in poses))
+                flashbvh(f"bake by{exponent}/ring.obj -o by{exponent} --cell {cell} --format image")
+                flashbvh(f"export --cells by{exponent}/ring.fbvh -o by{exponent}/lattice.obj")
+                out = flashbvh(f"collide by{exponent}/ring.fbvh by{exponent}/ring.fbvh --poses poses --json --pairs "
+                               f"by{exponent}/pairs")
+                write(f"by{exponent}/answers", out)
+        for folder in ("by3", "by-3"):
+            with self.subTest(folder):
+                for file in ("lattice.obj", "pairs", "answers"):
+                    same(f"by0/{file}", f"{folder}/{file}")
+        self.assertGreater(len(numbers("by0/pairs")), 100)
+
+    def test_the_cpp_output_answers_like_the_image_and_links_no_unused_data(self):
+        flashbvh("bake meshes/ring.stl -o images --format image --cell 0.125")
+        write("poses", f"{HOME} 6 2 1")
+        flashbvh("collide images/ring.fbvh images/ring.fbvh --poses poses --pairs tool_pairs")
+        out = run(TOOLS / "cli_cpp_query")
+        self.assertEqual(out, text("tool_pairs"))
+        run(TOOLS / "cli_tree_alone")
+        out = run(os.environ["NM"], TOOLS / "cli_tree_alone")
+        out.matches("[ ]ring_image")
+        out.lacks("grouped_image")
+
+    def test_equal_input_gives_equal_bytes_in_any_folder_and_with_any_other_meshes(self):
+        shutil.copytree("meshes", "elsewhere/meshes")
+        for options in ("", "--layout pre", "--builder median", "--leaf-size 3 --arity 5", "--index-bits 32"):
+            with self.subTest(options):
+                flashbvh(f"bake meshes/ring.stl -o one --cell 0.01 {options}")
+                elsewhere(f"bake ../meshes/coarse.stl meshes/ring.stl -o ../two --cell 0.01 {options}")
+                for file in ("ring.fbvh", "ring.fbvh.h", "ring.fbvh.c"):
+                    same(f"one/{file}", f"two/{file}")
+                self.assertTrue(all(len(line) <= 100 for kind in "hc"
+                                    for line in text(f"one/ring.fbvh.{kind}").splitlines()))
+        self.assertNotRegex(text("two/ring.fbvh.h"), "elsewhere|20[0-9][0-9]-")
+        self.assertNotIn(os.getcwd(), text("two/ring.fbvh.h"))
+
+    def test_without_cell_the_finest_cell_that_fits_all_meshes_passing_it_changes_nothing(self):
+        out = flashbvh("bake meshes/tetrahedron.stl meshes/ring.stl -o one")
+        cell = search("^cell ([^;]*);", out)
+        flashbvh(f"bake meshes/tetrahedron.stl meshes/ring.stl -o two --cell {cell}")
+        same("one", "two")
+
+    def test_a_failed_bake_leaves_older_files_unchanged(self):
+        flashbvh("bake meshes/ring.stl -o one --format image")
+        shutil.copy("one/ring.fbvh", "before")
+        flashbvh("bake meshes/ring.stl meshes/nan.stl -o one --cell 1", code=2)
+        same("before", "one/ring.fbvh")
+        self.assertEqual(os.listdir("one"), ["ring.fbvh"])
+
+    def test_only_the_requested_files(self):
+        for form, files in (("image", "ring.fbvh"), ("c", "ring.fbvh.c ring.fbvh.h")):
+            with self.subTest(form):
+                flashbvh(f"bake meshes/ring.stl -o {form} --format {form}")
+                self.assertEqual(sorted(os.listdir(form)), files.split())
+
+    def test_files_of_different_units_are_converted_to_one_unit_which_all_given_and_printed_lengths_use(self):
+        ten_inches()
+        out = flashbvh("bake parts/mm.obj parts/m.obj parts/in.obj -o out --cell 0.5 --unit mm --unit m.obj=m "
+                       "--unit parts/in.obj=in")
+        self.assertEqual(out.err, "")
+        out.matches("^cell 0.5 mm;")
+        out = flashbvh("info out/in.fbvh --json")
+        self.assertEqual(flashbvh("info out/mm.fbvh --json").replace('"name":"mm"', '"name":"in"'), out)
+        self.assertEqual(out.json["unit"], "mm")
+        flashbvh("info out/in.fbvh").matches("^cell  *0.5  mm$")
+        text("out/m.fbvh.h").contains("m_CELL 0.5 /* in mm */")
+        for name in ("mm", "m", "in"):
+            with self.subTest(name):
+                flashbvh(f"export --cells out/{name}.fbvh -o {name}.obj")
+                same("mm.obj", f"{name}.obj")
+        # check reads the mesh as bake does.
+        flashbvh("check out/in.fbvh --mesh parts/in.obj", code=1)
+        flashbvh("check out/in.fbvh --mesh parts/in.obj --unit mm --unit in.obj=in")
+
+    def test_a_common_unit_changes_no_number_the_image_stores_it(self):
+        ten_inches()
+        flashbvh("bake parts/in.obj -o plain --cell 0.5 --format image").matches("^cell 0.5;")
+        plain = flashbvh("info plain/in.fbvh --json")
+        for unit in ("nm", "um", "mm", "cm", "m", "mil", "in", "ft"):
+            with self.subTest(unit):
+                out = flashbvh(f"bake parts/in.obj -o alone --cell 0.5 --unit {unit} --format image")
+                out.matches(f"^cell 0.5 {unit};")
+                out = flashbvh("info alone/in.fbvh --json")
+                self.assertEqual(out.replace(f'"unit":"{unit}"', '"unit":""'), plain)
+                flashbvh("export alone/in.fbvh -o alone.obj")
+                text("alone.obj").matches(rf"\A# in {unit}\n", "^v 10 10 10$")
+        # To feet and back: 12 inches to a foot; 10 inches are 2 cells of half a foot.
+        flashbvh("bake parts/in.obj -o feet --cell 0.5 --unit in.obj=in --unit ft --format image")
+        flashbvh("export --cells feet/in.fbvh -o feet.obj")
+        text("feet.obj").matches("^v 2 2 2$")
+
+    def test_units_that_are_none_or_contradict_each_other(self):
+        ten_inches()
+        refuse_each("bake parts/mm.obj -o out --unit", {
+            "yard": "--unit yard: 'yard' is no unit; give nm, um",
+            "mm.obj=yard": "--unit mm.obj=yard: 'yard' is no unit",
+            "mm --unit cm": "--unit cm: the unit is mm already; give a file's own unit as --unit FILE=cm",
+            "m --unit other.obj=mm": "--unit other.obj=mm: no mesh 'other.obj' is given",
+            "m --unit mm.obj=cm --unit parts/mm.obj=in": "--unit parts/mm.obj=in: parts/mm.obj is in cm already",
+            "mm.obj=mm": "--unit mm.obj=mm: says nothing of the unit of the results; add it",
+            "": "--unit",
+        })
+
+    def test_a_mesh_50_times_as_long_as_the_others_is_one_of_another_unit_by_the_look_of_it(self):
+        for name in "ab":
+            write(f"{name}.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        for size, warnings in ((1, 0), (49, 0), (51, 1)):
+            with self.subTest(size):
+                write("c.obj", f"v 0 0 0\nv {size} 0 0\nv 0 1 0\nf 1 2 3\n")
+                out = flashbvh("bake a.obj b.obj c.obj -o odd --unit mm")
+                self.assertEqual(out.err.count("times as long"), warnings)
+        out.err.contains("c.obj: warning: is 51 x 1 x 0 mm, 51 times as long as the other meshes; if its unit or "
+                         "its scale is another one, --unit FILE=UNIT converts it")
+        flashbvh("info odd/c.fbvh").matches("^size  *51 x 0.999 x 0  mm$")
+        flashbvh("bake a.obj b.obj c.obj --dry-run --json").contains('{"place":"c.obj","warning":"is 51 x 1 x 0,')
+
+    def test_text_is_read_in_double_precision_and_deviations_are_those_from_the_text(self):
+        write("far.obj", "v 1000000.03 0 0\nv 1000010 0 0\nv 1000000.01 10 0\nf 1 2 3\n")
+        flashbvh("bake far.obj -o far --cell 0.01 --max-deviation 1e-9")
+        flashbvh("export --cells far/far.fbvh -o lattice.obj")
+        text("lattice.obj").matches("^v 100000003 0 0$")
+        write("half.obj", "v 5000000.3 0 0\nv 5000010 0 0\nv 5000000 10 0\nf 1 2 3\n")
+        refuse("bake half.obj -o out --cell 0.25 --max-deviation 0.01",
+               "half.obj: rounding moves a vertex by 0.0499999998")

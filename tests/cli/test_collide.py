@@ -1,0 +1,113 @@
+"""Pairs of triangles by all algorithms and layouts. Against brute force: tests/walk."""
+from pathlib import Path
+
+from cli import Case, fixture, flashbvh, text, write
+from inputs import any_poses, images, numbers
+
+
+@fixture
+def poses():
+    write("poses", """
+        # disjoint, touching boxes, crossing, almost the same place, the same place
+        1 0 0 0 1 0 0 0 1  80 0 0
+
+        1 0 0 0 1 0 0 0 1  51.9 0.5 0   # side by side
+        1 0 0 0 1 0 0 0 1  20 3.3 2
+        1 0 0 0 1 0 0 0 1  0.1 -0.2 0.05
+        1 0 0 0 1 0 0 0 1  0 0 0
+        1 0 0 0 1 0 0 0 1  -7.25 1e1 -.5
+        # rotated: a quarter, about no axis of the lattice, with five decimals, far away, and any way
+        0 -1 0 1 0 0 0 0 1  20 3.3 2
+        0.36 0.48 -0.8 -0.8 0.6 0 0.48 0.64 0.6  1.005 -3 10.1
+        0.66667 -0.33333 0.66667 0.66667 0.66667 -0.33333 -0.33333 0.66667 0.66667  0 0 0
+        0 0 1 0 1 0 -1 0 0  -4e6 1 1""")
+    write("poses", text("poses") + any_poses(12, 1, 25))
+
+
+def inverse(poses):
+    """Each pose turned back: the rotation transposed, the translation rotated by that and negated."""
+    for line in poses.splitlines():
+        p = list(map(float, line.split()))
+        columns = [p[i:9:3] for i in range(3)]
+        place = [-sum(a * b for a, b in zip(column, p[9:])) for column in columns]
+        yield " ".join(f"{x:.17g}" for x in (*columns[0], *columns[1], *columns[2], *place))
+
+
+class CollideTest(Case):
+    inputs = images,
+
+    def test_all_algorithms_find_the_same_pairs(self):
+        poses()
+        flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --pairs wanted")
+        wanted = numbers("wanted")
+        counts = [sum(pair[0] == pose for pair in wanted) for pose in range(22)]
+        self.assertGreaterEqual(sum(count > 0 for count in counts), 10)
+        for folder, algorithm in (
+                ("post", "ranked"), ("post", "stackless-post"), ("post", "volume-stack"), ("post", "alternating-stack"),
+                ("post", "leaf"), ("pre", "stackless"), ("pre", "volume-stack"), ("pre", "alternating-stack"),
+                ("pre", "leaf")):
+            with self.subTest((folder, algorithm)):
+                out = flashbvh(f"collide {folder}/ring.fbvh {folder}/coarse.fbvh --poses poses --pairs found --json "
+                               f"--algorithm {algorithm}")
+                self.assertEqual(numbers("found"), wanted)
+                self.assertEqual(out.each("triangle_pairs"), counts)
+                self.assertEqual(out.each("algorithm"), [algorithm] * 22)
+                self.assertEqual(out.each("status"), ["ok"] * 22)
+
+    def test_the_defaults_the_first_pair_alone_and_the_table(self):
+        poses()
+        out = flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --json --pairs wanted")
+        self.assertEqual(set(out.each("algorithm")), {"ranked"})
+        intersecting = sorted({pair[0] for pair in numbers("wanted")})
+        out = flashbvh("collide pre/ring.fbvh pre/coarse.fbvh --poses poses --json")
+        self.assertEqual(set(out.each("algorithm")), {"stackless"})
+        out = flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --first --pairs first --json")
+        self.assertEqual([pair[0] for pair in numbers("first")], intersecting)
+        self.assertEqual(max(out.each("triangle_pairs")), 1)
+        out = flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses")
+        self.assertEqual(out.count("\n"), 22 + 2)
+        count = len(intersecting)
+        out.matches(rf"\Aring and coarse, ranked: {count} of 22 poses intersect")
+        self.assertEqual(out.count(" intersect  "), count)
+        flashbvh("collide pre/ring.fbvh pre/coarse.fbvh --poses poses").contains(" free")
+        flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --pairs /dev/null")
+        self.assertTrue(Path("/dev/null").is_char_device())
+
+    # A tetrahedron against itself, translated by half a cell: pairs, one mesh inside the other, neither.
+    def test_what_is_said_of_each_pose_and_first_of_all(self):
+        write("small.obj", "v 1 1 1\nv 1 2 1\nv 2 1 1\nv 1 1 2\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 3 2 4\n")
+        flashbvh("bake meshes/tetrahedron.stl small.obj -o solid --cell 0.01")
+        for x, verdict, fields in (
+                (20, "free", '"intersects":false,"inside":false'),
+                (0, "inside", '"intersects":false,"inside":true'),
+                (-1, "intersect", '"intersects":true')):
+            with self.subTest(x):
+                write("pose", f"1 0 0 0 1 0 0 0 1  {x} 0 0\n")
+                out = flashbvh("collide solid/tetrahedron.fbvh solid/small.fbvh --poses pose")
+                out.matches(rf"\Atetrahedron and small, ranked: {verdict}$", f"^ *0  {verdict}")
+                out = flashbvh("collide solid/tetrahedron.fbvh solid/small.fbvh --poses pose --json")
+                out.contains(f'{{"pose":0,{fields},"algorithm"')
+
+    def test_changed_round_and_the_pose_inverted_whole_turns_on_whole_cells_give_the_same_pairs(self):
+        write("poses", """
+            0 -1 0 1 0 0 0 0 1  20 3.3 2
+            0 0 1 1 0 0 0 1 0  -7.25 1 .5
+            -1 0 0 0 0 1 0 1 0  3.01 0 11
+            1 0 0 0 0 -1 0 1 0  12 1 3""")
+        write("inverses", "\n".join(inverse(text("poses"))))
+        flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --pairs there")
+        flashbvh("collide post/coarse.fbvh post/ring.fbvh --poses inverses --pairs back")
+        self.assertEqual(len({pair[0] for pair in numbers("there")}), 4)
+        self.assertEqual(sorted(numbers("there")), sorted([pose, b, a] for pose, a, b in numbers("back")))
+
+    def test_any_other_turn_rounds_the_other_mesh_and_gives_about_as_many(self):
+        write("poses", any_poses(40, 2, 40))
+        write("inverses", "\n".join(inverse(text("poses"))))
+        out = flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --json")
+        there = out.each("triangle_pairs")
+        out = flashbvh("collide post/coarse.fbvh post/ring.fbvh --poses inverses --json")
+        back = out.each("triangle_pairs")
+        self.assertTrue(all((a - b) ** 2 <= 4 + a * a / 400 for a, b in zip(there, back)))
+        self.assertTrue(len(there) == len(back) == 40)
+        self.assertGreater(sum(there), 0)
+        self.assertTrue(0 < there.count(0) <= 30)

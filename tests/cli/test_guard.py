@@ -1,0 +1,243 @@
+"""A robot's guard along free, warned and stopped trajectories; motions from line to line; and invalid files."""
+import os
+import re
+import shutil
+from pathlib import Path
+
+from cli import (Case, elsewhere, fixture, flashbvh, headlines, page_data, refuse, refuse_each, same, search,
+                 self_contained, text, write)
+from inputs import box_of, joint, link, robot
+
+
+# An arm of boxes on a column that turns without limits; its forearm folds back onto the upper arm; one finger of its
+# hand mimics the other.
+@fixture
+def arm():
+    y = '<axis xyz="0 1 0"/>'
+    mimic = '<mimic joint="grip" multiplier="-1"/>'
+    column = link("column", box_of("0.2 0.2 0.1"))
+    robot("still", column)
+    robot("arm", column, link("upper", box_of("0.4 0.05 0.05", "0.25 0 0")),
+          link("fore", box_of("0.3 0.04 0.04", "0.2 0 0")),
+          link("left", box_of("0.02 0.02 0.1")), link("right", box_of("0.02 0.02 0.1")),
+          joint("turn", "continuous", "column", "upper", '<origin xyz="0 0 0.2"/><axis xyz="0 0 1"/>'),
+          joint("fold", "revolute", "upper", "fore", '<origin xyz="0.5 0 0"/>' + y, (-3, 3)),
+          joint("grip", "prismatic", "fore", "left", '<origin xyz="0.4 0.1 0"/>' + y, (-0.09, 0.1)),
+          joint("other", "prismatic", "fore", "right", '<origin xyz="0.4 -0.1 0"/>' + y + mimic, (-0.1, 0.09)))
+    flashbvh("robot arm.urdf -o image --stop 0.01 --warn 0.05 --format image")
+    line_up("free.csv", "fold,turn,grip", (-0.5, 0, 0.05), (0.5, 3, 0.05), 300)
+    line_up("folded.csv", "turn,grip,fold", (0, 0.05, 0), (0, 0.05, 3), 300)
+    line_up("back.csv", "turn,grip,fold", (0, 0.05, 1.5), (0, 0.05, 0.1), 200)
+
+
+@fixture
+def cubes():
+    in_the_way = [link(f"cube{i}", box_of("0.02 0.02 0.02"))
+                  + joint(f"at{i}", "fixed", "table", f"cube{i}", f'<origin xyz="0.3 {i - 4}.0e-1 0.4"/>')
+                  for i in range(1, 8)]
+    robot("gantry", link("table", box_of("1 1 0.1"), box_of("0.1 0.1 0.3", "0.4 0 0.2")),
+          link("bridge", box_of("0.1 0.8 0.2", "0 0 0.1")), link("beam", box_of("0.02 0.9 0.02", "0 0 0.4")),
+          joint("x", "prismatic", "table", "bridge", '<axis xyz="1 0 0"/>', (0, 0.4)),
+          joint("beam_on", "fixed", "bridge", "beam"), *in_the_way)
+    there = [f"0.{i:03}" for i in range(0, 301, 10)]
+    write("gantry.csv", "\n".join(["x", *there, "0.3", *there[-2::-1]]))
+    flashbvh("robot gantry.urdf -o gantry --stop 0.003 --warn 0.05 --format image --report page.html")
+    assert headlines("page.html")[0].startswith("Not guarded: table - bridge within ")
+
+
+def line_up(file, names, first, last, steps):
+    """A trajectory on the straight line in between, one line per step."""
+    write(file, "\n".join([names, *(", ".join(f"{a + (b - a) * i / steps:.6f}" for a, b in zip(first, last))
+                                    for i in range(steps + 1))]))
+
+
+class GuardTest(Case):
+    inputs = arm,
+
+    def test_free_in_any_order_of_columns_with_comments_and_other_line_ends_of_a_urdf_or_an_image(self):
+        out = flashbvh("guard arm.urdf free.csv --stop 0.01 --warn 0.05 --motion")
+        out.matches(
+            "^301 periods, 6 pairs of links guarded$",
+            "^stop  *0$",
+            "^not yet known  *0$",
+            "^motions from line to line: 300 free, 0 not$")
+        self.assertEqual(flashbvh("guard image/arm.robot free.csv --motion"), out)
+        rows = "".join(f"{line} # {i}\r\n" for i, line in enumerate(text("free.csv").splitlines(), 1))
+        Path("other.csv").write_bytes(b"\xef\xbb\xbf# where it goes\r\n" + rows.encode())
+        other = flashbvh("guard image/arm.robot other.csv --motion")
+        numbered = r"line 4[0-9]*|line [0-9]*,|^[0-9 ]* warn"
+        self.assertEqual(re.sub(numbered, "", other, flags=re.M), re.sub(numbered, "", out, flags=re.M))
+        refuse("guard image/arm.robot free.csv --stop 0.02",
+               "arm.robot: is baked already, --stop is for a URDF; leave it out")
+
+    def test_warned_of_then_stopped_in_this_order_before_the_links_touch_a_motion_hits_where_they_do(self):
+        out = flashbvh("guard image/arm.robot folded.csv --json --motion", code=1)
+        self.assertEqual(flashbvh("guard image/arm.robot folded.csv --json --motion", code=1), out)
+        periods, verdicts = out.lines, out.each("verdict")
+        self.assertEqual(len(periods), 301)
+        self.assertEqual(list(dict.fromkeys(verdicts)), ["free", "warn", "stop"])
+        self.assertEqual(verdicts, sorted(verdicts, key=["free", "warn", "stop"].index))
+        stop = next(period["line"] for period in periods if period["verdict"] == "stop")
+        hit = next(period["line"] for period in periods if period.get("motion", {}).get("outcome") == "hit")
+        self.assertLess(stop, hit)
+        out.matches(
+            '"verdict":"stop","a":"upper","b":"fore","distance":0.0,"work":[0-9]*,"status":"ok"',
+            r'"outcome":"hit","part":0.[0-9]*,"a":"upper","b":"fore","triangles":\[[0-9]*,[0-9]*\],'
+                r'"values":{"turn":0.0,"fold":2.[0-9]*,"grip":0.0')
+        # A period's reported distance is a lower bound of the meshes' distance.
+        self.assertTrue(all(0.01 < period["distance"] <= 0.05 for period in periods if period["verdict"] == "warn"))
+        flashbvh("guard image/arm.robot folded.csv --motion", code=1).matches(
+            f"^stop  *[1-9][0-9]*  first at line {stop}, upper - fore$",
+            f"^  to line {hit}: upper - fore hit 0.[0-9]* of the way on, at turn 0, fold 2.[0-9]*, grip 0.05$",
+            "more: --json has all$",
+            f"^closest: line {hit}, upper - fore intersect$")
+        # While moving from far to farther, it warns until it is free.
+        flashbvh("guard image/arm.robot back.csv").matches("^closest: line 2,")
+        # A budget that is too small shows as not yet known, never as free.
+        out = flashbvh("guard image/arm.robot folded.csv --json --work 1", code=1)
+        small = out.each("verdict")
+        self.assertIn("not_yet_known", small)
+        self.assertFalse(any(a == "stop" and b == "free" for a, b in zip(verdicts, small)))
+
+    def test_a_jump_through_the_upper_arm_is_not_free_though_both_of_its_ends_are(self):
+        write("jump.csv", "turn,fold,grip\n0,0,0.05\n0,2.9,0.05\n0,0,0.05\n0,0.1,0.05\n")
+        out = flashbvh("guard image/arm.robot jump.csv --motion --report page.html", code=1)
+        motions = page_data("page.html")["facts"][0]["motions"]
+        self.assertEqual([(motion["from"], motion["to"], motion["outcome"]) for motion in motions][1:], [(3, 4, "hit")])
+        out.contains("first at line 3")
+        # From 6 units of 2^-28 turn below 0 to 6 units below half a turn.
+        write("half.csv", "turn,fold,grip\n-1.404e-7,0,0.05\n3.1415925,0,0.05\n")
+        out = flashbvh("guard image/arm.robot half.csv", code=3)
+        out.err.contains("half.csv:3: a joint without limits turns by half a turn")
+
+    # From any folder, with no external address and no path.
+    def test_a_page_has_what_json_says(self):
+        out = flashbvh("guard image/arm.robot folded.csv --motion --work 40 --json --report page.html", code=1)
+        said = {name: out.lines[0][name] for name in ("periods", "not_guarded", "stretches", "deviation", "motions")}
+        self.assertEqual(page_data("page.html")["facts"], [said])
+        verdicts = out.each("verdict")
+        self.assertEqual(said["periods"],
+                         {kind: verdicts.count(kind) for kind in ("free", "warn", "stop", "not_yet_known", "refused")})
+        outcomes = [line["motion"]["outcome"] for line in out.lines if "motion" in line]
+        self.assertEqual(len(said["motions"]), len(outcomes) - outcomes.count("free"))
+        shutil.copytree(".", "elsewhere")
+        os.remove("elsewhere/page.html")
+        elsewhere("guard arm.urdf folded.csv --stop 0.01 --warn 0.05 --motion --work 40 --report ../again.html", code=1)
+        same("page.html", "again.html")
+        self_contained("page.html")
+        # The headlines name what occurs, the worst first, and nothing else.
+        flashbvh("guard image/arm.robot free.csv --report page.html")
+        count = len(text("free.csv").splitlines()) - 1
+        self.assertEqual(headlines("page.html"), [f"free: {count} of {count} periods"])
+        # Periods that are all warned of are not free.
+        rows = text("folded.csv").splitlines()
+        warned = len(verdicts) - verdicts[::-1].index("warn")
+        write("warned.csv", "\n".join([rows[0]] + 5 * [rows[warned]]))
+        flashbvh("guard image/arm.robot warned.csv --report warn.html").matches("^warn  *5")
+        self.assertEqual(headlines("warn.html"), ["warn: 5 of 5 periods, first at line 2, upper - fore"])
+
+    def test_an_unguarded_pair_is_reported_first_from_an_image_and_from_a_urdf(self):
+        cubes()
+        out = flashbvh("guard gantry/gantry.robot gantry.csv --json", code=1)
+        out.err.contains("gantry.robot: warning: not guarded: table - bridge")
+        out.matches(r'\A.*"not_guarded":\[{"a":"table","b":"bridge","reason":"[^"]*","joint":"x","radius":0[.0-9]*}\],'
+                    '"stretches":')
+        self.assertEqual(out.count("not_guarded"), 1)
+        out = flashbvh("guard gantry.urdf gantry.csv --stop 0.003 --warn 0.05", code=1)
+        out.err.contains("gantry.urdf: warning: not guarded: table - bridge")
+        out.matches(
+            r"\Anot guarded: table - bridge within 0[.][0-9]* m about x$",
+            "^62 periods, [0-9]* pairs of links guarded$")
+
+    def test_what_firmware_refuses_is_said_by_line_and_the_rest_is_answered(self):
+        write("limits.csv", "turn,fold,grip\n0,3.5,0\n0,0,0\n0,0.1,0.2\n60,0,0\n0,0,0\n")
+        out = flashbvh("guard arm.urdf limits.csv --json --motion", code=3)
+        self.assertEqual(out.each("verdict"), ["refused", "free", "refused", "refused", "free"])
+        self.assertEqual(out.each("status"),
+                         ["joint_out_of_limits", "ok", "joint_out_of_limits", "not_a_coordinate", "ok"])
+        out.matches('^{"line":3,"verdict":"free",')
+        out.err.contains(
+            "limits.csv:2: joint 'fold' can't be at 3.5: its limits are -3 and 3; correct",
+            "limits.csv:4: joint 'grip' can't be at 0.2: its limits are -0.09 and 0.1; correct",
+            "limits.csv:5: joint 'turn' can't be at 60: firmware takes less than 8 turns, 50.27 "
+                "radians; leave full turns out; in degrees? give radians: 1.0472")
+        # Of a value just beyond a limit, as many digits as it takes.
+        write("just.csv", "turn,fold,grip\n0,3.000002,0\n")
+        out = flashbvh("guard arm.urdf just.csv", code=3)
+        out.err.contains("just.csv:2: joint 'fold' can't be at 3.000002: its limits are -3 and 3; correct")
+        write("over.csv", "turn,fold,grip\n0,3.5,0\n")
+        out = flashbvh("guard image/arm.robot over.csv", code=3)
+        out.err.contains("over.csv:2: joint 'fold' can't be at 3.5: its limits are -3 and 3; correct")
+        flashbvh("guard image/arm.robot over.csv --json", code=3).contains('"verdict":"refused","a":null')
+
+    def test_degrees_and_millimetres_are_suggested_and_only_where_values_are_that_far_off(self):
+        write("units.csv", "fold;turn;grip\n-45;0;0\n0;0;20\n0;0;2\n")
+        out = flashbvh("guard image/arm.robot units.csv", code=3)
+        self.assertTrue(all("units.csv" in line for line in out.err.splitlines()))
+        out.err.contains(
+            "units.csv:2: joint 'fold' can't be at -45: its limits are -3 and 3 radians; in degrees? "
+                "give radians: -0.785398",
+            "units.csv:3: joint 'grip' can't be at 20: firmware takes less than 6.4 m of this robot; "
+                "in millimetres? give metres: 0.02",
+            "units.csv:4: joint 'grip' can't be at 2: its limits are -0.09",
+            "and 0.1 m; in millimetres? give metres: 0.002")
+        out.matches("^ *2  *4  refused  *-")
+
+    def test_a_column_of_times_one_that_mimics_tabs(self):
+        rows = [line.split(", ") for line in text("free.csv").splitlines()]
+        timed = [["time", *rows[0][0].split(","), "other"],
+                 *([f"{i / 100:g}", *row, f"{-float(row[2]):g}"] for i, row in enumerate(rows[1:], 2))]
+        write("timed.csv", "\n".join("\t".join(row) for row in timed))
+        out = flashbvh("guard image/arm.robot timed.csv --json")
+        self.assertEqual(out.err, "")
+        self.assertEqual(out.each("time"), [i / 100 for i in range(2, len(out.lines) + 2)])
+        self.assertEqual(flashbvh("guard image/arm.robot free.csv --json"), re.sub('"time":[^,]*,', "", out))
+
+    def test_stretches_from_and_to_a_line_and_its_time_printed_in_json_on_the_page(self):
+        csv = text("folded.csv").splitlines()
+        write("timed.csv", "\n".join([f"secs,{csv[0]}", *(f"{i / 8:g},{row}" for i, row in enumerate(csv[1:]))]))
+        out = flashbvh("guard image/arm.robot timed.csv --json --report page.html", code=1)
+        stretches = out.lines[0]["stretches"]
+        self.assertEqual([stretch["verdict"] for stretch in stretches], ["warn", "stop"])
+        self.assertFalse(any("stretches" in line for line in out.lines[1:]))
+        for stretch in stretches:
+            self.assertEqual([line["line"] for line in out.lines if line["verdict"] == stretch["verdict"]],
+                             list(range(stretch["from"], stretch["to"] + 1)))
+            self.assertEqual(stretch["from_time"], (stretch["from"] - 2) / 8)
+            self.assertEqual(stretch["to_time"], (stretch["to"] - 2) / 8)
+            self.assertEqual((stretch["a"], stretch["b"]), ("upper", "fore"))
+        # The known distance is a lower bound of the measured one; where the guard stops, the links go on to intersect.
+        self.assertTrue(0.01 < stretches[0]["distance"] <= stretches[0]["closest"] <= 0.05)
+        self.assertEqual(stretches[1]["closest"], 0)
+        begin = stretches[1]["from"]
+        at_time = f"{(begin - 2) / 8:g}"
+        self.assertEqual(page_data("page.html")["facts"][0]["stretches"], stretches)
+        flashbvh("guard image/arm.robot timed.csv", code=1).matches(
+            "^from .*  closest m  links  *secs$",
+            f"^ *{begin}  *302  *stop  *0  *0  *upper - fore  {at_time} to 37.5$")
+        # From near to far: the closest line comes first.
+        closest = search("^closest: line 2, .*, (.*) m$", flashbvh("guard image/arm.robot back.csv"))
+        [stretch] = flashbvh("guard image/arm.robot back.csv --json").lines[0]["stretches"]
+        self.assertEqual(f"{stretch['closest']:.4g}", closest)
+        # Refused values belong to no pair.
+        write("refused.csv", "turn,fold,grip\n0,0,0\n0,9,0\n")
+        stretch = flashbvh("guard image/arm.robot refused.csv --json", code=3).lines[0]["stretches"][0]
+        self.assertEqual((stretch["verdict"], stretch["closest"]), ("refused", None))
+
+    # Trajectory files: tests/robot/read/trajectory_test.cpp.
+    def test_no_trajectory_and_no_robot(self):
+        for content, wanted in (
+                ("turn,fold\n0,0\n",
+                 "bad.csv:1: has no column 'grip'; the first line names all joints that move: turn,fold,grip"),
+                ("", "bad.csv")):
+            with self.subTest(content):
+                write("bad.csv", content)
+                refuse("guard arm.urdf bad.csv", wanted)
+        refuse_each("guard", {
+            "arm.urdf gone.csv": "gone.csv",
+            "gone.urdf free.csv": "gone.urdf",
+            "arm.urdf free.csv --work 0": "--work",
+            "arm.urdf free.csv --stop 0.1 --warn 0.01": "is nearer than --stop",
+            "still.urdf free.csv": "still.urdf: has no joint that moves, so there is nothing to guard; give it one, or "
+                "bake its links' meshes by `flashbvh bake`",
+        })

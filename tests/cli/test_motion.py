@@ -1,0 +1,125 @@
+"""`flashbvh motion`: two bodies during a motion from one pose to another."""
+import math
+
+from cli import Case, fixture, flashbvh, refuse, refuse_each, write
+from inputs import box
+
+
+# Boxes of 10 and 2 mm, each with its lower corner at its origin: B moves down by 10 mm and meets A after 5 mm.
+@fixture
+def boxes():
+    write("a.obj", box(size=10))
+    write("b.obj", box(size=2))
+    flashbvh("bake a.obj b.obj -o baked --cell 0.01 --unit mm --format image")
+    flashbvh("bake a.obj b.obj -o wide --cell 0.01 --unit mm --format image --index-bits 32")
+    flashbvh("bake a.obj b.obj -o pre --cell 0.01 --format image --layout pre")
+    flashbvh("bake b.obj -o coarse --cell 0.02 --format image")
+
+
+class MotionTest(Case):
+    def test_where_bodies_touch_first_at_each_width_of_the_indices(self):
+        boxes()
+        for folder in ("baked", "wide"):
+            way = f"motion {folder}/a.fbvh {folder}/b.fbvh --from '0 0 15' --to"
+            with self.subTest(folder):
+                out = flashbvh(f"{way} '0 0 5' --json", code=1)
+                found = out.json
+                self.assertEqual((found["outcome"], found["unit"]), ("contact", "mm"))
+                self.assertTrue(0.5 - 0.001 < found["from"] < 0.5)
+                self.assertLess(abs(found["to"] - 0.5), 0.001)
+                self.assertEqual(found["to_pose"][:11], [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0])
+                self.assertLess(abs(found["to_pose"][11] - 10), 0.01)
+                self.assertLess(max(found["triangles"]), 12)
+                out = flashbvh(f"{way} '0 0 5' --within 2 --json", code=1)
+                self.assertTrue(0.3 - 0.001 < out.json["from"] < 0.3)
+                self.assertLess(abs(out.json["to"] - 0.3), 0.001)
+                free = flashbvh(f"{way} '20 0 15' --within 4.97 --json")
+                self.assertEqual(free, '{"outcome":"free","unit":"mm"}\n')
+                out = flashbvh(f"{way} '20 0 15' --within 4.97")
+                self.assertEqual(out, "a and b, within 4.97 mm: free\n")
+                out = flashbvh(f"{way} '0 0 5'", code=1)
+                out.matches(r"\Aa and b: contact$", r"^contact  0\.49\d+ +0\.5\d* +\d+, \d+ +0 0 (10|9\.99\d*)$")
+
+    # An edge of B, which is rotated, moves down across an edge of A.
+    def test_close_how_near_at_most_and_what_comes_behind_it(self):
+        boxes()
+        turned = "-0.552008 -0.218820 0.804615 0.599278 0.566843 0.565293 -0.579787 0.794234 -0.181768"
+        way = f'baked/a.fbvh baked/b.fbvh --from "{turned} 6.1148 3 16.1148"'
+        out = flashbvh(f'motion {way} --to "{turned} 16.1148 4 6.1148" --json', code=1)
+        self.assertEqual(out.json["outcome"], "close")
+        self.assertEqual(out.json["distance_at_most"], 0.02015625)  # two cells, and 4 / 256 of the path
+        self.assertTrue(0.494 < out.json["from"] < out.json["to"] < 0.4952)
+        self.assertLess(out.json["to"] - out.json["from"], 0.01 / 14)
+        out = flashbvh(f'motion {way} --to "{turned} 16.1148 4 6.1148" --json --all', code=1)
+        self.assertEqual(set(out.each("outcome")[:-1]), {"close"})
+        self.assertEqual(out.lines[-1]["outcome"], "contact")
+        self.assertGreaterEqual(out.lines[-1]["from"], out.lines[-2]["to"])
+        self.assertLess(out.lines[-1]["to"], 0.496)
+        out = flashbvh(f'motion {way} --to "{turned} 16.1148 4 6.1148" --all', code=1)
+        out.matches(r"\Aa and b: contact$", r"^close .*\n(.*\n)*contact\s")
+        # To where they are close: the motion is free outside that interval.
+        out = flashbvh(f'motion {way} --to "{turned} 11.0638 3.4949 11.1658" --json --all', code=1)
+        self.assertEqual((out.lines[0]["outcome"], out.lines[0]["to"]), ("close", 1))
+        self.assertEqual(out.lines[1:], [{"outcome": "free", "unit": "mm"}])
+        out = flashbvh(f'motion {way} --to "{turned} 11.0638 3.4949 11.1658" --all', code=1)
+        out.matches(r"\Aa and b: close, at most 0\.020156[23] mm apart$")
+        out.lacks("free")
+
+    def test_a_pose_in_a_file_and_moves_a_quarter_about_an_edge_of_a_and_a_screw(self):
+        boxes()
+        write("there", "# B over A\n1 0 0 0 1 0 0 0 1  0 0 15\n")
+        write("down", "0 0 5\n")
+        out = flashbvh("motion baked/a.fbvh baked/b.fbvh --from there --to down --json", code=1)
+        self.assertTrue(0.5 - 0.001 < out.json["from"] < 0.5)
+        self.assertLess(abs(out.json["to"] - 0.5), 0.001)
+        # Turning about the z axis, B goes round A's corner from the face x = 10 to the face y = 10, or on a screw from
+        # above.
+        write("turn", "0 0 0  0 0 2  90  0 0 0   # the direction has any length\n")
+        out = flashbvh('motion baked/a.fbvh baked/b.fbvh --from "10.5 0 3" --moves turn --json', code=1)
+        angle = out.json["to"] * math.radians(90)
+        there = out.json["to_pose"]
+        self.assertLess(abs(there[0] - math.cos(angle)), 1e-6)
+        self.assertLess(abs(there[10] - 10.5 * math.sin(angle)), 0.01)
+        flashbvh('motion baked/a.fbvh baked/b.fbvh --from "14.2 0 3" --moves turn')
+        write("screw", "0 0 0  0 0 1  -90  0 0 -9\n")
+        flashbvh('motion baked/a.fbvh baked/b.fbvh --from "12 0 12" --moves screw')
+        write("screw", "0 0 0  0 0 1  45  0 0 -9\n")
+        out = flashbvh('motion baked/a.fbvh baked/b.fbvh --from "12 0 12" --moves screw --json', code=1)
+        self.assertEqual(out.json["outcome"], "contact")
+
+    def test_what_is_no_motion_is_refused_with_the_place_and_the_remedy(self):
+        boxes()
+        write("empty", "# none\n")
+        write("two", "0 0 1\n0 0 2\n")
+        write("short", "1 2 3\n")
+        write("bad", "0 0 0  0 0 1  90  0 0 0\n0 0 0  0 0 1  x  0 0 0\n")
+        write("still", "0 0 0  0 0 0  90  0 0 0\n")
+        write("fast", "0 0 0  0 0 1  2880  0 0 0\n")
+        write("far", "0 0 0  0 0 1  1  0 0 1e9\n")
+        write("many", "0 0 0  0 0 1  1  0 0 0\n" * 65)
+        refuse_each("motion baked/a.fbvh baked/b.fbvh", {
+            '--to "0 0 1"': "--from is required",
+            '--from "0 0 1"': "--to or --moves",
+            '--from "0 0 1" --to "0 0 1" --moves bad': "--to excludes --moves",
+            '--from "0 0" --to "0 0 1"':
+                "--from: has 2 numbers; write 12, the rotation row by row and the translation, or 3",
+            '--from "0 0 1" --to "1 0 0 0 1 0 0 0 2 0 0 1"': "--to: the first 9 numbers are no rotation",
+            '--from missing --to "0 0 1"': "missing: ",
+            '--from empty --to "0 0 1"': "empty: has no pose; write 12 numbers, or 3, in a line",
+            '--from two --to "0 0 1"': "two: has 2 poses; --from takes one",
+            '--from "0 0 1" --to two': "two: has 2 poses; --to takes one",
+            '--from "0 0 1" --to "0 0 9000"': "--to: may take B farther than 2^19 cells, 5242.88, from A's origin; cut",
+            '--from "0 0 1" --to "0 0 1e9"': "--to: the pose translates B by",
+            '--from "0 0 1" --moves empty': "empty: has no moves; write 10 numbers a line",
+            '--from "0 0 1" --moves short': "short:1: has 3 numbers; a move has 10",
+            '--from "0 0 1" --moves bad': "bad:2: 'x' is no finite number",
+            '--from "0 0 1" --moves still': "still:1: turns about an axis without a direction",
+            '--from "0 0 1" --moves fast': "fast:1: turns 8 times; the most is less than 8",
+            '--from "0 0 1" --moves far': "far:1: has the length 1e+09; the most is 2^19 cells, 5242.88",
+            '--from "0 0 1" --moves many': "many: has 65 moves; a motion has at most 64",
+            '--from "0 0 1" --to "0 0 2" --within -1': "--within -1: is out of range: 0 to 320",
+            '--from "0 0 1" --to "0 0 2" --within 320.1': "--within 320.1: is out of range: 0 to 320, 32000 cells",
+        })
+        refuse('motion pre/a.fbvh pre/b.fbvh --from "0 0 1" --to "0 0 2"',
+               "pre/a.fbvh: is pre-indexed, which has no distances")
+        refuse('motion baked/a.fbvh coarse/b.fbvh --from "0 0 1" --to "0 0 2"', "coarse/b.fbvh")

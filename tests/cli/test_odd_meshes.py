@@ -1,0 +1,200 @@
+"""Each kind of defect gets a line with triangle ids; the triangles stay unless --drop names them, and remaining
+triangles keep their numbers."""
+import re
+import shutil
+
+from cli import Case, fixture, FLASHBVH, flashbvh, refuse, run, search, text, write
+from inputs import box, meshes, numbers, vertices
+
+# A closed box of 8.
+BOX = "\n".join(["v 0 0 0", "v 8 0 0", "v 8 8 0", "v 0 8 0", "v 0 0 8", "v 8 0 8", "v 8 8 8", "v 0 8 8", "f 4 3 2 1",
+                 "f 5 6 7 8", "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7", "f 4 1 5 8", ""])
+
+
+def closed_box():
+    write("box.obj", BOX)
+
+
+# Triangle 12 lies on a line, 13 is smaller than a cell, 14 and 15 repeat 0 and 2 with rotated corners.
+@fixture
+def odd():
+    closed_box()
+    meshes()
+    write("mesh.obj", BOX + "v 0.1 0.2 0\nv 0.2 0.1 0\nf 1 3 3\nf 1 9 10\nf 2 4 3\nf 6 5 7\n")
+    flashbvh("bake box.obj -o box --cell 1")
+
+
+class OddMeshesTest(Case):
+    inputs = closed_box,
+
+    def test_closed_meshes_say_nothing(self):
+        meshes()
+        self.assertEqual(flashbvh("bake box.obj -o box --cell 1").err, "")
+        self.assertEqual(flashbvh("bake meshes/ring.stl meshes/coarse.stl meshes/tetrahedron.stl -o rings").err, "")
+
+    def test_triangles_without_area_and_duplicates_are_kept_or_left_out(self):
+        odd()
+        for drop, degenerate, duplicate, said in (
+                ("", "kept (--drop degenerate leaves them out)", "kept (--drop duplicate leaves them out)",
+                 "16 triangles.*equal to mesh.obj$"),
+                ("--drop degenerate", "left out", "kept (--drop duplicate leaves them out)",
+                 "14 triangles.*without 2 degenerate and 0 duplicate triangles"),
+                ("--drop degenerate,duplicate", "left out", "left out",
+                 "12 triangles.*without 2 degenerate and 2 duplicate triangles")):
+            with self.subTest(drop):
+                self.assertEqual(flashbvh(f"bake mesh.obj -o odd --cell 1 {drop}").err.splitlines(), [
+                    f"flashbvh: mesh.obj: warning: without area: 1 triangle (12); {degenerate}",
+                    f"flashbvh: mesh.obj: warning: without area once rounded: 1 triangle (13); {degenerate}",
+                    "flashbvh: mesh.obj: warning: with the three vertices of an earlier one, once rounded: 2 triangles "
+                    f"(14 and 15); {duplicate}"])
+                flashbvh("check odd/mesh.fbvh --mesh mesh.obj").matches(said)
+
+    def test_triangles_left_out_that_lie_on_no_others_count_in_the_deviation(self):
+        write("wire.obj", BOX + "v 0 0 90\nv 0 0.2 90\nv 0.2 0 90\nf 9 10 11\n")
+        out = flashbvh("bake wire.obj -o wire --cell 1 --drop degenerate --json")
+        out.err.contains("wire.obj: warning: triangles left out lie up to")
+        self.assertTrue(82 <= out.json["meshes"][0]["deviation"] < 84)
+        out = flashbvh("bake wire.obj -o wire --cell 1 --drop degenerate --simplify 0.9 --json")
+        self.assertTrue(82 <= out.json["meshes"][0]["deviation"] < 85)
+        flashbvh("export wire/wire.fbvh -o lattice.obj")
+        self.assertTrue(82 <= float(search("# within ([0-9.]*) of", text("lattice.obj"))) < 85)
+        refuse("bake wire.obj -o out --cell 1 --drop degenerate --max-deviation 2",
+               "wire.obj: triangles to drop lie up to 8")
+        refuse("bake wire.obj -o out --cell 1 --drop degenerate --max-deviation 2 --simplify 0.9",
+               "--max-deviation allows 2")
+
+    def test_an_image_with_triangles_left_out_exports_their_numbers_and_what_it_is_compared_to_counts(self):
+        odd()
+        flashbvh("bake mesh.obj -o some --cell 1 --drop degenerate")
+        flashbvh("export --cells some/mesh.fbvh -o some.obj")
+        self.assertEqual(re.findall("^# triangle.*", text("some.obj"), re.M), ["# triangle 14"])
+        self.assertEqual(len(vertices("some.obj")), 8)
+        flashbvh("bake mesh.obj -o few --cell 1 --drop degenerate,duplicate")
+        flashbvh("check few/mesh.fbvh --mesh meshes/tetrahedron.stl", code=1)
+        flashbvh("check box/box.fbvh --mesh meshes/tetrahedron.stl", code=1)
+        self.assertEqual(flashbvh("check few/mesh.fbvh --mesh mesh.obj --json").json, {
+            "image": "few/mesh.fbvh", "ok": True, "kind": "mesh", "triangles": 12, "nodes": 8, "mesh": "mesh.obj",
+            "equal": True, "left_out_degenerate": 2, "left_out_duplicate": 2, "warnings": []})
+        self.assertEqual(flashbvh("check box/box.fbvh --mesh meshes/tetrahedron.stl --json", code=1).json, {
+            "image": "box/box.fbvh", "ok": False, "kind": "mesh", "triangles": 12, "nodes": 8,
+            "mesh": "meshes/tetrahedron.stl", "equal": False, "warnings": [],
+            "difference": "corner 0 of triangle 0 lies at (0 8 0) in the image, at (0 0 0) in the mesh"})
+        self.assertEqual(flashbvh("check box.obj --json", code=2).json, {
+            "image": "box.obj", "ok": False, "wrong": "box.obj: is no flashbvh image; name a .fbvh file"})
+        write("open.obj", BOX[:-len("f 4 1 5 8\n")])
+        flashbvh("bake open.obj -o open --cell 1")
+        flashbvh("check open/open.fbvh --mesh box.obj", code=1).contains("the image lacks triangle 10")
+        flashbvh("check box/box.fbvh --mesh open.obj", code=1).contains("the image has a triangle 10, the mesh only 10")
+
+    def test_answers_speak_of_the_files_numbers_whatever_was_left_out_before_them(self):
+        odd()
+        lines = text("mesh.obj").splitlines()
+        write("late.obj", "\n".join([line for line in lines if line[0] == "v"] + ["f 1 3 3", "f 1 9 10"]
+                                    + [line for line in BOX.splitlines() if line[0] == "f"]))
+        flashbvh("bake late.obj -o late --cell 1 --drop degenerate")
+        write("pose", "1 0 0 0 1 0 0 0 1  8 1 1\n")
+        flashbvh("collide late/late.fbvh box/box.fbvh --poses pose --pairs late_pairs")
+        flashbvh("collide box/box.fbvh box/box.fbvh --poses pose --pairs box_pairs")
+        self.assertEqual(sorted(numbers("late_pairs")),
+                         sorted([pose, a + 2, b] for pose, a, b in numbers("box_pairs")))
+        self.assertTrue(numbers("box_pairs"))
+        refuse("bake late.obj -o out --cell 100 --drop degenerate", "late.obj: --drop leaves no triangle")
+        refuse("bake box.obj -o out --drop sharp", "--drop")
+        refuse("bake box.obj -o out --drop", "--drop")
+
+    def test_a_surface_that_is_open_non_manifold_or_twisted_is_said_to_be_so(self):
+        is_open = "no closed surface"
+        inside = "what lies inside the solid is unknown"
+        last = "f 4 1 5 8\n"
+        for mesh, wanted in (
+                (BOX.replace(last, ""), f"{is_open} (4 boundary edges of one triangle): {inside}"),
+                (BOX + "v 4 4 12\nf 7 8 9\n",
+                 f"{is_open} (2 boundary edges of one triangle, 1 non-manifold edge of more than two): {inside}"),
+                (BOX.replace(last, "f 8 5 1 4\n"),
+                 f"{is_open} (4 edges of two that face opposite ways): {inside}, nor which way normals face")):
+            with self.subTest(wanted):
+                write("mesh.obj", mesh)
+                out = flashbvh("bake mesh.obj -o odd --cell 1")
+                self.assertEqual(out.err, f"flashbvh: mesh.obj: warning: {wanted}\n")
+        out = flashbvh("check odd/mesh.fbvh")
+        out.err.matches("^flashbvh: odd/mesh.fbvh: warning: .*, nor which way normals face$")
+        out = flashbvh("check odd/mesh.fbvh --json")
+        out.contains('"warnings":[{"place":"odd/mesh.fbvh","warning":"no closed surface')
+
+    # By the volume: at any place of the mesh, and with a smaller shell that is not inside out. A hollow box is no
+    # defect.
+    def test_inside_out(self):
+        turned = ("is inside out: normals face into the solid; turn the triangles round in the program that made it, "
+                  "or leave them if it is a room, seen from within")
+        for mesh in (box(-1000, -1000, -1000, 8, inwards=True), box(-4, -4, -4, 8, inwards=True),
+                     box(size=8, inwards=True), box(1000, 1000, 1000, 8, inwards=True),
+                     box(size=8, inwards=True) + box(100, 100, 100, 4, first=8)):
+            with self.subTest(mesh):
+                write("mesh.obj", mesh)
+                out = flashbvh("bake mesh.obj -o odd --cell 1")
+                self.assertEqual(out.err, f"flashbvh: mesh.obj: warning: {turned}\n")
+                out = flashbvh("check odd/mesh.fbvh")
+                self.assertEqual(out.err, f"flashbvh: odd/mesh.fbvh: warning: {turned}\n")
+        write("mesh.obj", box(size=8) + box(2, 2, 2, 4, first=8, inwards=True))
+        out = flashbvh("bake mesh.obj -o odd --cell 1")
+        self.assertEqual(out.err, "")
+        # A part that is inside out beside others, overlapping one, or in a cavity; not a cavity, which may hold a part.
+        hollow = box(size=32) + box(2, 2, 2, 28, first=8, inwards=True)
+        for mesh, parts in (
+                (box(size=8) + box(20, 0, 0, 4, first=8, inwards=True), "1 part that is"),
+                (box(size=8) + box(6, 6, 6, 4, first=8, inwards=True), "1 part that is"),
+                (box(size=8) + box(6, 6, 6, 4, first=8, inwards=True) + box(-3, 0, 0, 4, first=16, inwards=True),
+                 "2 parts that are"),
+                (hollow + box(8, 8, 8, 4, first=16, inwards=True), "1 part that is")):
+            with self.subTest(mesh):
+                write("mesh.obj", mesh)
+                out = flashbvh("bake mesh.obj -o odd --cell 1")
+                out.err.matches(f"^flashbvh: mesh.obj: warning: has {parts} inside out: .*")
+                flashbvh("check odd/mesh.fbvh").err.matches(f"has {parts} inside out")
+        write("mesh.obj", hollow + box(8, 8, 8, 4, first=16) + box(9, 9, 9, 2, first=24, inwards=True))
+        self.assertEqual(flashbvh("bake mesh.obj -o odd --cell 1").err, "")
+
+    def test_two_boxes_side_by_side_that_rounding_joins_along_a_wall(self):
+        write("mesh.obj", box(size=8) + box(8.25, size=8, first=8))
+        self.assertEqual(flashbvh("bake mesh.obj -o odd --cell 0.25").err, "")
+        out = flashbvh("bake mesh.obj -o odd --cell 1")
+        out.err.matches(r"once rounded no closed surface \(.*what lies inside the solid is unknown; a finer --cell "
+                        "keeps it closed")
+
+    def test_out_of_range_which_triangles_and_what_would_fit(self):
+        write("far.obj", BOX + "v 900 0 0\nv 900 1 0\nf 9 10 1\n")
+        out = refuse("bake far.obj -o out --cell 0.015",
+                     "far.obj: is too large for a cell of 0.015: out of range are 13 triangles (0, 1, 2, 3, 4 "
+                     "and 8 more); the finest that it fits is --cell")
+        cell = search("--cell (.*)", out.err)
+        flashbvh(f"bake far.obj -o far --cell {cell}")
+
+    # 2^18 cells are near enough, along all axes together.
+    def test_far_from_its_frames_origin(self):
+        far = ("flashbvh: mesh.obj: warning: lies far from its frame's origin: rotated, it is placed within 0.54 cells "
+               "instead of 0.51{}; move it nearer to the origin\n")
+        for x, warning in ((262132, ""), (262133, far.format("")),
+                           (262140, far.format(", and no motion of it can be queried"))):
+            write("mesh.obj", box(x, size=8))
+            self.assertEqual(flashbvh("bake mesh.obj -o near --cell 1").err, warning)
+        refuse('motion near/mesh.fbvh near/mesh.fbvh --from "0 0 0" --to "0 0 1"', "nearer to their origins")
+
+    def test_how_far_rounding_may_move_a_vertex(self):
+        write("thin.obj", "v 0 0 0\nv 1 0 0\nv 0 0.25 1\nf 1 2 3\n")
+        flashbvh("bake thin.obj -o thin --cell 0.5 --max-deviation 0.25")
+        flashbvh("bake thin.obj -o thin --cell 0.25 --max-deviation 0")
+        out = refuse("bake thin.obj -o out --cell 0.5 --max-deviation 0.125",
+                     "thin.obj: rounding moves a vertex by 0.25, --max-deviation allows 0.125; a cell of 0.144")
+        cell = search("a cell of ([^ ]*) ", out.err)
+        flashbvh(f"bake thin.obj -o thin --cell {cell} --max-deviation 0.125")
+        refuse("bake thin.obj -o out --cell 0.5 --max-deviation 1e-9",
+               "thin.obj: rounding moves a vertex by 0.25, --max-deviation allows 1e-09; the mesh is too "
+               "large for so fine a cell: cut it in parts")
+        for length in ("-1", "nan", "abc", '""'):
+            with self.subTest(length):
+                refuse(f"bake thin.obj -o out --max-deviation {length}", "--max-deviation")
+
+    def test_quick_work_shows_no_bar_on_a_terminal(self):
+        if shutil.which("script"):
+            said = run("script", "-qec", f"'{FLASHBVH}' bake box.obj -o bar --cell 1", "/dev/null")
+            self.assertNotIn("%", said)

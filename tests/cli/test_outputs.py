@@ -1,0 +1,137 @@
+"""All files are written and listed, or none: if writing fails, or if standard output is full."""
+import os
+import re
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+from cli import Case, FLASHBVH, flashbvh, refuse, refuse_each, same, search, size, text, write
+from inputs import images, meshes
+
+
+def until_full(reader, writer, **options):
+    """Starts `bake` with a full pipe as standard output, and waits until all bytes are on the disk, under temporary
+    names."""
+    os.set_blocking(writer, False)
+    try:
+        while True:
+            os.write(writer, b"0" * 64)
+    except BlockingIOError:
+        os.set_blocking(writer, True)
+    baking = subprocess.Popen([FLASHBVH, "bake", "meshes/ring.stl", "-o", "out"], stdout=writer,
+                              stderr=subprocess.DEVNULL, **options)
+    os.close(writer)
+    for _ in range(500):
+        if sum(file.stat().st_size > 512 for file in Path("out").rglob("*.tmp*")) == 3:
+            return baking
+        time.sleep(0.02)
+    baking.kill()
+    os.close(reader)
+    raise AssertionError("no temporary files")
+
+
+def ended_by(how):
+    """The exit code of a bake that this ends, and the number of its files."""
+    ignoring = {"preexec_fn": lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)} if how == "nohup" else {}
+    reader, writer = os.pipe()
+    baking = until_full(reader, writer, **ignoring)
+    if "closed" not in how:
+        baking.send_signal(signal.SIGHUP if how == "nohup" else getattr(signal, how))
+        while os.read(reader, 65536):
+            pass
+    os.close(reader)
+    code = baking.wait()
+    assert Path("out").exists() == (code == 0), "a folder is left"
+    return code, sum(1 for _ in Path("out").rglob("*"))
+
+
+class OutputsTest(Case):
+    inputs = meshes,
+
+    def test_a_dry_run_prints_what_a_real_one_prints_fails_where_it_fails_and_writes_nothing(self):
+        for options, code in (
+                ("", 0), ("--format c", 0), ("--format image --leaf-size 5", 0), ("--cell 0.0001", 2)):
+            with self.subTest(options):
+                bake = f"bake meshes/ring.stl meshes/tetrahedron.stl --unit mm {options}"
+                wet = flashbvh(f"{bake} -o wet", code=code)
+                for folder in ("", "-o out"):
+                    out = flashbvh(f"{bake} {folder} --dry-run", code=code)
+                    self.assertTrue(out.startswith(wet))
+                    self.assertEqual(out.err, wet.err)
+                    self.assertFalse(Path("out").exists())
+
+    def test_the_table_of_what_was_baked_what_firmware_links_first_a_row_for_all_the_unit_of_each_length(self):
+        out = flashbvh("bake meshes/ring.stl meshes/tetrahedron.stl --cell 0.25 --unit mm -o table")
+        rows = [line.split() for line in out.splitlines()]
+        self.assertEqual(len(rows), 5)
+        self.assertEqual([row[0] for row in rows], ["mesh", "ring", "tetrahedron", "total", "cell"])
+        out.matches(r"\Amesh +flash  bytes/triangle  triangles")
+        self.assertEqual(len(re.findall(r"  [0-9.]+ mm  +[0-9.]+ x [0-9.]+ x [0-9.]+ mm$", out, re.M)), 2)
+        self.assertTrue(all(int(rows[3][i]) == int(rows[1][i]) + int(rows[2][i]) for i in (1, 3, 4, 5)))
+        self.assertEqual(rows[3][2], f"{int(rows[3][1]) / int(rows[3][3]):.1f}")
+        self.assertEqual(float(rows[3][7]), max(float(row[7]) for row in rows[1:3]))
+        out.matches("^total .*  [0-9.]+ mm$", "^cell 0.25 mm;")
+        self.assertEqual(rows[1][1], search("_IMAGE_BYTES ([0-9]*) ", text("table/ring.fbvh.h")))
+        out = flashbvh("bake meshes/ring.stl meshes/tetrahedron.stl --cell 0.25 --unit mm --dry-run --json")
+        said = out.json
+        self.assertEqual((said["unit"], said["cell"], said["warnings"]), ("mm", 0.25, []))
+        for mesh, row in zip(said["meshes"], rows[1:3], strict=True):
+            self.assertEqual([mesh["name"], str(mesh["flash_bytes"]), str(mesh["triangles"])], [row[0], row[1], row[3]])
+            self.assertLess(abs(mesh["deviation"] - float(row[7])), 1e-4)
+            self.assertEqual([f"{side:.3g}" for side in mesh["size"]], row[9:14:2])
+        out = flashbvh("bake meshes/ring.stl --cell 0.25 --format image -o table")
+        out.matches(f"^ring  *{size('table/ring.fbvh')} ")
+        out.lacks("total")
+        refuse("bake meshes/ring.stl -o out --unit mm --cell 0.0001",
+               "meshes/ring.stl: is too large for a cell of 1e-04 mm:")
+        refuse("bake meshes/ring.stl -o out --unit mm --cell 1 --max-deviation 0.1",
+               "--max-deviation allows 0.1 mm; a cell of 0.1154700538379")
+
+    def test_a_link_is_written_through_one_that_leads_to_no_file_is_refused(self):
+        images()
+        flashbvh("export post/ring.fbvh -o plain.obj")
+        write("far/target.obj", "old")
+        os.symlink("far/target.obj", "link.obj")
+        flashbvh("export post/ring.fbvh -o link.obj")
+        self.assertTrue(os.path.islink("link.obj"))
+        same("far/target.obj", "plain.obj")
+        os.symlink("missing", "dangling")
+        os.symlink("loop", "loop")
+        refuse_each("export post/ring.fbvh -o", {
+            "dangling": "dangling: is a link that leads to no file: No such file or directory; remove it or write "
+                "elsewhere",
+            "loop": "loop: is a link that leads to no file: Too many levels of symbolic links",
+        })
+
+    def test_standard_output_has_other_names_as_a_file_it_holds_the_output_too(self):
+        images()
+        flashbvh("export post/ring.fbvh -o plain.obj")
+        collide = "collide post/ring.fbvh post/coarse.fbvh --poses home --pairs"
+        out = flashbvh(f"{collide} pairs")
+        self.assertEqual(flashbvh("export post/ring.fbvh -o /proc/self/fd/1"), text("plain.obj"))
+        for command, wanted in (("export post/ring.fbvh -o", text("plain.obj")), (collide, text("pairs") + out)):
+            with open("whole", "w") as file:
+                subprocess.run([FLASHBVH, *command.split(), "/proc/self/fd/1"], stdout=file, check=True)
+            self.assertEqual(text("whole"), wanted)
+
+    def test_standard_output_that_takes_nothing_no_file_is_left(self):
+        images()
+        for arguments in ("bake meshes/ring.stl -o out", "bake meshes/ring.stl --dry-run", "info post/ring.fbvh",
+                          "collide post/ring.fbvh post/ring.fbvh --poses home --pairs out", "--help", "--version",
+                          "bake --help"):
+            with self.subTest(arguments):
+                with open("/dev/full", "w") as full:
+                    done = subprocess.run([FLASHBVH, *arguments.split()], stdout=full, stderr=subprocess.PIPE,
+                                          text=True)
+                self.assertEqual((done.returncode, done.stderr), (2, "flashbvh: standard output can't be written\n"))
+                self.assertFalse(Path("out").exists())
+
+    def test_a_bake_that_a_signal_ends_leaves_no_file_one_that_goes_on_leaves_all(self):
+        for how, code, files in (
+                ("SIGHUP", -1, 0),
+                ("SIGTERM", -15, 0),
+                ("the reader has closed the pipe", -13, 0),
+                ("nohup", 0, 3)):
+            with self.subTest(how):
+                self.assertEqual(ended_by(how), (code, files))

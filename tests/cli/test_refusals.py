@@ -1,0 +1,222 @@
+"""Meaningless command lines are refused with one line that names the help."""
+import os
+import shutil
+import struct
+import zlib
+from pathlib import Path
+
+from cli import Case, flashbvh, refuse, refuse_each, same, write
+from inputs import box_of, images, joint, link, robot, shape
+
+
+def damaged(offset, content, target):
+    """A copy of images/t.fbvh with these bytes at the offset and a checksum that matches; or, if they are None, with
+    one inverted byte and a checksum that does not."""
+    data = bytearray(Path("images/t.fbvh").read_bytes())
+    if content is None:
+        data[offset] ^= 255
+    else:
+        data[offset:offset + len(content)] = content
+        data[12:16] = struct.pack("<I", zlib.crc32(data[:12] + data[16:]))
+    Path(target).write_bytes(data)
+
+
+def kept(file, link, command):
+    """With `link`, another name of a file, as output, the command is refused and the file unchanged."""
+    Path(link).parent.mkdir(exist_ok=True)
+    os.link(file, link)
+    before = Path(file).read_bytes()
+    flashbvh(command, code=2).err.matches("would replace|is an image, which would be replaced")
+    assert Path(file).read_bytes() == before
+    os.remove(link)
+
+
+class RefusalsTest(Case):
+    inputs = images,
+
+    def test_of_bake_before_any_file_is_read(self):
+        refuse_each("", {
+            "": "a command is missing",
+            "cook": "cook",
+            "--frobnicate": "--frobnicate",
+            "bake": "required",
+            "info": "required",
+            "bake meshes/ring.stl": "--output",
+            "bake meshes/ring.stl meshes/coarse.stl -o out --name both": "--name",
+            "bake missing.stl -o out --max-deviation abc": "--max-deviation abc",
+            "bake missing.stl -o out --cell abc": "--cell abc",
+            "bake missing.stl -o out --unit yard": "--unit yard",
+        })
+        refuse_each("bake meshes/ring.stl -o out", {
+            **{option: option.split()[0] for option in (
+                "--frobnicate", "--format xml", "--layout random", "--builder sah2", "--leaf-size 0", "--leaf-size 17",
+                "--arity 1", "--arity 9", "--index-bits 8", "--cell 0", "--cell -1", "--cell nan", "--cell inf",
+                "--cell 1e-300", "--cell 1e300", "--cell abc", "--cell ''")},
+            "--index-bits x": "--index-bits: x not in {16,32}",
+            '--name ""': "--name: is empty; give a name",
+            "--name __x": "--name __x: is a name that C or C++ takes; use another, such as m__x",
+            "--name 2nd": "--name 2nd",
+        })
+
+    # For each byte: tests/golden/damage_test.cpp. The root's link is at 0x58; the last words are the vertices (four of
+    # six bytes), the shell's first vertex with two zeros, and the name.
+    def test_damaged_images(self):
+        flashbvh("bake meshes/tetrahedron.stl -o images --name t --format image")
+        whole = Path("images/t.fbvh").read_bytes()
+        flashbvh("check images/t.fbvh")
+        write("home", "1 0 0 0 1 0 0 0 1 0 0 0\n")
+        for offset, content, wanted in (
+                (len(whole) // 2, None, "is corrupt"),
+                (len(whole) - 1, None, "is corrupt"),
+                (0x58, b"\1\0\1\0", "is invalid"),
+                (4, b"\t\0\1\x10", "is written in version 9")):
+            with self.subTest(offset):
+                damaged(offset, content, "bad.fbvh")
+                for command in ("check bad.fbvh", "info bad.fbvh", "export bad.fbvh -o out.obj",
+                                "collide bad.fbvh images/t.fbvh --poses home --pairs out",
+                                "collide images/t.fbvh bad.fbvh --poses home --pairs out"):
+                    refuse(command, f"bad.fbvh: {wanted}")
+        for content, wanted in (
+                (whole[:-1], "bad.fbvh: is truncated"),
+                (whole[:20], "bad.fbvh: is truncated"),
+                (whole * 2, f"bad.fbvh: has {len(whole)} bytes after its end")):
+            with self.subTest(wanted):
+                Path("bad.fbvh").write_bytes(content)
+                refuse("check bad.fbvh", wanted)
+                refuse("info bad.fbvh", wanted)
+        # `check` detects a wrong deviation and a wrong shell of a vertex; the library does not.
+        damaged(68, b"\7\0", "deviation.fbvh")
+        flashbvh("info deviation.fbvh")
+        refuse("check deviation.fbvh",
+               "deviation.fbvh: is invalid: its deviation in cells is not that in its unit; bake it again")
+        damaged(len(whole) - 8, b"\2\0\0\0", "shell.fbvh")
+        flashbvh("info shell.fbvh")
+        refuse("check shell.fbvh",
+               "shell.fbvh: is invalid: its vertices of shells are not those that its triangles make; bake it again")
+
+    def test_images_that_are_none_and_poses_of_export(self):
+        write("empty.fbvh", "")
+        refuse_each("", {
+            "info missing.fbvh": "missing.fbvh: can't be opened",
+            "info empty.fbvh": "empty.fbvh: is empty",
+            "check meshes/ring.stl": "ring.stl: is no flashbvh image",
+            "export post/ring.fbvh": "required",
+            "export post/ring.fbvh -o meshes": "meshes: is a folder",
+            'export post/ring.fbvh -o out.obj --pose "1 2 3"': "--pose: has 3 numbers",
+            'export post/ring.fbvh -o out.obj --pose "1 0 0 0 1 0 0 0 1.1 0 0 0"':
+                "--pose: the first 9 numbers are no rotation",
+            'export post/ring.fbvh -o out.obj --pose "-1 0 0 0 -1 0 0 0 -1 0 0 0"': "--pose: the matrix mirrors",
+            'export post/ring.fbvh -o out.obj --pose "1 0 0 0 1 0 0 0 1 0 0 1e30"': "--pose: the pose translates B",
+        })
+
+    def test_a_slip_costs_no_file_that_was_read_and_no_image(self):
+        shutil.copy("post/ring.fbvh", "kept.fbvh")
+        os.symlink("post/ring.fbvh", "link.obj")
+        os.link("home", "same_poses")
+        for mesh in ("post/ring.fbvh", "kept.fbvh", "link.obj"):
+            with self.subTest(mesh):
+                refuse(f"export post/ring.fbvh -o {mesh}",
+                       f"{mesh}: is an image, which would be replaced; write elsewhere")
+        for pairs in ("home", "./home", "same_poses"):
+            with self.subTest(pairs):
+                refuse(f"collide post/ring.fbvh post/ring.fbvh --poses home --pairs {pairs}",
+                       f"{pairs}: would replace home, which is read; write elsewhere")
+        refuse("collide post/ring.fbvh post/ring.fbvh --poses home --pairs kept.fbvh", "kept.fbvh: is an image")
+        same("post/ring.fbvh", "kept.fbvh")
+
+    def test_no_command_replaces_a_file_that_it_reads_every_output_with_every_input(self):
+        flashbvh("bake meshes/ring.stl -o images --format image")
+        Path("elsewhere").mkdir()
+        shutil.copy("meshes/tetrahedron.stl", "elsewhere/part.stl")
+        robot("arm", link("base", shape('<mesh filename="elsewhere/part.stl" scale="0.1 0.1 0.1"/>')),
+              link("tip", box_of("0.1 0.1 0.1")),
+              joint("turn", "revolute", "base", "tip", '<origin xyz="2 0 0"/><axis xyz="0 0 1"/>', (-1, 1)))
+        write("arm.srdf", '<robot name="arm"></robot>')
+        write("way.csv", "turn\n0")
+        flashbvh("robot arm.urdf -o baked --format image")
+        two = "images/ring.fbvh images/ring.fbvh"
+        robot_files = "arm.urdf arm.srdf elsewhere/part.stl"
+        for inputs, output, arguments in (
+                ("meshes/ring.stl", "to/ring.fbvh", "bake meshes/ring.stl -o to --format both"),
+                ("meshes/ring.stl", "to/ring.fbvh.h", "bake meshes/ring.stl -o to --format both"),
+                ("meshes/ring.stl", "to/ring.fbvh.c", "bake meshes/ring.stl -o to --format both"),
+                ("images/ring.fbvh", "to/x.obj", "export images/ring.fbvh -o to/x.obj"),
+                ("images/ring.fbvh home", "to/x", f"report {two} --poses home -o to/x"),
+                ("images/ring.fbvh home", "to/x", f"collide {two} --poses home --pairs to/x"),
+                ("images/ring.fbvh home", "to/x", f"collide {two} --poses home --contacts to/x"),
+                ("images/ring.fbvh home", "to/x", f"clearance {two} --poses home --within 1 --pairs to/x"),
+                (robot_files, "to/arm.robot", "robot arm.urdf --srdf arm.srdf -o to --format both"),
+                (robot_files, "to/arm.robot.h", "robot arm.urdf --srdf arm.srdf -o to --format both"),
+                (robot_files, "to/arm.robot.c", "robot arm.urdf --srdf arm.srdf -o to --format both"),
+                (robot_files, "to/x", "robot arm.urdf --srdf arm.srdf -o to --depfile to/x"),
+                (robot_files, "to/x", "robot arm.urdf --srdf arm.srdf -o to --report to/x"),
+                ("arm.urdf elsewhere/part.stl way.csv", "to/x", "guard arm.urdf way.csv --report to/x"),
+                ("baked/arm.robot way.csv", "to/x", "guard baked/arm.robot way.csv --report to/x")):
+            for file in inputs.split():
+                with self.subTest((file, arguments)):
+                    kept(file, output, arguments)
+
+    def test_where_nothing_can_be_written_nothing_is_left_over(self):
+        write("plain_file", "")
+        refuse("bake meshes/ring.stl -o plain_file/out", "plain_file: is no folder; write elsewhere")
+        Path("taken/ring.fbvh.c").mkdir(parents=True)
+        refuse("bake meshes/ring.stl -o taken", "ring.fbvh.c: is a folder")
+        self.assertEqual(os.listdir("taken"), ["ring.fbvh.c"])
+
+    def test_version(self):
+        flashbvh("--version").matches(r"\Aflashbvh [0-9]*\.[0-9]*\.[0-9]*$")
+
+    # Refused with the line, before any file is written.
+    def test_poses_that_cant_be_answered(self):
+        no_rotation = "the first 9 numbers are no rotation"
+        for line, wanted in (
+                ("1 0 0 0 1 0 0 0 1 0 0", "has 11 numbers"),
+                ("1 0 0 0 1 0 0 0 1 0 0 0 0", "has 13 numbers"),
+                ("nonsense", "has 1 numbers"),
+                ("1 0 0 0 1 0 0 0 1 0 0 x", "'x'"),
+                ("1 0 0 0 1 0 0 0 1 0 0 nan", "'nan'"),
+                ("1 0 0 0 1 0 0 0 1 0 inf 0", "'inf'"),
+                ("1 0 0 0 1 0 0 0 1 0 0x1 0", "'0x1'"),
+                ("1 0 0 0 1 0 0 0 1 0 1,5 0", "'1,5'"),
+                ("2 0 0 0 1 0 0 0 1 0 0 0", no_rotation),
+                ("1.001 0 0 0 1 0 0 0 1 0 0 0", no_rotation),
+                ("1 0.001 0 0 1 0 0 0 1 0 0 0", no_rotation),
+                ("0.67 -0.33 0.67 0.67 0.67 -0.33 -0.33 0.67 0.67 0 0 0", no_rotation),
+                ("0 0 0 0 0 0 0 0 0 0 0 0", no_rotation),
+                ("1e300 0 0 0 1 0 0 0 1 0 0 0", no_rotation),
+                ("1 0 0 5 0 1 0 6 0 0 1 7", no_rotation),  # row by row with the translation
+                ("1 0 0 0 1 0 0 0 -1 0 0 0", "the matrix mirrors"),
+                ("0 1 0 1 0 0 0 0 1 0 0 0", "the matrix mirrors"),
+                ("0 -1 0 1 0 0 0 0 1 0 0 5368709.13", "the pose translates B"),
+                ("1 0 0 0 1 0 0 0 1 1e9 0 0", "the pose translates B"),
+                ("1 0 0 0 1 0 0 0 1 0 -1e300 0", "the pose translates B")):
+            with self.subTest(line):
+                write("poses", f"# comment\n1 0 0 0 1 0 0 0 1 0 0 0 # comment\n\n{line}\n")
+                refuse("collide post/ring.fbvh post/coarse.fbvh --poses poses --pairs out --json", f"poses:4: {wanted}")
+        # The last cell that a pose can reach, and Windows line ends.
+        last = "0 -1 0 1 0 0 0 0 1 0 0 -5368709.12"
+        write("poses", f"1 0 0 0 1 0 0 0 1 5368709.12 0 0\r\n{last}\r\n")
+        flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --json")
+        flashbvh("export post/ring.fbvh -o far.obj --pose", last + "\r")
+
+    def test_pairs_of_images_that_cant_be_answered(self):
+        write("none", "# nothing\n")
+        write("empty", "")
+        refuse_each("collide", {
+            "post/ring.fbvh post/coarse.fbvh --poses none": "none: has no poses",
+            "post/ring.fbvh post/coarse.fbvh --poses empty": "empty: is empty",
+            "post/ring.fbvh post/coarse.fbvh --poses missing": "missing: can't be opened",
+            "post/ring.fbvh pre/coarse.fbvh --poses home --pairs out": "bake both",
+            "wide/ring.fbvh post/coarse.fbvh --poses home --pairs out": "bake both",
+            "coarser/ring.fbvh post/coarse.fbvh --poses home --pairs out":
+                "cell of 0.01, but coarser/ring.fbvh one of 0.02",
+            "post/ring.fbvh post/coarse.fbvh --poses home --pairs out --algorithm stackless":
+                "stackless can't walk; bake it with --layout pre",
+            "post/ring.fbvh post/coarse.fbvh --poses home --algorithm magic": "--algorithm",
+            "post/ring.fbvh post/coarse.fbvh": "required",
+            "post/ring.fbvh --poses home": "required",
+        })
+        for algorithm in ("ranked", "stackless-post"):
+            with self.subTest(algorithm):
+                refuse(f"collide pre/ring.fbvh pre/coarse.fbvh --poses home --pairs out --algorithm {algorithm}",
+                       f"{algorithm} can't walk; bake it with --layout post")

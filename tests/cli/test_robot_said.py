@@ -1,0 +1,241 @@
+"""The beliefs and messages of `flashbvh robot`: unguarded pairs, pairs that an SRDF disables, sizes and cells, and
+invalid robots."""
+from cli import Case, compiled, fixture, flashbvh, headlines, page_data, refuse, refuse_each, search, text, write
+from inputs import box_of, disables, joint, link, robot, shape
+
+
+# A gantry whose feet stand on its table, so that the two always intersect; a post that blocks the beam, part of the
+# table or a separate link.
+@fixture
+def gantry():
+    post = box_of("0.05 0.05 0.5", "0.3 0 0.25")
+    table = box_of("1 1 0.1", "0 0 -0.05")
+    feet = [box_of("0.05 0.1 0.4", f"-0.4 {y} 0.199") for y in (-0.4, 0.4)]
+    links = [link("bridge", *feet, box_of("0.05 0.9 0.05", "-0.4 0 0.375")),
+             link("carriage", box_of("0.04 0.04 0.2", "-0.33 0 0.3"))]
+    joints = [joint("x", "prismatic", "table", "bridge", '<axis xyz="1 0 0"/>', (0, 0.8)),
+              joint("y", "prismatic", "bridge", "carriage", '<axis xyz="0 1 0"/>', (-0.3, 0.3))]
+    robot("post", link("table", table), *links, link("post", post), joint("stands", "fixed", "table", "post"), *joints)
+    robot("gantry", link("table", table, post), *links, *joints)
+    write("drive.csv", "x,y\n" + "\n".join(f"{i * 0.016},0.2" for i in range(51)))
+
+
+def sized(first, second, third, reach):
+    """A robot of three boxes, whose last joint slides by up to `reach`."""
+    return robot("sized", link("a", box_of(first)), link("b", box_of(second)), link("c", box_of(third)),
+                 joint("one", "revolute", "a", "b", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (-1, 1)),
+                 joint("two", "prismatic", "b", "c", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (0, reach)))
+
+
+class RobotSaidTest(Case):
+    inputs = gantry,
+
+    def test_a_joint_zone_is_said_and_listed_in_the_header_json_and_images_a_post_outside_is_guarded(self):
+        out = flashbvh("robot gantry.urdf -o baked --stop 0.003 --format both --report page.html")
+        zone = search(r"within ([0-9.]* m about x)", out)
+        if "id=live-data" in text("page.html"):
+            text("page.html").contains('"zones":[[0,')
+        self.assertEqual(headlines("page.html")[0], f"Not guarded: table - bridge within {zone}")
+        unguarded = f"warning: not guarded: table - bridge within {zone} (neighbours touch about their joint)"
+        listed = '"not_guarded":[{"a":"table","b":"bridge","reason":"touch within %s","joint":"x","radius":0.' % zone
+        out.err.contains(f"gantry.urdf: {unguarded}: a collision of these is never detected; what may collide "
+                         "outside is guarded; another zone by")
+        out.matches(
+            r"\Anot guarded: table - bridge within 0.[0-9]* m about x$",
+            "^table - bridge *can *outside 0.[0-9]* m about x: intersect at the witness$",
+            "^bridge *x .* outside 0.[0-9]* m about x$")
+        text("baked/gantry.robot.h").contains("gantry_UNGUARDED_COUNT 1")
+        text("baked/gantry.robot.h").matches(r"^ \* table - bridge within 0.[0-9]* m about x$")
+        compiled("-std=c++17", "-x", "c++", "-c", "baked/gantry.robot.c", "-o", "object")
+        out = flashbvh("robot gantry.urdf -o baked --stop 0.003 --format c --json")
+        out.contains(listed, '"size":[1.0,1.0,0.6', '"deviation":')
+        compiled("-std=c99", "-c", "baked/gantry.robot.c", "-o", "object", language="cc",
+                 strict=("-Wall", "-Wextra", "-pedantic", "-Werror"))
+        # The image contains the list, too, and `guard` prints it for both.
+        flashbvh("info baked/gantry.robot").contains("not guarded: table - bridge")
+        flashbvh("info baked/gantry.robot --json").contains(listed)
+        out = flashbvh("guard baked/gantry.robot drive.csv", code=1)
+        out.err.contains(f"baked/gantry.robot: {unguarded}")
+        out.matches("^stop  *[1-9].*table - bridge$")
+        flashbvh("guard gantry.urdf drive.csv --stop 0.003", code=1).err.contains(f"gantry.urdf: {unguarded}")
+        # With the post as a separate link.
+        out = flashbvh("guard post.urdf drive.csv --stop 0.003", code=1)
+        out.err.contains("not guarded: table - bridge within")
+        out.matches("^stop  *[1-9].*bridge - post$")
+        flashbvh("robot post.urdf -o baked").matches(
+            "^table - post *fixed *no joint moves them, intersecting$",
+            r"^not guarded: table - bridge within [0-9.]* m about x \(never outside zone\)$")
+        # Without a zone, the whole links are tested.
+        out = flashbvh("robot gantry.urdf -o baked --zone x=0")
+        out.matches("^table - bridge *can *intersect at the witness$")
+        out.err.contains("a guard would always say stop; disable the pair")
+        self.assertNotIn("not guarded", out + out.err)
+        out = flashbvh("robot gantry.urdf -o baked --zone x=2")
+        out.matches(r"\Anot guarded: table - bridge within 2 m about x$")
+        refuse_each("robot gantry.urdf -o out", {
+            "--zone x": "--zone x: is no JOINT=LENGTH",
+            "--zone =1": "is no JOINT=LENGTH",
+            "--zone x=-1": "--zone x=-1: '-1' is no length",
+            "--zone x=1e5": "--zone x=1e5: is out of range: 0 to 512.031 m, 16777215 cells; lengths are in metres: "
+                "1e+05 mm is 100",
+            "--pair table,bridge=1e30": "--pair table,bridge=1e30: is out of range: 0 to ",
+            "--pair table,bridge=0.1,x": "--pair table,bridge=0.1,x: 'x' is no length",
+            "--pair table,bridge=0.1,0.01": "--pair table,bridge=0.1,0.01: warns nearer than it stops",
+            "--warn 1e30": "--warn 1e30: is out of range: 0 to ",
+            "--stop 50":
+                "--stop 50: is out of range: 0 to 1.00003 m, 32,767 cells; lengths are in metres: 50 mm is 0.05",
+            "--zone z=0.1": "names 'z', which is no moving joint between two links that collide",
+            "--zone x=1 --zone x=2": "--zone x=2: is a second zone of x",
+            "--time 0": "--time 0: is no time; give a number of seconds above 0",
+        })
+
+    def test_what_an_srdf_disables_is_decided_all_the_same(self):
+        write("gantry.srdf",
+              "\n".join(['<robot name="gantry">', disables("post", "carriage"), disables("bridge", "post"),
+                         disables("table", "bridge") + disables("bridge", "carriage"), "</robot>"]))
+        out = refuse("robot post.urdf -o out --srdf gantry.srdf",
+                     'gantry.srdf:2: disables carriage - post as "Never", but they intersect at x')
+        out.err.contains(
+            "y 0",
+            "; delete the line, or stand by it with --believe carriage,post",
+            "So can: bridge - post (line 3)")
+        refuse("robot post.urdf -o out --srdf gantry.srdf --believe post,carriage",
+               "gantry.srdf:3: disables bridge - post")
+        out = flashbvh("robot post.urdf -o baked --srdf gantry.srdf --believe post,carriage --believe bridge,post "
+                       "--stop 0.05 --format image")
+        out.matches("^bridge - post *believed *intersect at the witness; disabled in the SRDF and believed$")
+        # `never` covers collisions only: such pairs are not guarded for --stop, and not missing.
+        out.matches(
+            "^bridge - carriage *never outside zone *outside [^;]*: proven[^;]*; disabled in the SRDF, "
+                "so not kept --stop apart$",
+            r"\Anot guarded: table - bridge within [0-9.]* m about x \(never outside zone\), bridge - "
+                r"carriage within [0-9.]* m about y \(never outside zone\), bridge - post, carriage - post$")
+        believed = ("not guarded: bridge - post, carriage - post (disabled in the SRDF and believed, though they may "
+                    "collide)")
+        out.err.contains(believed)
+        out = flashbvh("guard baked/post.robot drive.csv")
+        out.err.contains(believed)
+        refuse_each("robot post.urdf -o out", {
+            "--srdf gantry.srdf --believe table,carriage":
+                "--believe table,carriage: names a pair that no SRDF disables",
+            "--believe bridge,post": "names a pair that no SRDF disables",
+            "--srdf gantry.srdf --believe bridge,beam":
+                "names 'beam', which is no link that collides; these are table,bridge",
+            "--srdf gantry.srdf --believe bridge": "does not name LINK,LINK",
+            "--srdf gantry.srdf --believe post,bridge --pair bridge,post=0.01": "guards what --believe leaves out",
+        })
+
+    def test_what_else_an_srdf_has(self):
+        write("defaults.srdf", '<robot name="gantry">\n<disable_default_collisions link="post"/><enable_collisions '
+              'link1="post" link2="bridge"/>\n</robot>\n')
+        refuse("robot post.urdf -o out --srdf defaults.srdf",
+               'defaults.srdf:2: disables carriage - post as "disable_default_collisions"')
+        enabled = '<enable_collisions link1="table" link2="bridge"/>'
+        write("both.srdf", f'<robot name="gantry">\n{enabled}{disables("bridge", "table")}\n</robot>')
+        out = flashbvh("robot post.urdf -o baked --srdf both.srdf")
+        out.err.contains("both.srdf:2: warning: disables table - bridge, which is enabled as well; it counts as "
+                         "disabled")
+        write("never.srdf", f'<robot name="gantry">\n{disables("bridge", "carriage")}\n</robot>')
+        out = flashbvh("robot post.urdf -o baked --srdf never.srdf --believe carriage,bridge --pair table,post=0.01")
+        out.err.contains(
+            "never.srdf:2: warning: bridge - carriage is never, with or without --believe "
+                "bridge,carriage; leave that out",
+            "links 'table' and 'post' have a --pair, but no joint moves them; leave it out")
+        robot("stuck", link("base", box_of("1 1 1")), link("arm", box_of("0.1 0.1 1", "0 0 0.9")),
+              joint("j", "revolute", "base", "arm", '<axis xyz="0 1 0"/>', (-1, 1)))
+        write("stuck.srdf", f'<robot name="stuck">{disables("base", "arm")}</robot>')
+        flashbvh("robot stuck.urdf -o baked --srdf stuck.srdf --believe base,arm").err.contains(
+            "stuck.srdf:1: warning: base - arm is never outside their joint's zone, with or without "
+                "--believe base,arm; leave",
+            "not guarded: base - arm within")
+
+    def test_never_is_said_of_whole_links_alone_elsewhere_it_is_never_outside_zone(self):
+        robot("hinged", link("base", box_of("1 1 1")), link("arm", box_of("0.1 0.1 1", "0 0 0.9")),
+              link("far", box_of("0.1 0.1 0.1", "9 9 9")), joint("f", "fixed", "base", "far"),
+              joint("j", "revolute", "base", "arm", '<axis xyz="0 1 0"/>', (-1, 1)))
+        flashbvh("robot hinged.urdf -o baked --format both --report page.html").matches(
+            r"\Anot guarded: base - arm within [0-9.]* m about j \(never outside zone\)$",
+            "^base - arm *never outside zone  outside [0-9.]* m about j: proven",
+            "^arm - far *never  *proven")
+        self.assertEqual([pair["verdict"] for pair in page_data("page.html")["facts"][0]["pairs"]],
+                         ["never outside zone", "fixed", "never"])
+        self.assertIn("m about j (never outside zone)", headlines("page.html")[0])
+        text("baked/hinged.robot.h").matches(r"^ \* base - arm within [0-9.]* m about j, never outside zone$")
+        out = flashbvh("robot hinged.urdf --dry-run --json")
+        self.assertEqual([pair["verdict"] for pair in out.json["pairs"]], ["never outside zone", "fixed", "never"])
+        reason = out.json["not_guarded"][0]["reason"]
+        self.assertTrue(reason.endswith(" m about j, never outside zone"))
+        out = flashbvh("info baked/hinged.robot --json")
+        self.assertEqual(out.json["not_guarded"][0]["reason"], reason)
+        out = flashbvh("info baked/hinged.robot")
+        out.matches(r"^not guarded: base - arm within [0-9.]* m about j \(never outside zone\)$")
+
+    def test_sizes_of_a_link_whose_scale_was_forgotten_and_of_a_robot_where_all_were_cells_too_coarse(self):
+        for sizes, wanted, fix in (
+                (("0.2 0.1 0.1", "0.1 0.2 0.1", "78 20 21", 0.1),
+                 "link 'c': warning: is 78 x 20 x 21 m, 390 times as long as the other links",
+                 'scale="0.001 0.001 0.001"'),
+                (("0.2 0.1 0.1", "0.1 0.2 0.1", "0.001 0.002 0.003", 0.1),
+                 "link 'c': warning: is 0.001 x 0.002 x 0.003 m, 1/66.7 times as long as the other links",
+                 "leave out the scale"),
+                (("200 100 100", "100 200 100", "100 100 150", 0.1),
+                 "has links of 200 m on joints at most 0.3 m apart; URDF is in metres", ""),
+                (("1 1 1", "1 1 1", "1 1 1", 1e9),
+                 "makes a cell of 1.91e+03 m, coarser than a tenth of the stop distance, 0.005 m, since a joint lies "
+                 "or slides 1e+09 m far", "m for link 'a' of 1 x 1 x 1 m, since")):
+            with self.subTest(sizes):
+                sized(*sizes)
+                flashbvh("robot sized.urdf -o baked --stop 0.005").err.contains(wanted, fix)
+        sized("0.2 0.1 0.1", "0.1 0.2 0.1", "0.01 0.005 0.005", 0.1)
+        flashbvh("robot sized.urdf -o baked --stop 0.005").err.lacks("warning")
+        flashbvh("robot sized.urdf -o baked --stop 0.005 --cell 0.002").err.contains(
+            "--cell 0.002: warning: makes a cell of 0.002 m, coarser than a tenth of the stop "
+                "distance, 0.005 m; give a finer one, or",
+            "--cell 0.002: warning: makes a cell of 0.002 m for link 'c' of 0.01 x 0.005 x 0.005 m; "
+                "give a finer one")
+
+    def test_flash_that_is_much_what_larger_leaves_save(self):
+        robot("large", link("a", *(shape('<sphere radius="1"/>', f"{i} 0 0") for i in range(1, 131))),
+              link("b", box_of("1 1 1", "0 0 9")), joint("turn", "continuous", "a", "b"))
+        out = flashbvh("robot large.urdf -o baked --format image")
+        flash = int(search("; ([0-9]*) bytes of flash, ", out))
+        saving = int(search("^--leaf-size 5: ([0-9]*) bytes of flash; ", out))
+        self.assertGreater(flash, 1048576)
+        self.assertLess(saving, flash * 4 / 5)
+        out = flashbvh("robot large.urdf --dry-run --json")
+        self.assertEqual([out.json["flash_bytes"], out.json["flash_bytes_leaf_size_5"]], [flash, saving])
+
+    def test_what_no_image_holds_is_refused_before_any_pair_is_decided(self):
+        pair = [link("base", box_of("1 1 1")), link("arm", box_of("0.1 0.1 1", "0 0 2"))]
+        robot("many", *pair, joint("j", "revolute", "base", "arm", "", (-1, 1)),
+              *(link(f"l{i}") + joint(f"f{i}", "fixed", "base", f"l{i}") for i in range(254)))
+        name = "l" * 300
+        robot("long", link("base", box_of("1 1 1")),
+              *(link(f"{name}{i}", box_of("0.1 0.1 1", "0 0 2") if i < 3 else "") for i in range(254)),
+              joint("j", "revolute", "base", f"{name}0", "", (-1, 1)),
+              *(joint(f"{name}{i}", "fixed", "base", f"{name}{i}") for i in range(1, 254)))
+        robot("narrow", *pair, joint("j", "prismatic", "base", "arm", '<axis xyz="0 1 0"/>', (0.3333337, 0.3333337)))
+        write("at.csv", "j\n0.5\n")
+        for name, wanted in (
+                ("many", "many.urdf: has 256 links, an image holds 255; leave out those without a shape and a tool"),
+                ("long", "bytes together, an image holds 65,535; shorten them"),
+                ("narrow", "narrow.urdf, joint 'j': has limits so narrow that no value keeps them; make it fixed")):
+            with self.subTest(name):
+                refuse(f"robot {name}.urdf -o out --cell 0.01", wanted)
+        refuse("guard many.urdf at.csv", "many.urdf: has 256 links, an image holds 255")
+        # A guard's slack holds twice the links' deviations.
+        robot("pair", *pair, joint("j", "revolute", "base", "arm", "", (-1, 1)))
+        out = refuse("robot pair.urdf -o out --simplify 1",
+                     "--simplify 1: is out of range: a guard would stop this robot wherever it is")
+        most = search("give ([0-9.]*) or less", out.err)
+        flashbvh(f"robot pair.urdf -o baked --simplify {most}")
+
+    def test_a_lattice_too_fine_for_a_long_chain_is_refused_before_any_pair_is_decided(self):
+        links = [link(f"l{i}", box_of("0.02 0.02 0.1")) for i in range(60)]
+        joints = [joint(f"j{i}", "revolute", f"l{i - 1}", f"l{i}", '<origin xyz="0.12 0 0"/>', (-1, 1))
+                  for i in range(1, 60)]
+        robot("chain", *links, *joints)
+        refuse("robot chain.urdf -o out --time 1 --cell 1.5e-5",
+               "robot: its joints move links too far for so fine a lattice: give --cell 1.9")
+        # The chosen cell suffices, and pairs without time are guarded.
+        flashbvh("robot chain.urdf -o out --time 1 --format image").contains("bytes of RAM for a guard")

@@ -1,0 +1,142 @@
+"""Simplified meshes and robots: within the requested length, or as near as fits the requested bytes."""
+from cli import Case, flashbvh, long, refuse, refuse_each, same, search, text, write
+from inputs import large_meshes, meshes, OPTIONS, two_fingers
+
+
+class SimplifyTest(Case):
+    def test_fewer_triangles_within_the_length_in_the_image_and_in_c_the_same_bytes_again(self):
+        meshes()
+        out = flashbvh("bake meshes/many_sides.stl --unit mm --simplify 0.2 -o made")
+        rows = [line.split() for line in out.splitlines()]
+        self.assertLess(int(rows[1][3]), 1000)
+        self.assertTrue(0.1 < float(rows[1][7]) <= 0.2)
+        out.contains(f"simplified: 1200 triangles -> {rows[1][3]}, leaves of 2; every point within 0.2 mm of the "
+                     "file's mesh,")
+        deviation = search("_DEVIATION ([0-9.e-]*) ", text("made/many_sides.fbvh.h"))
+        self.assertLess(abs(float(deviation) - float(rows[1][7])), 1e-4)
+        out = flashbvh("info made/many_sides.fbvh --json")
+        self.assertTrue(0.1 < out.json["deviation"] <= 0.2)
+        flashbvh("bake meshes/many_sides.stl --unit mm --simplify 0.2 -o again")
+        same("made", "again")
+        out = flashbvh("bake meshes/many_sides.stl --unit mm --simplify 0.2 --dry-run --json")
+        self.assertEqual(out.json["meshes"][0]["source_triangles"], 1200)
+        self.assertTrue(0.1 < out.json["meshes"][0]["deviation"] <= 0.2)
+        flashbvh("bake meshes/many_sides.stl --unit mm --simplify 0.2 --max-deviation 0.2 -o again")
+        refuse("bake meshes/many_sides.stl -o out --simplify 0.2 --max-deviation 0.1",
+               "many_sides.stl: the simplified mesh deviates by 0.19")
+
+    def test_a_mesh_that_can_deviate_by_exactly_the_length_is_certified_and_its_image_opens(self):
+        for n, cell in ((2, "0.0078125"), (4, "0.125"), (8, "0.0078125"), (40, "0.125")):
+            with self.subTest(n):
+                points = [(i, j) for i in range(n + 1) for j in range(n + 1)]
+                write("bump.obj", "".join([
+                    *(f"v {10 * i} {10 * j} {int(i == j == n // 2)}\n" for i, j in points),
+                    *(f"f {k} {k + n + 1} {k + n + 2} {k + 1}\n" for k in range(1, n * (n + 1)) if k % (n + 1))]))
+                out = flashbvh(f"bake bump.obj --simplify 1 --cell {cell} -o bump --json")
+                self.assertTrue(0 < out.json["meshes"][0]["deviation"] <= 1)
+                text("bump/bump.fbvh.h").lacks("inf")
+                flashbvh("check bump/bump.fbvh")
+
+    def test_what_fits_as_near_to_the_file_as_it_can_be_in_the_leaves_that_it_takes(self):
+        meshes()
+        for fit, leaves in ((18000, "2 5"), (6000, "2 5 10")):
+            with self.subTest(fit):
+                out = flashbvh(f"bake meshes/many_sides.stl --fit {fit} -o made")
+                row = out.splitlines()[1].split()
+                self.assertTrue(fit * 0.7 < int(row[1]) <= fit)
+                self.assertIn(search("leaves of ([0-9]*);", out), leaves.split())
+        out = flashbvh("bake meshes/many_sides.stl meshes/ring.stl --fit 12000 --leaf-size 3 -o both")
+        self.assertLessEqual(int(out.splitlines()[3].split()[1]), 12000)
+        self.assertIn("leaves of 3;", out)
+        flashbvh("bake meshes/ring.stl --fit 40000 -o ring").lacks("simplified")
+        coarse, fine = (flashbvh(f"bake meshes/many_sides.stl --fit {fit} --json -o made").json["meshes"][0]
+                        for fit in (6000, 12000))
+        self.assertLess(fine["deviation"], coarse["deviation"])
+        refuse("bake meshes/many_sides.stl -o out --fit 100", "--fit 100: is not reached by simplifying to")
+        refuse("bake meshes/many_sides.stl -o out --fit 6000 --max-deviation 0.01",
+               "--fit 6000: is not reached by simplifying to 0.01, --max-deviation; give more bytes or a "
+               "larger --max-deviation")
+        # The limit that holds is named.
+        refuse("bake meshes/many_sides.stl -o out --fit 100 --max-deviation 1000",
+               "a twentieth of the largest mesh; give more bytes or bake fewer meshes")
+
+    def test_bytes_are_predicted_to_the_last_one_unchanged_and_simplified(self):
+        meshes()
+        bake = "bake meshes/many_sides.stl --name a_long_name_of_a_mesh --json"
+        predicted = flashbvh(f"{bake} -o made --format image").json["meshes"][0]["flash_bytes"]
+        fits = flashbvh(f"{bake} --fit {predicted} -o fits").json["meshes"][0]
+        self.assertEqual(fits["triangles"], 1200)
+        less = flashbvh(f"{bake} --fit {predicted - 1} -o less").json["meshes"][0]
+        self.assertLess(less["flash_bytes"], predicted)
+
+    def test_options_that_are_refused(self):
+        meshes()
+        refuse_each("bake meshes/ring.stl -o out", {
+            "--simplify 0.1 --fit 1000": "--fit: chooses what --simplify says; give one of the two",
+            "--simplify 0": "--simplify 0: is no length",
+            "--simplify x": "--simplify x: is no length",
+            "--fit 0": "--fit 0: is no number of bytes",
+            "--fit 1e3": "--fit 1e3: is no number of bytes; give one from 1 to 4294967295",
+            "--fit 4294967296": "--fit 4294967296: is no number of bytes",
+            "--simplify 0.1 --deformable": "--deformable: keeps the file's vertices",
+            "--simplify 0.01 --cell 0.1": "--simplify 0.01: is less than rounding moves a vertex of meshes/ring.stl",
+        })
+
+    def test_a_mesh_of_more_triangles_than_16_bit_indices_reach_is_refused_with_a_length_that_makes_it_fit(self):
+        large_meshes()
+        out = refuse("bake meshes/many_triangles.stl -o out",
+                     "66000 triangles, but 16-bit indices reach 65535; with --simplify")
+        length = search("--simplify ([^ ]*) [0-9]* of them are left, in [0-9]* bytes", out.err)
+        left = search(" ([0-9]*) of them are left", out.err)
+        size = search("left, in ([0-9]*) bytes", out.err)
+        out = flashbvh(f"bake meshes/many_triangles.stl -o out --simplify {length} --json")
+        self.assertTrue(out.json["meshes"][0]["triangles"] == int(left) < 20000)
+        self.assertEqual(out.json["meshes"][0]["flash_bytes"], (int(size) + len("many_triangles") + 3) // 4 * 4)
+
+    @long
+    def test_a_mesh_that_no_such_length_makes_fit_is_refused_without_a_size(self):
+        write("loose.obj", "".join(f"v {x} {y} 0\nv {x + 1} {y} 0\nv {x} {y + 1} 0\nf -3 -2 -1\n"
+                                   for x in range(0, 1500, 5) for y in range(0, 1100, 5)))
+        refuse("bake loose.obj -o out",
+               "66000 triangles, but 16-bit indices reach 65535; not even --simplify 5 makes it fit: cut "
+               "it in parts; or use --index-bits 32")
+
+    def test_a_robots_links_are_simplified_for_firmware_alone_verdicts_witnesses_and_zones_stay(self):
+        two_fingers()
+        full = flashbvh(f"robot arm.urdf -o full {OPTIONS} --json --format both").json
+        less = flashbvh(f"robot arm.urdf -o less {OPTIONS} --simplify 0.002 --json --format both").json
+        for pair, simplified in zip(full["pairs"], less["pairs"], strict=True):
+            self.assertEqual([pair[name] for name in ("a", "b", "verdict", "witness")],
+                             [simplified[name] for name in ("a", "b", "verdict", "witness")])
+        self.assertLess(less["flash_bytes"], full["flash_bytes"])
+        self.assertEqual((less["simplified"], less["leaf_size"]), (0.002, 2))
+        self.assertTrue(0.001 < less["deviation"] <= 0.002)
+        self.assertTrue(all(link["triangles"] <= link["source_triangles"] for link in less["links"]))
+        self.assertLess(sum(link["triangles"] for link in less["links"]),
+                        0.7 * sum(link["triangles"] for link in full["links"]))
+        out = flashbvh(f"robot arm.urdf -o again {OPTIONS} --simplify 0.002 --format both")
+        same("less", "again")
+        out.matches("^simplified: [0-9]* triangles -> [0-9]*, leaves of 2; firmware's links and the URDF's lie "
+                    "within 0.002 m")
+        out.contains("a guard stops up to 0.008 m earlier")
+        write("still.csv", "turn,slide,wrist,left\n0,-0.9,0,0\n")
+        out = flashbvh("guard less/two_fingers.robot still.csv")
+        out.matches("^simplified: firmware's links and the URDF's lie within 0.00[0-9]* m of each other, so "
+                    "the guard stops up to 0.00")
+        out = flashbvh("guard less/two_fingers.robot still.csv --json")
+        self.assertLess(abs(out.lines[0]["deviation"] - less["deviation"]), 1e-6)
+        flashbvh("guard full/two_fingers.robot still.csv").lacks("simplified")
+        two_thirds = full["flash_bytes"] * 2 // 3
+        out = flashbvh("info less/two_fingers.robot")
+        slack = float(search("slack ([0-9.e-]*) m", out))
+        self.assertTrue(2 * less["deviation"] <= slack <= 2 * less["deviation"] + 1e-4)
+        refuse(f"robot arm.urdf {OPTIONS}", "--output or --dry-run")
+        out = flashbvh(f"robot arm.urdf -o fit {OPTIONS} --fit {two_thirds} --json")
+        self.assertTrue(two_thirds * 0.8 < out.json["flash_bytes"] <= two_thirds)
+        refuse_each(f"robot arm.urdf -o out {OPTIONS}", {
+            "--simplify 0.002 --fit 9000": "--fit: chooses what --simplify says; give one of the two",
+            "--simplify 0": "--simplify 0: simplifies nothing",
+            "--simplify 1e-7": "--simplify 1e-7: is less than rounding moves link",
+            "--fit 1000": "--fit 1000: is ",
+            "--fit -1": "--fit -1: is no number of bytes",
+        })
