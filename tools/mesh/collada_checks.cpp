@@ -1,11 +1,10 @@
-#include <cstring>
 #include <map>
 #include <set>
 
 #include "mesh/limited_import.hpp"
 #include "mesh/scene_checks.hpp"
-#include "mesh/xml.hpp"
 #include "text/messages.hpp"
+#include "text/xml.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -30,25 +29,24 @@ struct ColladaChecks {
   Names references;
   std::string unit;
 
-  void check(TiXmlElement& element) {
-    const std::string& name = element.ValueStr();
-    const char* const text = element.GetText();
+  void check(const XmlNode& element) {
+    const std::string_view name = element.name;
     if (const auto misread = kMisread.find(name); misread != kMisread.end()) {
       throw UserError(file, "has a <", name, ">, ", misread->second);
     }
     if (kTargets.count(name) != 0) {
-      ids.insert(attribute(&element, "id"));
+      ids.insert(element.attribute("id"));
     } else if (kReferences.count(name) != 0) {
-      references.insert(attribute(&element, "url"));
-    } else if (kPolygons.count(name) != 0 && attribute(&element, "count").empty()) {
+      references.insert(element.attribute("url"));
+    } else if (kPolygons.count(name) != 0 && element.attribute("count").empty()) {
       throw UserError(file, "can't be read: has <", name, "> without a count", kImportFix);
-    } else if (name == "p" && text != nullptr && std::strchr(text, '-') != nullptr) {
+    } else if (name == "p" && element.text.find('-') < element.text.size()) {
       throw UserError(file, "can't be read: has a <p> with a negative index", kImportFix);
     } else if (name == "unit") {
-      check_unit(element.Attribute("meter") == nullptr ? "1" : attribute(&element, "meter"));
+      check_unit(element.find("meter") == nullptr ? "1" : element.attribute("meter"));
     }
-    for (TiXmlElement* const inside : elements_in(element)) {
-      check(*inside);
+    for (const XmlNode& inside : element.inside) {
+      check(inside);
     }
   }
 
@@ -64,9 +62,8 @@ struct ColladaChecks {
 }  // namespace
 
 void check_collada(std::string_view text, const std::string& file) {
-  TiXmlDocument document;
   ColladaChecks checks = {file, {}, {}, {}};
-  checks.check(xml_root(text, file, "export the mesh again", document));
+  checks.check(read_xml(text, file, "export the mesh again"));
   for (const std::string& reference : checks.references) {
     if (reference.empty() || reference[0] != '#' || checks.ids.count(reference.substr(1)) == 0) {
       throw UserError(file, "refers to ", quoted(reference),

@@ -6,13 +6,14 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "mesh/limited_import.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "mesh/units.hpp"
-#include "mesh/xml.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
+#include "text/xml.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -78,20 +79,23 @@ class Reader {
   FileMesh read() {
     refuse_projects();
     const std::string part = model_part();
-    TiXmlDocument document;
-    TiXmlElement& model =
-        xml_root(package_.part(part), concat(file_, ", ", part), "export the mesh again", document);
+    const std::string text = package_.part(part);
+    const XmlNode model = read_xml(text, concat(file_, ", ", part), "export the mesh again");
     check_model(model);
-    for (TiXmlElement* const resources : elements_in(model, "resources")) {
-      for (TiXmlElement* const object : elements_in(*resources, "object")) {
-        if (!objects_.emplace(attribute(object, "id"), object).second) {
-          refuse("has two objects ", attribute(object, "id"), "; export the mesh again");
+    for (const XmlNode& resources : model.inside) {
+      for (const XmlNode& object : resources.inside) {
+        if (resources.name == "resources" && object.name == "object" &&
+            !objects_.emplace(object.attribute("id"), &object).second) {
+          refuse("has two objects ", object.attribute("id"), "; export the mesh again");
         }
       }
     }
-    for (TiXmlElement* const build : elements_in(model, "build")) {
-      for (TiXmlElement* const item : elements_of(*build, {"item"})) {
-        add(*item, kIdentity, 0);
+    for (const XmlNode& build : model.inside) {
+      if (build.name == "build") {
+        check_inside(build, {"item"});
+        for (const XmlNode& item : build.inside) {
+          add(item, kIdentity, 0);
+        }
       }
     }
     FileMesh mesh = builder_.finish();
@@ -115,30 +119,30 @@ class Reader {
   }
 
   std::string model_part() const {
-    TiXmlDocument document;
-    for (const TiXmlElement* const relation : elements_in(
-             xml_root(package_.part("_rels/.rels"), file_, "export the mesh again", document))) {
-      if (attribute(relation, "Type") == kModel) {
-        const std::string part = attribute(relation, "Target");
+    const std::string relations = package_.part("_rels/.rels");
+    for (const XmlNode& relation : read_xml(relations, file_, "export the mesh again").inside) {
+      if (relation.attribute("Type") == kModel) {
+        const std::string part = relation.attribute("Target");
         return part.substr(std::min(part.find_first_not_of('/'), part.size()));
       }
     }
     refuse("can't be read: names no part as its model", kImportFix);
   }
 
-  static std::string unit_name_of(const TiXmlElement& model) {
-    return model.Attribute("unit") == nullptr ? "millimeter" : attribute(&model, "unit");
+  static std::string unit_name_of(const XmlNode& model) {
+    return model.find("unit") == nullptr ? "millimeter" : model.attribute("unit");
   }
 
-  void check_model(const TiXmlElement& model) const {
-    if (model.ValueStr() != "model") {
-      refuse("begins with <", model.ValueStr(), ">, not with <model>; export the mesh again");
+  void check_model(const XmlNode& model) const {
+    if (model.name != "model") {
+      refuse("begins with <", model.name, ">, not with <model>; export the mesh again");
     }
     if (unit_of_3mf(unit_name_of(model)) == Unit::none) {
       refuse("is in ", tool::quoted(unit_name_of(model)), "; export it in millimeter");
     }
-    for (const std::string_view prefix : words_of(attribute(&model, "requiredextensions"))) {
-      const std::string space = attribute(&model, concat("xmlns:", std::string(prefix)).c_str());
+    const std::string prefixes = model.attribute("requiredextensions");
+    for (const std::string_view prefix : words_of(prefixes)) {
+      const std::string space = model.attribute(concat("xmlns:", std::string(prefix)));
       if (std::find(kHarmlessSpaces.begin(), kHarmlessSpaces.end(), space) ==
           kHarmlessSpaces.end()) {
         refuse("requires the extension ", tool::quoted(prefix), " (", space,
@@ -147,65 +151,62 @@ class Reader {
     }
   }
 
-  /// The elements inside. UserError for one of another name.
-  std::vector<TiXmlElement*> elements_of(TiXmlElement& element,
-                                         const std::vector<std::string>& names) const {
-    std::vector<TiXmlElement*> inside = elements_in(element);
-    for (const TiXmlElement* const e : inside) {
-      if (std::find(names.begin(), names.end(), e->ValueStr()) == names.end()) {
-        refuse("has a <", e->ValueStr(), "> in a <", element.ValueStr(),
+  /// UserError for an element inside of another name.
+  void check_inside(const XmlNode& element, const std::set<std::string_view>& names) const {
+    for (const XmlNode& inside : element.inside) {
+      if (names.count(inside.name) == 0) {
+        refuse("has a <", inside.name, "> in a <", element.name,
                ">, which is not read; export it as triangles");
       }
     }
-    return inside;
   }
 
   /// UserError for attributes of extensions, but identifiers.
-  void check_attributes(const TiXmlElement& element) const {
-    for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-      const std::string name = a->Name();
+  void check_attributes(const XmlNode& element) const {
+    for (const auto& [name, value] : element.attributes) {
       const std::size_t colon = name.find(':');
-      if (colon != std::string::npos && name.substr(colon) != ":UUID") {
-        refuse("has a ", tool::quoted(name), " in an <", element.ValueStr(),
+      if (colon != std::string_view::npos && name.substr(colon) != ":UUID") {
+        refuse("has a ", tool::quoted(name), " in an <", element.name,
                ">, which is not read; export it without");
       }
     }
   }
 
   /// Adds the object that an item or a component refers to.
-  void add(TiXmlElement& reference, const Placement& outer, std::size_t level) {
+  void add(const XmlNode& reference, const Placement& outer, std::size_t level) {
     check_attributes(reference);
-    const std::string id = attribute(&reference, "objectid");
+    const std::string id = reference.attribute("objectid");
     const auto found = objects_.find(id);
     if (found == objects_.end() || level > kMostObjectLevels) {
       refuse("refers to the object ", tool::quoted(id),
              found == objects_.end() ? ", which is not there" : ", which is in itself",
              "; export it again");
     }
-    TiXmlElement& object = *found->second;
+    const XmlNode& object = *found->second;
     check_attributes(object);
-    if (const std::string type = attribute(&object, "type"); !type.empty() && type != "model") {
+    if (const std::string type = object.attribute("type"); !type.empty() && type != "model") {
       refuse("builds the object ", tool::quoted(id), " of type ", tool::quoted(type),
              ", not 'model'; export it without");
     }
     const Placement placement = composed(outer, placement_of(reference));
-    for (TiXmlElement* const inside : elements_of(object, {"mesh", "components"})) {
-      if (inside->ValueStr() == "mesh") {
+    check_inside(object, {"mesh", "components"});
+    for (const XmlNode& inside : object.inside) {
+      if (inside.name == "mesh") {
         builder_.begin_part(placement);
-        add_mesh(*inside, concat(file_, ", object ", tool::quoted(id)));
+        add_mesh(inside, concat(file_, ", object ", tool::quoted(id)));
         continue;
       }
-      for (TiXmlElement* const component : elements_of(*inside, {"component"})) {
-        add(*component, placement, level + 1);
+      check_inside(inside, {"component"});
+      for (const XmlNode& component : inside.inside) {
+        add(component, placement, level + 1);
       }
     }
   }
 
-  Placement placement_of(const TiXmlElement& reference) const {
+  Placement placement_of(const XmlNode& reference) const {
     Placement placement = kIdentity;
-    if (reference.Attribute("transform") != nullptr) {
-      const std::string text = attribute(&reference, "transform");
-      const std::vector<std::string_view> numbers = words_of(text);
+    if (const std::string* const transform = reference.find("transform")) {
+      const std::vector<std::string_view> numbers = words_of(*transform);
       if (numbers.size() != 12) {
         refuse("has a transform of ", numbers.size(), " numbers, not of 12; export it again");
       }
@@ -217,19 +218,20 @@ class Reader {
   }
 
   /// `object`: a place for messages.
-  void add_mesh(TiXmlElement& mesh, const std::string& object) {
-    for (TiXmlElement* const part : elements_of(mesh, {"vertices", "triangles"})) {
-      const bool has_vertices = part->ValueStr() == "vertices";
-      for (const TiXmlElement* const e :
-           elements_of(*part, {has_vertices ? "vertex" : "triangle"})) {
+  void add_mesh(const XmlNode& mesh, const std::string& object) {
+    check_inside(mesh, {"vertices", "triangles"});
+    for (const XmlNode& part : mesh.inside) {
+      const bool has_vertices = part.name == "vertices";
+      check_inside(part, {has_vertices ? "vertex" : "triangle"});
+      for (const XmlNode& e : part.inside) {
         if (has_vertices) {
-          builder_.add_point({number_of(attribute(e, "x"), object + ", x of a vertex"),
-                              number_of(attribute(e, "y"), object + ", y of a vertex"),
-                              number_of(attribute(e, "z"), object + ", z of a vertex")});
+          builder_.add_point({number_of(e.attribute("x"), object + ", x of a vertex"),
+                              number_of(e.attribute("y"), object + ", y of a vertex"),
+                              number_of(e.attribute("z"), object + ", z of a vertex")});
         } else {
-          builder_.add_polygon({corner(attribute(e, "v1"), object),
-                                corner(attribute(e, "v2"), object),
-                                corner(attribute(e, "v3"), object)});
+          builder_.add_polygon({corner(e.attribute("v1"), object),
+                                corner(e.attribute("v2"), object),
+                                corner(e.attribute("v3"), object)});
         }
       }
     }
@@ -247,7 +249,7 @@ class Reader {
 
   const std::string& file_;
   Package package_;
-  std::map<std::string, TiXmlElement*> objects_;  ///< by id
+  std::map<std::string, const XmlNode*> objects_;  ///< by id
   MeshBuilder builder_;
 };
 

@@ -2,20 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
-#include <optional>
 
 namespace flashbvh::tool {
 namespace {
 
-enum class Kind : std::uint8_t { start, empty, end, other };
-
-/// A tag, or a comment, a CDATA section, a declaration and the like: `other`.
-struct Markup {
-  Kind kind;
-  std::size_t begin;  ///< of its '<'
-  std::size_t end;    ///< behind it; the text's size if TinyXML gives up in it
-};
+using Kind = Markup::Kind;
 
 bool begins_at(std::string_view text, std::size_t at, std::string_view with) {
   return text.compare(at, with.size(), with) == 0;
@@ -154,17 +145,16 @@ Markup markup_at(std::string_view text, std::size_t at) {
   return {begins_at(text, at, "</") ? Kind::end : Kind::other, at, behind(text, ">", at)};
 }
 
-/// The first markup from a position outside of markup, or none.
-std::optional<Markup> next_markup(std::string_view text, std::size_t from) {
-  const std::size_t at = find_character(text, "<", from);
-  return at == text.size() ? std::nullopt : std::optional(markup_at(text, at));
-}
-
 }  // namespace
 
 std::size_t behind(std::string_view text, std::string_view mark, std::size_t from) {
   const std::size_t at = text.find(mark, from);
   return at == std::string_view::npos ? text.size() : at + mark.size();
+}
+
+std::optional<Markup> next_markup(std::string_view text, std::size_t from) {
+  const std::size_t at = find_character(text, "<", from);
+  return at == text.size() ? std::nullopt : std::optional(markup_at(text, at));
 }
 
 std::size_t levels_of(std::string_view text) {

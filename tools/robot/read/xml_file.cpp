@@ -11,6 +11,8 @@ namespace {
 
 /// TinyXML recurses once per level.
 constexpr std::size_t kMostLevels = 1000;
+/// TinyXML reads as many bytes of a character as its first byte announces, even beyond the end.
+constexpr std::size_t kLongestCharacter = 4;
 
 /// UserError if the text is a xacro that is not expanded. `is_top`: of an element in the root.
 void refuse_xacro(const TiXmlElement& element, const std::string& path, bool is_top) {
@@ -57,19 +59,47 @@ void read_xml(const std::string& path, const char* root, TiXmlDocument& document
   parse_xml(read_file(path), path, root, document);
 }
 
-void parse_xml(const std::string& text, const std::string& path, const char* root,
+void parse_xml(std::string text, const std::string& path, const char* root,
                TiXmlDocument& document) {
+  if (text.find('\0') != std::string::npos) {
+    throw UserError(path, "is no text, so no XML; name the robot's file");
+  }
   if (levels_of(text) > kMostLevels) {
     throw UserError(path, "nests elements over ", kMostLevels, " deep; write it again");
   }
-  TiXmlElement& found = xml_root(text, path, "correct it there", document);
-  if (found.ValueStr() != root) {
-    throw UserError(path, "begins with <", found.ValueStr(), ">, not with <", root,
-                    ">; name another file");
+  text.append(kLongestCharacter, '\0');
+  document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (document.Error()) {
+    const std::string what = one_line(document.ErrorDesc());
+    const auto line = static_cast<std::size_t>(document.ErrorRow());  // 0 at the end of the file
+    throw UserError(line == 0 ? path : at_line(path, line),
+                    "is no XML: ", what.substr(0, what.find_last_not_of('.') + 1),
+                    "; correct it there");
   }
-  for (const TiXmlElement* e : elements_in(found)) {
+  const TiXmlElement* const found = document.RootElement();
+  const std::string_view name = found == nullptr ? "" : found->Value();
+  if (name != root) {
+    throw UserError(path, "begins with <", found == nullptr ? "nothing" : found->Value(),
+                    ">, not with <", root, ">; name another file");
+  }
+  for (const TiXmlElement* e : elements_in(*document.RootElement())) {
     refuse_xacro(*e, path, true);
   }
+}
+
+std::vector<TiXmlElement*> elements_in(TiXmlElement& element, const char* name) {
+  std::vector<TiXmlElement*> elements;
+  for (TiXmlElement* e = element.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (name == nullptr || e->ValueStr() == name) {
+      elements.push_back(e);
+    }
+  }
+  return elements;
+}
+
+std::string attribute(const TiXmlElement* element, const char* name) {
+  const char* const value = element == nullptr ? nullptr : element->Attribute(name);
+  return value == nullptr ? "" : value;
 }
 
 std::string at_element(const std::string& path, const char* kind, const std::string& name) {
