@@ -46,6 +46,42 @@ Pose any_far_pose(Random& random) {
              : Pose::rigid(rotation_of(any_quaternion(random)).entry, cells, fraction);
 }
 
+/// A pose that is turned, often as far from a rotation as a pose accepts.
+Pose any_loose_pose(Random& random, std::int32_t far) {
+  Rotation rotation = rotation_of(any_quaternion(random));
+  const std::int32_t cells[3] = {random.between(-far, far), random.between(-far, far), 0};
+  const Pose exact = Pose::rigid(rotation.entry, cells);
+  for (auto& row : rotation.entry) {
+    for (std::int32_t& entry : row) {
+      entry += (random.below(8) == 0 ? -1 : 1) * (entry / 17000);
+    }
+  }
+  const Pose loose = Pose::rigid(rotation.entry, cells);
+  return loose.status() == Status::done && random.below(4) != 0 ? loose : exact;
+}
+
+bake::LatticeMesh one_triangle(const Vertex& p, const Vertex& q, const Vertex& r) {
+  bake::LatticeMesh mesh;
+  mesh.vertices = {p, q, r};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+/// A point above the middle of a triangle, `height` off its plane.
+Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
+  const FloatVector corner = vector_of<double>(p);
+  const FloatVector u = minus(vector_of<double>(q), corner);
+  const FloatVector v = minus(vector_of<double>(r), corner);
+  const FloatVector n = cross(u, v);
+  const FloatVector middle = plus(plus(corner, 1.0 / 3, u), 1.0 / 3, v);
+  const FloatVector point = plus(middle, height / (length_of(n) + 1e-9), n);
+  const auto at = [&](std::size_t axis) {
+    return static_cast<std::int16_t>(
+        std::lround(std::clamp<double>(point[axis], -kMaxCoordinate, kMaxCoordinate)));
+  };
+  return {at(0), at(1), at(2)};
+}
+
 /// Two meshes, and the distances of all pairs of their triangles.
 struct Pairing {
   AnyMesh a;
@@ -61,6 +97,22 @@ struct Pairing {
     AnyMesh a = any_mesh(random, most, spread, 1 + spread / 4);
     AnyMesh b = any_mesh(random, most, spread, 1 + spread / 4);
     return {std::move(a), std::move(b), is_far ? any_far_pose(random) : any_pose(random, reach)};
+  }
+  /// A triangle, and a point above its middle or another triangle: bounds by leaves are tight.
+  static Pairing of_leaves(Random& random) {
+    const std::int32_t reach = 1 << (3 + random.below(11));
+    const Vertex p = any_vertex(random, reach);
+    const Vertex q = any_vertex(random, reach);
+    const Vertex r = any_vertex(random, reach);
+    const Vertex point = above(p, q, r, random.between(0, 16000));
+    const Vertex u = any_vertex(random, 16000);
+    const bool is_point = random.below(3) != 0;
+    AnyMesh triangle = any_mesh(random, one_triangle(p, q, r));
+    AnyMesh other = any_mesh(random, is_point ? one_triangle(point, point, point)
+                                              : one_triangle(u, point, any_vertex(random, 16000)));
+    const Pose pose = any_loose_pose(random, random.below(4) == 0 ? 20000 : 0);
+    return random.below(2) == 0 ? Pairing{std::move(triangle), std::move(other), pose}
+                                : Pairing{std::move(other), std::move(triangle), pose};
   }
   Hint any_hint(Random& random) const {
     const Pairwise& pair = random.one_of(all);
@@ -226,6 +278,14 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
     }
   });
   CHECK(far > 20);
+}
+
+TEST_CASE("the distance of two leaves is that of their triangles, where bounds are tight") {
+  for_rounds(rounds(3000, 20'000), 3, [&](Random& random, int) {
+    const Pairing of = Pairing::of_leaves(random);
+    check_result(of.all, distance(of.a, of.b, of.pose));
+    check_bands(random, of);
+  });
 }
 
 TEST_CASE("beyond the range both bounds of a distance hold") {
