@@ -288,26 +288,22 @@ TEST_CASE("memory that is too small or not aligned is refused by init and by eve
   }
   const JointCoordinate values[kVariables] = {};
   const Status invalid = Status::guard_state_invalid;
-  State state;
-  auto* const state_bytes = reinterpret_cast<char*>(&state);
-  memset(state_bytes, 0, sizeof state);
+  alignas(State) static char state[sizeof(State)];
   for (uint32_t offset = 0; offset <= 2; offset += 2) {
-    const uint32_t less = offset == 0 ? 1 : 0;
-    const uint32_t guard_less = 4 * less;  // the state's last three bytes may be padding
+    const uint32_t less = offset == 0 ? 4 : 0;  // a guard's last three bytes may be padding
     flashbvh_guard guard;
     flashbvh_motion motion;
-    CHECK(same(flashbvh_guard_init(&guard, &robot, state_bytes + offset,
-                                   c_arm_GUARD_STATE_SIZE - guard_less),
+    CHECK(same(flashbvh_guard_init(&guard, &robot, state + offset, c_arm_GUARD_STATE_SIZE - less),
                invalid));
     CHECK(flashbvh_guard_update(&guard, values, 1).verdict == Verdict::refused);
     CHECK(flashbvh_guard_go_on(&guard, 1).status == invalid);
-    CHECK(same(
-        flashbvh_motion_init(&motion, &robot, state_bytes + offset, c_arm_MOTION_STATE_SIZE - less),
-        invalid));
+    CHECK(
+        same(flashbvh_motion_init(&motion, &robot, state + offset, c_arm_MOTION_STATE_SIZE - less),
+             invalid));
     CHECK(same(flashbvh_motion_start(&motion, values, values), invalid));
     CHECK(flashbvh_motion_run(&motion, 1).status == invalid);
   }
-  for (size_t i = 0; i < sizeof state; ++i) {
-    REQUIRE(state_bytes[i] == 0);  // a refused object is not written
+  for (const char byte : state) {
+    REQUIRE(byte == 0);  // a refused object is not written
   }
 }

@@ -5,19 +5,13 @@
 // the axis: a straight path, a screw, or a chain of joints. Each move is relative to the moves
 // before it, like a joint to its parent. All start and end together and run at constant speed.
 //
-// The query cuts the motion into intervals and compares the bodies in an interval's middle. If they
-// are farther apart than any point of B moves until the ends of the interval, they are apart in all
-// of it. So `free` is certified for every moment, for bodies placed by exact poses. A query on the
-// way rounds its pose to the lattice, which moves points by up to 0.9 cells. It may report an
-// intersection if the bodies pass closer. `within` of one cell excludes this, and a larger distance
-// keeps the bodies apart by it.
+// `free` is certified for every moment, for bodies placed by exact poses. A query on the way rounds
+// its pose to the lattice, which moves points by up to 0.9 cells, and may report an intersection if
+// the bodies pass closer; a `within` of one cell excludes this. Shapes (shape.hpp) are bodies too,
+// with `within` as a radius.
 //
-// Points, segments, spheres, capsules and boxes are bodies too (shape.hpp), with `within` as the
-// radius: the query then tests their swept volume.
-//
-// Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005). The nearest
-// triangles of the last interval choose the next interval: lib/docs/derivations.md, "Motions of two
-// bodies".
+// Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005);
+// lib/docs/derivations.md, "Motions of two bodies".
 #ifndef FLASHBVH_FIRST_CONTACT_HPP
 #define FLASHBVH_FIRST_CONTACT_HPP
 

@@ -9,16 +9,11 @@
 // the lattice and of arithmetic. The user adds braking distance, encoder error and flex to the stop
 // distance. Verdicts do not latch and have no hysteresis.
 //
-// Method. A certificate of a pair is a distance and the coordinates at which it was measured. A
-// joint moves a point by at most its reach times its angle. The pair is free while the joints
-// between its links move them nearer by at most the certificate's excess over the stop distance.
-// Then the guard tests nothing and makes no pose. It measures expiring certificates again in slices
-// of work, the first to expire first. If the budget is too small, the verdict is `not_yet_known`,
-// never `free`; the caller treats it as `stop`. The sum over joints is that of Schwarzer, Saha and
-// Latombe, "Adaptive Dynamic Collision Checking" (2005). It uses the farther of each joint's two
-// values, and lever arms at the measured pose. Distances are known at both ends of a period; in
-// between, a pair loses at most half of the period's motion (lib/docs/derivations.md, "Levers",
-// "Both ends of a period").
+// Method (lib/docs/design.md, "Robots"). A certificate of a pair is a distance and the coordinates
+// at which it was measured. The pair is free while the joints between its links move them nearer by
+// at most the certificate's excess over the stop distance. The guard measures expiring certificates
+// again in slices of work, the first to expire first. If the budget is too small, the verdict is
+// `not_yet_known`, never `free`; the caller treats it as `stop`.
 //
 // The guard tests surfaces: a link inside another one is as far from it as from its wall.
 //

@@ -1,19 +1,11 @@
 // Lower bounds on the distance of two boxes: the box test of predicates of distance.
 //
-// Along an axis the gap of two boxes is the length by which they miss each other; squared gaps
-// along orthogonal axes add up. Under a rotation, the sum on A's axes and the sum on B's must both
-// be within the limit. Sums of bounds and margins are those of box.hpp and box_rotated.hpp. But
-// bounds are not clamped at the lattice's end: here a gap's size counts, not only its sign.
+// Squared gaps along orthogonal axes add up. Under a rotation the sum on A's axes and the sum on
+// B's must both be within the limit, which on B's axes is larger by one part in 2^10. Bounds are not
+// clamped at the lattice's end: a gap's size counts. Margins: lib/docs/derivations.md, "Distances".
 //
-// If the limit is less than 2^15 cells, gaps are halves of words, two axes at once. A subtraction
-// that saturates at 0 gives the gap, and 2^15 is beyond the limit. Larger limits, and a translated
-// B that is too far off for halves, take the wide form, with gaps of 32 bits.
-//
-// B's axes are the columns n_j of the rotation with 14 bits. A vector w has sum (n_j . w)^2 <=
-// |N|^2 |w|^2, and |N|^2 is at most (1 + defect / 2 + 3 * 2^-15)^2. This is below 1 + 2^-10 if no
-// entry of R^T R is off by more than 2^-13. The limit on B's axes is larger by this factor.
-// Bounds on A's axes are rounded inwards, as placed vertices are whole there. Bounds on B's axes
-// are rounded outwards, as vertices are not whole there.
+// If the limit is less than 2^15 cells, gaps are halves of words, two axes at once. Larger limits,
+// and a translated B that is too far off for halves, take the wide form, with gaps of 32 bits.
 #ifndef FLASHBVH_DETAIL_BOUNDS_GAP_HPP
 #define FLASHBVH_DETAIL_BOUNDS_GAP_HPP
 

@@ -3,9 +3,7 @@
 //
 // The leaf's own box, seen from the other tree, bounds the distance along that tree's axes. The
 // normal of its plane, and in that plane the normal of its longest edge, bound it along two more
-// directions. These are nearly orthogonal, so squared gaps along both add up, but for one part in
-// 2^9. This margin covers rounding: each direction is off by less than sqrt(3) of 2^12, and by as
-// much again once rotated.
+// directions, whose squared gaps add up against a limit larger by one part in 2^9.
 #ifndef FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
 #define FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
 

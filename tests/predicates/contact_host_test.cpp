@@ -1,4 +1,4 @@
-// Contacts against exact rationals, on the host.
+// Contacts against exact rationals, and against their own symmetries.
 #include "flashbvh/contact.hpp"
 #include "support/oracles/contact.hpp"
 #include "support/test.hpp"
@@ -108,6 +108,22 @@ struct Judge {
   }
 };
 
+Normal opposite(const Normal& n) {
+  return {-n.x, -n.y, -n.z};
+}
+
+/// Whether another order of the corners, and of the arguments, gives this contact. The last three
+/// orders reverse the winding.
+bool order_gives(const Contact& expected, const Triangle& a, const Triangle& b, int of_a,
+                 int of_b) {
+  const Contact c = contact_of(ordered(a, of_a), ordered(b, of_b));
+  const Contact d = contact_of(ordered(b, of_b), ordered(a, of_a));
+  const Normal normal_a = of_a < 3 ? expected.normal_a : opposite(expected.normal_a);
+  const Normal normal_b = of_b < 3 ? expected.normal_b : opposite(expected.normal_b);
+  return same_place(c, expected) && same_place(d, expected) && same(c.normal_a, normal_a) &&
+         same(d.normal_b, normal_a) && same(c.normal_b, normal_b) && same(d.normal_a, normal_b);
+}
+
 /// Whether the contact of two triangles fulfils the header's promises, if they intersect.
 bool is_right(const Triangle& a, const Triangle& b) {
   const Judge judge(a, b);
@@ -133,8 +149,9 @@ bool is_right(const Triangle& a, const Triangle& b) {
 TEST_CASE("contact: small triangles agree with exact rationals", "[contact][oracle]") {
   for_rounds(2 * kPairs, [&](Random& random, uint32_t) {
     const int32_t size = random.between(1, 4);
-    const TransformedPair pair = {triangle_within(random, size), triangle_within(random, size)};
-    REQUIRE(is_right(pair.a, pair.b));
+    const Triangle a = triangle_within(random, size);
+    const Triangle b = triangle_within(random, size);
+    REQUIRE(is_right(a, b));
   });
 }
 
@@ -145,12 +162,48 @@ TEST_CASE("contact: triangles of every kind agree with exact rationals", "[conta
     if (!detail::triangles_intersect(pair.a, pair.b)) {
       return;
     }
-    ++intersecting[static_cast<unsigned>(contact_of(pair.a, pair.b).kind)];
+    const Contact contact = contact_of(pair.a, pair.b);
+    ++intersecting[static_cast<unsigned>(contact.kind)];
     REQUIRE(is_right(pair.a, pair.b));
+    for (int i = 0; i < 36; i += 1 + static_cast<int>(random.below(12))) {
+      CAPTURE(i);
+      REQUIRE(order_gives(contact, pair.a, pair.b, i % 6, i / 6));
+    }
   });
   CHECK(intersecting[0] > kPairs / 4);
   CHECK(intersecting[1] > kPairs / 16);
   CHECK(intersecting[2] > kPairs / 16);
+}
+
+TEST_CASE("contact: the order of arguments moves no point where long edges cross") {
+  uint32_t intersecting = 0;
+  for_rounds(20 * kPairs, [&](Random& random, uint32_t) {
+    Triangle t[2];
+    for (Triangle& u : t) {
+      u = triangle_within(random, kMaxContactSpan);
+      u.corner[2] = u.corner[1];
+      for (Point& corner : u.corner) {
+        corner.z = corner.x;
+      }
+    }
+    if (detail::triangles_intersect(t[0], t[1])) {
+      ++intersecting;
+      REQUIRE(same_place(contact_of(t[0], t[1]), contact_of(t[1], t[0])));
+    }
+  });
+  CHECK(intersecting > kPairs / 4);
+}
+
+TEST_CASE("contact: disjoint triangles do no harm, and their normals are right") {
+  for_rounds(5 * kPairs, [&](Random& random, uint32_t) {
+    const Triangle a = any_pair(random).a;
+    const Triangle b = any_pair(random).b;
+    const Triangle far_a = translated_anywhere(random, {a, a}).a;
+    const Triangle far_b = translated_anywhere(random, {b, b}).b;
+    const Contact disjoint = contact_of(far_a, far_b);
+    REQUIRE(same(disjoint.normal_a, contact_of(a, a).normal_a));
+    REQUIRE(same(disjoint.normal_b, contact_of(b, b).normal_b));
+  });
 }
 
 }  // namespace flashbvh::test

@@ -1,8 +1,7 @@
-// Bounds of distances reject no pair within the limit: against exact distances, at the limit.
+// Gaps of boxes in each form, against gaps axis by axis.
 #include "flashbvh/clearance.hpp"
 #include "support/any_mesh.hpp"
 #include "support/test.hpp"
-#include "support/vectors.hpp"
 
 using namespace flashbvh::detail;
 
@@ -14,67 +13,6 @@ AnyMesh mesh_of(const Vertex& p, const Vertex& q, const Vertex& r) {
   mesh.vertices = {p, q, r};
   mesh.triangles = {{0, 1, 2}};
   return AnyMesh(chain(mesh, true), mesh);
-}
-
-/// A point above the middle of a triangle, `height` off its plane, or next to its longest edge.
-Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
-  const FloatVector corner = vector_of<double>(p);
-  const FloatVector u = minus(vector_of<double>(q), corner);
-  const FloatVector v = minus(vector_of<double>(r), corner);
-  const FloatVector n = cross(u, v);
-  const FloatVector middle = plus(plus(corner, 1.0 / 3, u), 1.0 / 3, v);
-  const FloatVector point = plus(middle, height / (length_of(n) + 1e-9), n);
-  const auto at = [&](std::size_t axis) {
-    return static_cast<std::int16_t>(
-        std::lround(std::clamp<double>(point[axis], -kMaxCoordinate, kMaxCoordinate)));
-  };
-  return {at(0), at(1), at(2)};
-}
-
-/// The pair's squared distance, rounded up: a limit that the pair is within.
-std::int64_t limit_of(const Mesh& a, const Mesh& b, const Transform& transform) {
-  Triangle of_a;
-  Triangle of_b;
-  translate_triangle(a, 0, kNoOffset, of_a);
-  transform_triangle(b, 0, transform, of_b);
-  Fraction squared = kInfinite;
-  Features features{};
-  REQUIRE(is_nearer(of_a, of_b, squared, features));
-  return largest_below(squared, 0) + 1;
-}
-
-template <class Gap>
-void check_leaf(const Mesh& a, const Mesh& b, const Transform& transform, Gap gap,
-                std::uint32_t& rejected, Gap less) {
-  const PackedBox& box_a = a.nodes[0].box;
-  const PackedBox& box_b = b.nodes[0].box;
-  REQUIRE(gap(box_a, box_b));
-  for (const Side side : {Side::a, Side::b}) {
-    const PackedBox& other = side == Side::a ? box_b : box_a;
-    ProximityPlanes<Mesh> shapes(a, b, transform);
-    shapes.set_box_test(gap);
-    REQUIRE(shapes.begin(side, 0, &other));
-    REQUIRE(shapes.may_touch(other));
-    shapes.set_box_test(less);
-    rejected += shapes.may_touch(other) ? 0 : 1;
-  }
-}
-
-void check(const Mesh& a, const Mesh& b, const Pose& pose, std::uint32_t& rejected) {
-  Transform transform(pose, a, b, /*may_stop=*/false);
-  transform.bring_near();
-  transform.prepare(b);
-  const std::int64_t limit = limit_of(a, b, transform);
-  // The limit for a distance smaller by a tenth.
-  const std::int64_t less = limit / 5 * 4;
-  check_leaf(a, b, transform, KeptGap(transform, GapLimit(limit)), rejected,
-             KeptGap(transform, GapLimit(less)));
-  if (!KeptGap::is_for(transform, GapLimit(limit))) {
-    const Point& offset = transform.translated().offset;
-    std::uint32_t again = 0;
-    check_leaf(a, b, transform, TranslatedGap(offset, GapLimit(limit)), again,
-               TranslatedGap(offset, GapLimit(less)));
-  }
 }
 
 /// The upper bound of a box along a row, in whole cells.
@@ -191,48 +129,4 @@ TEST_CASE("a sum of squared gaps is within a limit if it is") {
     REQUIRE(limit.longer_limit() >= limit.limit());
     REQUIRE(limit.sum_limit() >= limit.limit());
   });
-}
-
-TEST_CASE("leaves as shapes reject no box that is within the limit") {
-  std::uint32_t translated = 0;
-  std::uint32_t rotated = 0;
-  std::uint32_t stretched = 0;
-  const auto tries = rounds(2000u, 6000u);
-  for_rounds(tries, [&](Random& random, std::uint32_t round) {
-    const std::int32_t reach = 1 << (3 + random.below(11));
-    const Vertex p = any_vertex(random, reach);
-    const Vertex q = any_vertex(random, reach);
-    const Vertex r = any_vertex(random, reach);
-    const std::int32_t height = random.between(0, 16000);
-    const Vertex point = above(p, q, r, height);
-    const AnyMesh triangle = mesh_of(p, q, r);
-    Vertex others[] = {point, point, point};
-    if (random.below(3) == 0) {
-      for (Vertex& vertex : others) {
-        vertex = any_vertex(random, 16000);
-      }
-    }
-    const AnyMesh other = mesh_of(others[0], others[1], others[2]);
-    const Mesh& a = round % 2 == 0 ? triangle : other;
-    const Mesh& b = round % 2 == 0 ? other : triangle;
-    const std::int32_t far = random.below(4) == 0 ? 20000 : 0;
-    const std::int32_t cells[3] = {random.between(-far, far), random.between(-far, far), 0};
-    check(a, b, Pose::translated(cells[0], cells[1], cells[2]), translated);
-    Rotation rotation = rotation_of(any_quaternion(random));
-    check(a, b, Pose::rigid(rotation.entry, cells), rotated);
-    // As far from a rotation as a pose accepts.
-    for (auto& row : rotation.entry) {
-      for (std::int32_t& entry : row) {
-        entry += (random.below(8) == 0 ? -1 : 1) * (entry / 17000);
-      }
-    }
-    const Pose coarse = Pose::rigid(rotation.entry, cells);
-    if (coarse.status() == Status::done) {
-      check(a, b, coarse, rotated);
-      ++stretched;
-    }
-  });
-  CHECK(translated > tries / 4);
-  CHECK(rotated > tries / 4);
-  CHECK(stretched > tries / 8);
 }
