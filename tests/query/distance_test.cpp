@@ -71,11 +71,11 @@ std::int32_t rounded(double cells) {
   return static_cast<std::int32_t>(std::lround(cells));
 }
 
-/// Triangles about a corner, in one leaf, nearly in the plane across `up` there.
+/// Triangles about a corner, in two leaves, nearly in the plane across `up` there.
 AnyMesh fan(Random& random, const FloatVector& up, std::int32_t reach) {
   bake::LatticeMesh mesh;
   mesh.vertices = {{0, 0, 0}};
-  for (std::uint32_t i = 0; i < 6; ++i) {
+  for (std::uint32_t i = 1; i < 13; ++i) {
     FloatVector corner = {};
     for (double& along : corner) {
       along = reach * (random.between(-1000, 1000) / 1000.0);
@@ -84,8 +84,10 @@ AnyMesh fan(Random& random, const FloatVector& up, std::int32_t reach) {
     corner = plus(corner, height - test::dot(corner, up), up);
     mesh.vertices.push_back(
         vertex_of({rounded(corner[0]), rounded(corner[1]), rounded(corner[2])}));
+    if (i % 2 == 0) {
+      mesh.triangles.push_back({0, i - 1, i});
+    }
   }
-  mesh.triangles = {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}};
   return AnyMesh(bake::build_median(mesh, 3), mesh);
 }
 

@@ -1,8 +1,9 @@
 // Lower bounds on the distance of two boxes: the box test of predicates of distance.
 //
 // Squared gaps along orthogonal axes add up. Under a rotation the sum on A's axes and the sum on
-// B's must both be within the limit, which on B's axes is larger by one part in 2^10. Bounds are not
-// clamped at the lattice's end: a gap's size counts. Margins: lib/docs/derivations.md, "Distances".
+// B's must both be within the limit, which on B's axes is larger by one part in 2^10. Bounds are
+// not clamped at the lattice's end: a gap's size counts. Margins: lib/docs/derivations.md,
+// "Distances".
 //
 // If the limit is less than 2^15 cells, gaps are halves of words, two axes at once. Larger limits,
 // and a translated B that is too far off for halves, take the wide form, with gaps of 32 bits.
