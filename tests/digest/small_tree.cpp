@@ -1,6 +1,7 @@
 #include "small_tree.hpp"
 
 #include "flashbvh/detail/lattice/box_packed.hpp"
+#include "flashbvh/detail/walk/level_parts.hpp"
 
 namespace digest {
 
@@ -86,35 +87,14 @@ void SmallTree<layout>::set_node(const SmallMesh& mesh, const Range& range, uint
   node.data = static_cast<uint16_t>((own < above ? own : above < 127 ? above : 126u) << 8 | above);
 }
 
-/// The longest edge of all triangles, in cells, rounded up.
-uint16_t longest_edge(const SmallMesh& mesh) {
-  const auto square = [](int32_t difference) {
-    return uint32_t(difference) * uint32_t(difference);
-  };
-  uint32_t longest = 0;
-  for (uint32_t i = 0; i < 3u * mesh.triangle_count; ++i) {
-    const Corners<uint16_t>& triangle = mesh.triangles[i / 3];
-    const Vertex& p = mesh.vertices[triangle.corner[i % 3]];
-    const Vertex& q = mesh.vertices[triangle.corner[(i + 1) % 3]];
-    const uint32_t squared = square(p.x - q.x) + square(p.y - q.y) + square(p.z - q.z);
-    longest = squared > longest ? squared : longest;
-  }
-  uint32_t root = 0;
-  while (root * root < longest) {
-    ++root;
-  }
-  return static_cast<uint16_t>(root);
-}
-
 template <Layout layout>
-void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size) {
+bool SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size) {
   const uint32_t leaf_count = (mesh.triangle_count + leaf_size - 1) / leaf_size;
   for (uint32_t i = 0; i <= leaf_count; ++i) {
     const uint32_t first = i * leaf_size;
     leaf_offsets_[i] =
         static_cast<uint16_t>(first < mesh.triangle_count ? first : mesh.triangle_count);
   }
-  uint32_t depth_need = 0;
   Range pending[kMostTriangles];
   uint16_t siblings[kMostTriangles];
   uint32_t count = 0;
@@ -124,7 +104,6 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
     --count;
     const Range range = pending[count];
     set_node(mesh, range, siblings[count]);
-    depth_need = levels_[range.node] > depth_need ? levels_[range.node] : depth_need;
     if (range.end - range.first == 1) {
       continue;
     }
@@ -150,13 +129,11 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   view_.leaf_count = static_cast<uint16_t>(leaf_count);
   view_.triangle_count = mesh.triangle_count;
   view_.vertex_count = mesh.vertex_count;
-  view_.stack_need = static_cast<uint16_t>(depth_need);
   for (int i = 0; i < 3; ++i) {
     view_.origin[i] = mesh.origin[i];
   }
   view_.shell_vertices = kIds;
   view_.shell_count = 1;
-  view_.longest_edge = longest_edge(mesh);
   view_.unit = Unit::none;
   view_.is_closed = false;
   view_.deviation_sixteenths = 0;
@@ -167,6 +144,11 @@ void SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   } else {
     view_.parents = climb_;
   }
+  TreeShape measured;
+  const bool good = check_tree(view_, measured) == Status::done;
+  view_.stack_need = static_cast<uint16_t>(measured.stack_need);
+  view_.longest_edge = static_cast<uint16_t>(measured.longest_edge);
+  return good;
 }
 
 template class SmallTree<Layout::pre_indexed>;

@@ -1,7 +1,7 @@
 // Baked trees in fixed arrays: no heap, no C++ library, so that the digest runs on the smallest
 // core and on cores without C++ headers. Binary, of any form; both layouts; small.
 //
-// A separate implementation of the layouts: check_tree() verifies its trees.
+// A separate implementation of the layouts.
 #pragma once
 
 #include <stdint.h>
@@ -32,8 +32,8 @@ class SmallTree {
  public:
   using Tree = flashbvh::BasicMeshWithLevels<uint16_t, layout>;
 
-  /// `leaf_size`: triangles in each leaf but the last.
-  void make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size);
+  /// `leaf_size`: triangles in each leaf but the last. False if check_tree() refuses the tree.
+  [[nodiscard]] bool make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size);
 
   /// Points into this object and the mesh.
   const Tree& view() const { return view_; }

@@ -38,7 +38,7 @@ struct Scene {
     digest::make_mesh(random, scale, mesh);
     for (auto* const tree : {&a, &b}) {
       const auto shape = static_cast<digest::Shape>(random.below(4));
-      tree->make(mesh, shape, 1 + random.below(3));
+      REQUIRE(tree->make(mesh, shape, 1 + random.below(3)));
     }
   }
 };

@@ -1,4 +1,4 @@
-// Meshes in both layouts, poses, and queries in any traversal.
+// Meshes in both layouts, poses, and queries in any traversal, also against brute force.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,18 @@
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
+#include "support/transformed_mesh.hpp"
 
 namespace flashbvh::test {
 
 /// A mesh in both layouts; it is a view of the post-indexed one.
 struct AnyMesh : Mesh {
+  bake::LatticeMesh source;
   std::tuple<Baked<Layout::pre_indexed>, Baked<Layout::post_indexed>> trees;
 
   AnyMesh(const bake::BuildTree& tree, const bake::LatticeMesh& mesh)
-      : trees(baked<Layout::pre_indexed>(tree, mesh), baked<Layout::post_indexed>(tree, mesh)) {
+      : source(mesh),
+        trees(baked<Layout::pre_indexed>(tree, mesh), baked<Layout::post_indexed>(tree, mesh)) {
     static_cast<Mesh&>(*this) = view<Mesh>();
   }
   AnyMesh(AnyMesh&&) = default;  // the arrays stay where they are
@@ -35,6 +38,15 @@ inline AnyMesh any_mesh(Random& random, const bake::LatticeMesh& mesh) {
 inline AnyMesh any_mesh(Random& random, std::uint32_t most, std::int32_t spread,
                         std::int32_t size) {
   return any_mesh(random, random_mesh(random, 1 + random.below(most), spread, size));
+}
+
+/// Checks every traversal against brute force. `a` and `b` may be one mesh. Returns the number of
+/// pairs.
+inline std::size_t check_all(const AnyMesh& a, const AnyMesh& b, const Pose& pose) {
+  const Pairs truth = brute_force(a.source, b.source, pose);
+  check_pairs(a.view<MeshWithLevels>(), b.view<MeshWithLevels>(), pose, truth);
+  check_pairs(a.view<PreMeshWithLevels>(), b.view<PreMeshWithLevels>(), pose, truth);
+  return truth.size();
 }
 
 inline Pose any_pose(Random& random, std::int32_t reach) {

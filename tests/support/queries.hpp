@@ -52,6 +52,7 @@ void check_pairs(const Tree& a, const Tree& b, const Pose& pose, const Pairs& tr
   for_each_query(a, b, pose, [&truth](const char* name, auto& query) {
     CAPTURE(name);
     REQUIRE(sorted(run_to_end(query)) == truth);
+    REQUIRE(query.stats().triangle_pairs == truth.size());
   });
 }
 

@@ -103,20 +103,6 @@ bake::BuildTree chain(const bake::LatticeMesh& mesh, bool leaf_first) {
   return tree;
 }
 
-bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth) {
-  std::vector<std::uint32_t> triangles = all_triangles(mesh);
-  triangles.resize(std::size_t{1} << depth);
-  bake::BuildTree tree = single_leaf(mesh, triangles);
-  for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {
-    const std::vector<std::uint32_t> all = tree.nodes[node].triangles;
-    if (all.size() > 1) {
-      const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-      split(tree, node, mesh, {{all.begin(), middle}, {middle, all.end()}});
-    }
-  }
-  return tree;
-}
-
 bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh) {
   switch (random.below(8)) {
     case 0:

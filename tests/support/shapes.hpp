@@ -31,9 +31,6 @@ bake::BuildTree random_tree(Random& random, const bake::LatticeMesh& mesh, const
 /// A binary tree in which each internal node has a leaf as its first (`leaf_first`) or last child.
 bake::BuildTree chain(const bake::LatticeMesh& mesh, bool leaf_first);
 
-/// A full binary tree of `depth` over 2^depth triangles of `mesh`, in their order.
-bake::BuildTree full_tree(const bake::LatticeMesh& mesh, std::uint32_t depth);
-
 /// One of the trees above, at random, over all triangles of `mesh`.
 bake::BuildTree any_tree(Random& random, const bake::LatticeMesh& mesh);
 

@@ -72,7 +72,7 @@ constexpr std::uint32_t kEnd = 15;
 template <Layout layout>
 Baked<layout> figure_1() {
   const auto mesh = any_mesh(8);
-  return baked<layout>(full_tree(mesh, 3), mesh);
+  return baked<layout>(bake::build_median(mesh, 1), mesh);
 }
 
 /// The values of a function of the nodes, in the order of the array.

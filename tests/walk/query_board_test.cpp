@@ -2,7 +2,6 @@
 #include <initializer_list>
 
 #include "flashbvh/contact.hpp"
-#include "flashbvh/detail/walk/level_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/points.hpp"
 #include "support/rounds.hpp"
@@ -21,8 +20,6 @@ void check_against_brute_force() {
   uint32_t total = 0;
   for_rounds(kRounds, [&](Random& random, int) {
     const SmallScene<Traversal::Tree::kLayout> scene(random);
-    TreeShape shape;
-    REQUIRE(check_tree(scene.a.view(), shape) == Status::done);
     SmallQuery<Traversal> any(scene);
     const bool exact = all_pairs(any.query) == brute_force(scene);
     REQUIRE(exact);

@@ -93,24 +93,11 @@ TEST_CASE("counts stay right over more work than one batch may take") {
 
 namespace {
 
-/// Box tests, and triangle tests that are counted.
-struct CountedTests {
+/// Triangle tests that are counted.
+struct CountedTests : Intersection {
   static constexpr bool kIntersects = false;
-  template <class Mesh>
-  using Shapes = LeafPlanes<Mesh>;
-  static constexpr std::uint32_t kBatch = 8;
-  static constexpr std::uint32_t kPairWork = kTrianglePairWork;
-  static constexpr std::uint32_t kExpensiveWork = 0;
-  static constexpr bool kKeepsShapes = true;
-  static constexpr bool kDisjointRootsEnd = true;
   std::uint32_t* tests = nullptr;
 
-  const TranslatedBoxTest& translated(const TranslatedTransform& transform) const {
-    return transform.bound;
-  }
-  RotatedBoxTest rotated(const RotatedTransform& transform) const {
-    return RotatedBoxTest(transform);
-  }
   bool test(const Triangle& a, const Triangle& b, std::uint32_t, std::uint32_t) const {
     ++*tests;
     return triangles_intersect(a, b);
@@ -136,7 +123,7 @@ TEST_CASE("a run tests no more triangles than it is granted, and a step beyond, 
     PairQuery whole(a, b, scene.pose);
     const Pairs expected = run_to_end(whole);
     std::uint32_t tests = 0;
-    Query<Ranked<Mesh>, CountedTests> query(a, b, scene.pose, {}, {&tests});
+    Query<Ranked<Mesh>, CountedTests> query(a, b, scene.pose, {}, {{}, &tests});
     Pairs pairs;
     std::uint64_t spent = 0;
     std::uint32_t runs = 0;
