@@ -1,4 +1,4 @@
-"""answers.py PROGRAM: the hash of sequence.cpp by the Python package, on the files that the program one_hash writes;
+"""answers.py PROGRAM: the hash of main.cpp by the Python package, on the files that the program one_hash writes;
 fails if it is not the program's."""
 import subprocess
 import sys
@@ -9,7 +9,7 @@ import numpy as np
 
 import flashbvh
 
-COUNT, BLOCK, WORK, PRIME, NO_PAIR = "10000", 1000, 150, 16777619, 0xFFFF
+BLOCK, WORK, PRIME, NO_PAIR = 1000, 150, 16777619, 0xFFFF
 
 
 def fine(lengths, cell):
@@ -48,7 +48,7 @@ def words_of(folder):
 
 
 with tempfile.TemporaryDirectory() as written:
-    wanted = subprocess.run([sys.argv[1], COUNT, COUNT, written], check=True, stdout=subprocess.PIPE, text=True).stdout
+    wanted = subprocess.run([sys.argv[1], written], check=True, stdout=subprocess.PIPE, text=True).stdout
     value = 2166136261
     for columns in words_of(Path(written)):
         for word in np.hstack(columns).ravel().tolist():

@@ -1,13 +1,21 @@
 // The guard: checksums that detect damaged memory.
-#include "flashbvh/detail/lattice/checksum.hpp"
 #include "flashbvh/robot/guard.hpp"
 
 namespace flashbvh {
 
 using detail::Fit;
-using detail::kNoWords;
 
 namespace {
+
+constexpr uint32_t kNoWords = 2166136261u;
+
+/// Adds a word to a checksum. A rotation, an exclusive or and a product with an odd number are each
+/// invertible. So different checksums stay different, and different words make them different: a
+/// change of one word is always found. The rotation moves the top bits, which products leave in
+/// place.
+constexpr uint32_t with_word(uint32_t checksum, uint32_t word) {
+  return ((checksum << 7 | checksum >> 25) ^ word) * 0x9E3779B1u;
+}
 
 /// Continues a checksum over whole words.
 [[gnu::noinline]] uint32_t checksum_of(const void* begin, const void* end, uint32_t checksum) {
@@ -16,7 +24,7 @@ namespace {
   for (const auto* at = static_cast<const unsigned char*>(begin); at < last; at += 4) {
     uint32_t word;
     __builtin_memcpy(&word, __builtin_assume_aligned(at, alignof(uint32_t)), sizeof word);
-    checksum = detail::with_word(checksum, word);
+    checksum = with_word(checksum, word);
   }
   return checksum;
 }
@@ -37,9 +45,8 @@ uint32_t Guard::meshes_checksum() const {
 
 /// The last word may include bytes of the state's padding.
 uint32_t Guard::state_checksum() const {
-  return checksum_of(
-      &core_->checksum + 1, walked_shares_ + robot_->joint_count,
-      detail::with_word(core_->version | uint32_t{core_->laps} << 8, core_->robot_hash));
+  return checksum_of(&core_->checksum + 1, walked_shares_ + robot_->joint_count,
+                     with_word(core_->version | uint32_t{core_->laps} << 8, core_->robot_hash));
 }
 
 void Guard::seal() {
