@@ -1,16 +1,14 @@
-// Rays through meshes: against each triangle alone, against winding numbers, and at edges and
-// corners of closed meshes.
+// Rays through meshes: against exact rationals for each triangle, against winding numbers, and at
+// edges and corners of closed meshes.
 #include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
 #include "support/any_mesh.hpp"
 #include "support/boxes.hpp"
-#include "support/points.hpp"
+#include "support/oracles/rational.hpp"
 #include "support/test.hpp"
 #include "support/torus.hpp"
 
 namespace {
-
-constexpr int kShare = share_on_board(20);
 
 using Hit = RayHit<std::uint16_t>;
 
@@ -18,28 +16,62 @@ Point moved(const Point& p, const std::int32_t (&by)[3]) {
   return {p.x + by[0], p.y + by[1], p.z + by[2]};
 }
 
-bool same(const Hit& x, const Hit& y) {
-  return x.triangle == y.triangle && x.slot == y.slot && x.side == y.side &&
-         x.along.above == y.along.above && x.along.below == y.along.below;
+mpq_class rational(const SegmentShare& share) {
+  mpq_class value(static_cast<long>(share.above), static_cast<long>(share.below));
+  value.canonicalize();
+  return value;
 }
 
-/// The hits of each triangle alone, by the library's own test, which segment_hit_host_test.cpp
-/// compares with rationals.
-std::vector<Hit> all_hits(const Mesh& mesh, const Segment& segment) {
-  detail::SegmentWalk<Mesh> walk(mesh, segment);
-  std::vector<Hit> hits;
-  for (std::uint32_t i = 0; i < mesh.triangle_count; ++i) {
-    Hit hit;
-    if (walk.get_hit(i, hit)) {
-      hits.push_back(hit);
+/// 1 if the triangle's corners run counter-clockwise, seen from the segment's start, -1 if
+/// clockwise, 0 if the segment lies in the plane or there is none.
+int side_met(const Segment& segment, const Triangle& t) {
+  const auto at = [](const Point& p) { return vector_of<mpz_class>(p); };
+  const test::Vector<mpz_class> o = at(t.corner[0]);
+  const auto normal = cross(minus(at(t.corner[1]), o), minus(at(t.corner[2]), o));
+  return -sgn(dot(normal, minus(at(segment.to), at(segment.from))));
+}
+
+struct TrueHit {
+  std::uint16_t slot;
+  std::uint16_t triangle;
+  mpq_class along;
+  int side;
+
+  bool is(const Hit& hit) const {
+    return hit.slot == slot && hit.triangle == triangle && hit.side == side &&
+           hit.along.below > 0 && rational(hit.along) == along;
+  }
+};
+
+/// The hits of all triangles.
+std::vector<TrueHit> true_hits(const Mesh& mesh, const Segment& segment) {
+  std::vector<TrueHit> hits;
+  for (std::uint16_t i = 0; i < mesh.triangle_count; ++i) {
+    Triangle t;
+    for (int k = 0; k < 3; ++k) {
+      const Vertex& v = mesh.vertices[mesh.triangles[i].corner[k]];
+      t.corner[k] = moved({v.x, v.y, v.z}, mesh.origin);
+    }
+    const SegmentOracle oracle(segment, t);
+    if (oracle.meets()) {
+      hits.push_back({i, mesh.triangle_ids[i], oracle.first(), side_met(segment, t)});
     }
   }
   return hits;
 }
 
-/// Tests all ray queries on one ray. Returns the number of hits in the nearest one's place.
-std::uint32_t check_ray(Random& random, const Mesh& mesh, const Segment& segment) {
-  const std::vector<Hit> hits = all_hits(mesh, segment);
+/// The kinds of results so far, to check that all occur.
+struct Seen {
+  long hits = 0;
+  long misses = 0;
+  long in_plane = 0;
+  long in_one_place = 0;  ///< several in the nearest one's place
+};
+
+/// Tests all ray queries on one ray.
+void check_ray(Random& random, const Mesh& mesh, const Segment& segment, Seen& seen) {
+  CAPTURE(segment.from.x, segment.from.y, segment.from.z, segment.to.x, segment.to.y, segment.to.z);
+  const std::vector<TrueHit> hits = true_hits(mesh, segment);
   std::vector<Hit> found;
   const auto keep = [&](const Hit& hit) {
     found.push_back(hit);
@@ -47,29 +79,34 @@ std::uint32_t check_ray(Random& random, const Mesh& mesh, const Segment& segment
   };
   REQUIRE(for_each_hit(mesh, segment, keep) == Status::done);
   REQUIRE(found.size() == hits.size());
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    const auto is_it = [&](const Hit& hit) { return same(hit, hits[i]); };
-    REQUIRE(std::count_if(found.begin(), found.end(), is_it) == 1);
-    REQUIRE(mesh.triangle_ids[hits[i].slot] == hits[i].triangle);
+  for (const TrueHit& truth : hits) {
+    REQUIRE(std::count_if(found.begin(), found.end(),
+                          [&](const Hit& hit) { return truth.is(hit); }) == 1);
+    seen.in_plane += truth.side == 0 ? 1 : 0;
   }
   const auto any = any_hit(mesh, segment);
   REQUIRE((any.status == Status::done && any.yes == !hits.empty()));
-  const auto nearest = nearest_hit(mesh, segment);
-  REQUIRE((nearest.status == Status::done && nearest.yes == !hits.empty()));
   const auto seed = static_cast<std::uint16_t>(random.below(mesh.triangle_count));
-  const auto seeded = nearest_hit(mesh, segment, seed);
-  REQUIRE(seeded.yes == nearest.yes);
+  const auto first =
+      std::min_element(hits.begin(), hits.end(), [](const TrueHit& x, const TrueHit& y) {
+        return x.along != y.along ? x.along < y.along : x.triangle < y.triangle;
+      });
+  for (const auto& nearest : {nearest_hit(mesh, segment), nearest_hit(mesh, segment, seed)}) {
+    REQUIRE((nearest.status == Status::done && nearest.yes == !hits.empty()));
+    REQUIRE((hits.empty() || first->is(nearest.hit)));
+  }
   if (hits.empty()) {
-    return 0;
+    ++seen.misses;
+    return;
   }
-  REQUIRE(same(any.hit, found.front()));
-  REQUIRE(same(seeded.hit, nearest.hit));
-  std::uint32_t in_one_place = 0;
-  for (const Hit& hit : hits) {
-    const int order = order_along(nearest.hit.along, hit.along);
-    in_one_place += order == 0 ? 1 : 0;
-    REQUIRE((order < 0 || (order == 0 && nearest.hit.triangle <= hit.triangle)));
-  }
+  ++seen.hits;
+  REQUIRE(
+      std::any_of(hits.begin(), hits.end(), [&](const TrueHit& hit) { return hit.is(any.hit); }));
+  seen.in_one_place +=
+      std::count_if(hits.begin(), hits.end(),
+                    [&](const TrueHit& hit) { return hit.along == first->along; }) > 1
+          ? 1
+          : 0;
   std::uint32_t visited = 0;
   const auto stop = [&](const Hit&) {
     ++visited;
@@ -77,7 +114,33 @@ std::uint32_t check_ray(Random& random, const Mesh& mesh, const Segment& segment
   };
   REQUIRE(for_each_hit(mesh, segment, stop) == Status::full);
   REQUIRE(visited == 1);
-  return in_one_place;
+}
+
+Point point_between(const Point& u, const Point& v, std::int32_t share) {
+  return {u.x + share * (v.x - u.x), u.y + share * (v.y - u.y), u.z + share * (v.z - u.z)};
+}
+
+/// Boxes, triangles on few cells, where everything coincides, or large and at the lattice's ends.
+bake::LatticeMesh any_target(Random& random) {
+  const std::uint32_t kind = random.below(4);
+  const std::int32_t few = random.between(1, 3);
+  bake::LatticeMesh mesh = kind == 0   ? boxes(random)
+                           : kind == 1 ? random_mesh(random, 1 + random.below(40), 12, 9)
+                           : kind == 2 ? random_mesh(random, 1 + random.below(6), 0, few)
+                                       : random_mesh(random, 1 + random.below(3), 8000, 8000);
+  for (Vertex& v : mesh.vertices) {
+    if (kind == 3 && random.below(2) == 0) {
+      const auto end = [&] { return random.below(2) == 0 ? kMaxCoordinate : -kMaxCoordinate; };
+      const std::int32_t x = end();
+      const std::int32_t y = end();
+      v = vertex_of({x, y, end()});
+    }
+    v = kind > 1 && random.below(8) == 0 ? random.one_of(mesh.vertices) : v;
+  }
+  for (std::int32_t& origin : mesh.origin) {
+    origin = random.between(-(1 << 29), 1 << 29);
+  }
+  return mesh;
 }
 
 bool is_hit_by_half(const RayAnswer<std::uint16_t>& answer) {
@@ -100,32 +163,46 @@ bool is_crossed_rightly(const Mesh& mesh, const Segment& segment) {
 
 }  // namespace
 
-TEST_CASE("a ray hits what it hits of each triangle, of several in one place the least id") {
-  std::uint32_t shared = 0;
-  for_rounds(400 / kShare, [&](Random& random, int round) {
-    bake::LatticeMesh lattice =
-        round % 2 == 0 ? boxes(random) : random_mesh(random, 1 + random.below(40), 12, 9);
-    for (std::int32_t& origin : lattice.origin) {
-      origin = random.between(-(1 << 29), 1 << 29);
-    }
-    const AnyMesh mesh = any_mesh(random, lattice);
-    for (int i = 0; i < 20; ++i) {
-      const Point from = moved(any_point(random, 25), mesh.origin);
-      const Point to = moved(any_point(random, i % 4 == 0 ? 100'000 : 25), mesh.origin);
-      (void)check_ray(random, mesh, {from, to});
-      // Through a corner, often of several triangles.
-      const Vertex& v = mesh.vertices[random.below(mesh.vertex_count)];
-      const Point corner = moved({v.x, v.y, v.z}, mesh.origin);
-      const Point beyond = {2 * corner.x - from.x, 2 * corner.y - from.y, 2 * corner.z - from.z};
-      shared += check_ray(random, mesh, {from, beyond}) > 1 ? 1 : 0;
+TEST_CASE("a ray hits what exact rationals say, of several in one place the least id") {
+  Seen seen;
+  const auto rays = rounds(1200L, 20'000L);
+  for_rounds(rays, [&](Random& random, long) {
+    const AnyMesh mesh = any_mesh(random, any_target(random));
+    const std::int32_t reaches[] = {3, 25, 25, 100'000, kMaxRayCoordinate - 2 * kMaxCoordinate};
+    const std::int32_t reach = random.one_of(reaches);
+    const Point from = moved(any_point(random, reach), mesh.origin);
+    const Point to = moved(any_point(random, reach), mesh.origin);
+    const auto& corners = mesh.triangles[random.below(mesh.triangle_count)].corner;
+    const auto at = [&](std::uint32_t i) {
+      const Vertex& v = mesh.vertices[corners[i]];
+      return moved({v.x, v.y, v.z}, mesh.origin);
+    };
+    const Point u = at(random.below(3));
+    const Point v = at(random.below(3));
+    const Point w = at(random.below(3));
+    const Segment segments[] = {
+        {from, to},
+        {from, from},
+        {from, point_between(from, u, 2)},                                     // through a corner
+        {from, {u.x + v.x - from.x, u.y + v.y - from.y, u.z + v.z - from.z}},  // an edge's middle
+        {from, u},
+        {from, {u.x, u.y, u.z + 1}},
+        {u, point_between(u, v, 2)},
+        {point_between(u, v, -1), w},  // in the plane, from next to an edge
+        {point_between(u, v, -1), point_between(v, w, 2)},
+    };
+    for (const Segment& segment : segments) {
+      check_ray(random, mesh, segment, seen);
     }
   });
-  CHECK(shared > 3000 / kShare);
+  CAPTURE(seen.hits, seen.misses, seen.in_plane, seen.in_one_place);
+  CHECK((seen.hits > 2 * rays && seen.misses > rays / 2));
+  CHECK((seen.in_plane > rays && seen.in_one_place > rays));
 }
 
 TEST_CASE("signed crossings are winding numbers' differences, through edges and corners too") {
   std::uint32_t changes = 0;
-  for_rounds(200 / kShare, [&](Random& random, int) {
+  for_rounds(200, [&](Random& random, int) {
     bake::LatticeMesh lattice = boxes(random);
     for (Vertex& v : lattice.vertices) {  // makes all middles lattice points
       v = vertex_of({2 * v.x, 2 * v.y, 2 * v.z});
@@ -156,13 +233,13 @@ TEST_CASE("signed crossings are winding numbers' differences, through edges and 
       REQUIRE(signed_crossings(mesh, {segment.to, segment.from}).outwards == -found.outwards);
     }
   });
-  CHECK(changes > 1000 / kShare);
+  CHECK(changes > 1000);
 }
 
 TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh mesh(bake::build_default(lattice), lattice);
-  for_rounds(rounds(3000, 30000) / kShare, [&](Random& random, int) {
+  for_rounds(rounds(3000, 30000), [&](Random& random, int) {
     // Exactly through a corner or the middle of an edge, where float ray casters lose rays.
     const auto& corner = mesh.triangles[random.below(mesh.triangle_count)].corner;
     const Vertex& u = mesh.vertices[corner[0]];
@@ -199,7 +276,7 @@ TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") 
 }
 
 TEST_CASE("where a hit is, and how far off") {
-  for_rounds(2000 / kShare, [&](Random& random, int round) {
+  for_rounds(2000, [&](Random& random, int round) {
     const Point from = any_point(random, round % 2 == 0 ? 500 : kMaxRayCoordinate);
     const Point to = any_point(random, round % 3 == 0 ? 500 : kMaxRayCoordinate);
     const std::int64_t bits = random.below(1u << 30);
@@ -221,6 +298,14 @@ TEST_CASE("where a hit is, and how far off") {
   CHECK(distance_along(along_x, {1, 2}) == 100 * 256);
   CHECK(distance_along(along_x, {0, 1}) == 0);
   CHECK(distance_along(along_x, {3, 3}) == 200 * 256);
+}
+
+TEST_CASE("shares of segments are distinguished by one part in 2^105") {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  CHECK(order_along({most - 2, most - 1}, {most - 1, most}) < 0);
+  CHECK(order_along({most - 1, most}, {most - 2, most - 1}) > 0);
+  CHECK(order_along({most / 2, most}, {1, 2}) == 0);
+  CHECK(order_along({0, 5}, {0, most}) == 0);
 }
 
 TEST_CASE("what no ray can be is refused, and may hit") {
