@@ -2,64 +2,20 @@
 from cli import Case, flashbvh, write
 from inputs import faces
 
+CORNERS = ["-1 -1 -1", "1 -1 -1", "1 1 -1", "-1 1 -1", "-1 -1 1", "1 -1 1", "1 1 1", "-1 1 1"]
+SIDES = ["3 2 1 0", "4 5 6 7", "0 1 5 4", "2 3 7 6", "2 3 7 6", "3 0 4 7"]
+
 
 class ImportTest(Case):
-    # A box of two units, as quadrilaterals with groups, materials, normals and comments.
-    def setUp(self):
-        super().setUp()
-        write("box.obj", """
-            # a box
-            mtllib missing.mtl
-            o first
-            v -1 -1 -1
-            v 1 -1 -1
-            v 1 1 -1
-            v -1 1 -1
-            vn 0 0 1
-            v -1 -1 1 1.0
-            v 1 -1 1
-            v 1 1 1 0.5 0.5 0.5
-            v -1 1 1
-            usemtl red
-            f 4 3 2 1
-            usemtl blue
-            g one
-            f 5//1 6//1 7//1 8//1
-              f 1 2 6 5
-            o second
-            usemtl red
-            f 3 4 8 7
-            o first
-            f 3 4 8 7
-            g one
-            f 4 1 5 8""")
-        write("box.ply", """
-            ply
-            format ascii 1.0
-            comment a box
-            element vertex 8
-            property float x
-            property float y
-            property float z
-            element face 6
-            property list uchar int vertex_indices
-            end_header
-            -1 -1 -1
-            1 -1 -1
-            1 1 -1
-            -1 1 -1
-            -1 -1 1
-            1 -1 1
-            1 1 1
-            -1 1 1
-            4 3 2 1 0
-            4 4 5 6 7
-            4 0 1 5 4
-            4 2 3 7 6
-            4 2 3 7 6
-            4 3 0 4 7""")
-
     def test_a_box_in_obj_and_ply_is_one_mesh(self):
+        # With a weight, a colour, a normal, texture coordinates, groups and materials.
+        points = "".join(f"v {corner}\n" for corner in CORNERS[:4]) + (
+            "vn 0 0 1\nv -1 -1 1 1.0\nv 1 -1 1\nv 1 1 1 0.5 0.5 0.5\nv -1 1 1\n")
+        write("box.obj", f"# a box\nmtllib missing.mtl\no first\n{points}usemtl red\nf 4 3 2 1\nusemtl blue\ng one\n"
+              "f 5//1 6//1 7//1 8//1\n  f 1 2 6 5\no second\nf 3 4 8 7\no first\nf 3 4 8 7\ng one\nf 4 1 5 8\n")
+        write("box.ply", "\n".join(["ply", "format ascii 1.0", "comment a box", "element vertex 8", *(
+            f"property float {axis}" for axis in "xyz"), "element face 6", "property list uchar int vertex_indices",
+            "end_header", *CORNERS, *(f"4 {side}" for side in SIDES), ""]))
         for kind in ("obj", "ply"):
             with self.subTest(kind):
                 out = flashbvh(f"bake box.{kind} -o {kind} --cell 0.25")

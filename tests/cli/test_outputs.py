@@ -84,7 +84,7 @@ class OutputsTest(Case):
         out.matches(f"^ring  *{size('table/ring.fbvh')} ")
         out.lacks("total")
         refuse("bake meshes/ring.stl -o out --unit mm --cell 0.0001",
-               "meshes/ring.stl: is too large for a cell of 1e-04 mm:")
+               "meshes/ring.stl: is too large for a cell of 1e-04 mm;")
         refuse("bake meshes/ring.stl -o out --unit mm --cell 1 --max-deviation 0.1",
                "--max-deviation allows 0.1 mm; a cell of 0.1154700538379")
 

@@ -91,28 +91,6 @@ TEST_CASE("a number of a text is the nearest double, in every format") {
   }
 }
 
-TEST_CASE("any number of up to 25 digits is the nearest double, in every format") {
-  for_rounds(3000, [&](Random& random, int) {
-    std::string word = random.below(2) == 0 ? "-" : "";
-    const std::uint32_t digits = 1 + random.below(25);
-    const std::uint32_t point = random.below(digits + 1);
-    for (std::uint32_t digit = 0; digit < digits; ++digit) {
-      word += (digit == point ? "." : "") + std::to_string(random.below(10));
-    }
-    if (random.below(3) == 0) {
-      word += "e" + std::to_string(static_cast<int>(random.below(340)) - 327);
-    }
-    const double wanted = std::strtod(word.c_str(), nullptr);
-    if (!tool::is_coordinate(wanted)) {
-      return;
-    }
-    for (const TextFormat& format : kTextFormats) {
-      CAPTURE(format.name, word);
-      REQUIRE(reads_as(format, word, wanted));
-    }
-  });
-}
-
 TEST_CASE("what is no number, or none that a float can hold, is no coordinate in any format") {
   const std::vector<std::string> words = {
       "nan",   "-nan", "inf",  "INF", "infinity", "0x10",  "0x1p3", "1e39", "-1e39",   "3.5e38",

@@ -22,32 +22,6 @@ bake::SourceMesh shaken(bake::SourceMesh mesh, double most, Random& random) {
 
 }  // namespace
 
-TEST_CASE("the nearest triangle is as near as brute force says, degenerate ones too") {
-  for_rounds(300, 1, [](Random& random, int) {
-    bake::SourceMesh mesh;
-    const std::uint32_t count = 1 + random.below(40);
-    for (std::uint32_t i = 0; i < 3 * count; ++i) {
-      const std::int32_t spread = random.below(2) == 0 ? 3 : 50;
-      mesh.vertices.push_back({1.0 * random.between(-spread, spread),
-                               1.0 * random.between(-spread, spread),
-                               random.below(3) == 0 ? 0.0 : 1.0 * random.between(-spread, spread)});
-    }
-    for (std::uint32_t i = 0; i < count; ++i) {
-      mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + random.below(3)});
-    }
-    const NearestTriangle nearest(mesh);
-    for (int i = 0; i < 20; ++i) {
-      const simplify::Point p = {random.between(-600, 600) / 10.0, random.between(-600, 600) / 10.0,
-                                 random.between(-60, 60) / 10.0};
-      const NearestTriangle::Found found = nearest.to(p, random.below(count));
-      REQUIRE(std::fabs(std::sqrt(found.squared) - distance_by_force(p, mesh)) <= 1e-9);
-      REQUIRE(found.squared == simplify::squared_distance(p, nearest.triangle(found.place)));
-      const bake::TriangleCorners& corners = mesh.triangles[nearest.number(found.place)];
-      REQUIRE(nearest.triangle(found.place)[2] == mesh.vertices[corners[2]]);
-    }
-  });
-}
-
 TEST_CASE("a triangle on a line is as near as its ends, however doubles round its area") {
   for_rounds(1000, 3, [](Random& random, int) {
     const double step = random.between(1, 1000) / 777.0;
@@ -112,9 +86,4 @@ TEST_CASE("what is farther between its vertices than at them is seen") {
   CHECK(deviation.most <= 1.05 * truth);
   CHECK(deviation_from(NearestTriangle(roof), floor, 0.99 * truth).most == HUGE_VAL);
   CHECK(deviation_from(NearestTriangle(roof), floor, 1.01 * truth).most <= 1.01 * truth);
-}
-
-TEST_CASE("a mesh deviates from itself by no more than doubles round") {
-  const bake::SourceMesh mesh = hills(20, 12);
-  CHECK(deviation_from(NearestTriangle(mesh), mesh, 1e-3).most < 1e-9);
 }

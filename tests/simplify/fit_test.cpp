@@ -98,9 +98,3 @@ TEST_CASE("a little longer a length is worth smaller leaves, much longer is not"
     CHECK(bytes(all, found->leaf_size) <= 0.3 * bytes(meshes.all(), 2));
   }
 }
-
-TEST_CASE("what can't fit is said not to") {
-  const Meshes meshes;
-  std::vector<Coarsening> all = meshes.all();
-  CHECK_FALSE(simplify::fit(all, 16, 20, {2, 5}, bytes_of));
-}

@@ -37,6 +37,17 @@ LatticeMesh part_of(const LatticeMesh& mesh, const std::vector<std::uint32_t>& n
   return part;
 }
 
+SourceMesh source_of(const LatticeMesh& mesh) {
+  SourceMesh source;
+  for (const Vertex& vertex : mesh.vertices) {
+    source.vertices.push_back({(mesh.origin[0] + vertex.x) * mesh.cell,
+                               (mesh.origin[1] + vertex.y) * mesh.cell,
+                               (mesh.origin[2] + vertex.z) * mesh.cell});
+  }
+  source.triangles = mesh.triangles;
+  return source;
+}
+
 void append(const SourceMesh& more, SourceMesh& mesh) {
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());

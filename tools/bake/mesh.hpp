@@ -35,6 +35,9 @@ struct LatticeMesh {
   std::string name;  ///< without folder and extension; at most kMaxNameSize bytes are kept
 };
 
+/// The mesh in its unit and frame.
+SourceMesh source_of(const LatticeMesh& mesh);
+
 /// A mesh of the triangles with these numbers and their vertices, in order of first use.
 SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& numbers);
 LatticeMesh part_of(const LatticeMesh& mesh, const std::vector<std::uint32_t>& numbers);

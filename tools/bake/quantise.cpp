@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include "flashbvh/image.hpp"
 
@@ -28,11 +27,6 @@ struct Range {
 /// The ends of the rounded mesh along an axis, in cells.
 Range rounded_range(const Extent& extent, std::size_t axis, double cell) {
   return {nearest(extent.low[axis], cell), nearest(extent.high[axis], cell)};
-}
-
-/// The lattice point in the middle of the rounded mesh.
-double middle(const Range& range) {
-  return std::floor((range.low + range.high) / 2);
 }
 
 /// The cell with which no axis of the mesh is over `width` cells wide or reaches further than
@@ -108,30 +102,6 @@ double finest_cell(const Extent& extent) {
   return cell_of(extent, kMaxWidth - 1, kMaxOrigin - 1);
 }
 
-std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, const Extent& extent, double cell) {
-  std::array<double, 3> origin{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    origin[axis] = middle(rounded_range(extent, axis, cell));
-  }
-  const auto is_out = [&](std::uint32_t vertex) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = nearest(mesh.vertices[vertex][axis], cell);
-      if (!(std::fabs(at - origin[axis]) <= kMaxCoordinate) || !(std::fabs(at) <= kMaxOrigin)) {
-        return true;
-      }
-    }
-    return false;
-  };
-  std::vector<std::uint32_t> found;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const TriangleCorners& corners = mesh.triangles[i];
-    if (std::any_of(corners.begin(), corners.end(), is_out)) {
-      found.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
-  return found;
-}
-
 float float_above(double length) {
   constexpr float most = std::numeric_limits<float>::max();
   if (length > static_cast<double>(most) && std::isfinite(length)) {
@@ -161,14 +131,12 @@ double deviation(const SourceMesh& mesh, double cell) {
   return most;
 }
 
-Rounding round_to_lattice(const SourceMesh& mesh, const Extent& extent, double cell) {
-  if (!fits(extent, cell)) {
-    return {{}, out_of_range(mesh, extent, cell)};
-  }
+LatticeMesh round_to_lattice(const SourceMesh& mesh, const Extent& extent, double cell) {
   LatticeMesh rounded;
   rounded.cell = cell;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    rounded.origin[axis] = static_cast<std::int32_t>(middle(rounded_range(extent, axis, cell)));
+    const auto [low, high] = rounded_range(extent, axis, cell);
+    rounded.origin[axis] = static_cast<std::int32_t>(std::floor((low + high) / 2));
   }
   std::map<std::array<std::int16_t, 3>, std::uint32_t> joined;
   std::vector<std::uint32_t> index_of(mesh.vertices.size());
@@ -190,7 +158,7 @@ Rounding round_to_lattice(const SourceMesh& mesh, const Extent& extent, double c
     rounded.triangles.push_back(
         {index_of[triangle[0]], index_of[triangle[1]], index_of[triangle[2]]});
   }
-  return {std::move(rounded), {}};
+  return rounded;
 }
 
 }  // namespace flashbvh::bake

@@ -26,10 +26,6 @@ double finest_cell(const Extent& extent);
 /// within 2^29 cells of its frame's origin.
 bool fits(const Extent& extent, double cell);
 
-/// The numbers of the triangles that reach out of the lattice around the mesh's middle with this
-/// cell, ascending; none if the mesh fits.
-std::vector<std::uint32_t> out_of_range(const SourceMesh& mesh, const Extent& extent, double cell);
-
 /// The least float that is not below the length; FLT_MAX for a longer one.
 float float_above(double length);
 /// The length in 1/parts of the cell, rounded up.
@@ -41,14 +37,9 @@ std::uint16_t sixteenths_above(double deviation, double cell);
 /// if no vertex moves.
 double deviation(const SourceMesh& mesh, double cell);
 
-/// A rounded mesh, or the triangles that the lattice can't hold.
-struct Rounding {
-  LatticeMesh mesh;
-  std::vector<std::uint32_t> out_of_range;
-};
-
 /// Rounds each coordinate to the nearest multiple of `cell`, halves away from zero (also halves
-/// that are inexact by rounding), and joins vertices that coincide. `extent`: the mesh's.
-Rounding round_to_lattice(const SourceMesh& mesh, const Extent& extent, double cell);
+/// that are inexact by rounding), and joins vertices that coincide. The origin is in the middle of
+/// `extent`, the mesh's. Precondition: fits(extent, cell).
+LatticeMesh round_to_lattice(const SourceMesh& mesh, const Extent& extent, double cell);
 
 }  // namespace flashbvh::bake

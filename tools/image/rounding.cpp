@@ -69,17 +69,6 @@ class Covered {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
 };
 
-/// These triangles, in cells.
-bake::SourceMesh in_cells(const bake::LatticeMesh& mesh, const TriangleIds& numbers) {
-  const bake::LatticeMesh part = part_of(mesh, numbers);
-  bake::SourceMesh made;
-  for (const Vertex& v : part.vertices) {
-    made.vertices.push_back({1.0 * v.x, 1.0 * v.y, 1.0 * v.z});
-  }
-  made.triangles = part.triangles;
-  return made;
-}
-
 /// RoundedMesh::dropped. A triangle without area in the file is a line there, once rounded too.
 double dropped_distance(const bake::LatticeMesh& mesh, const MeshDefects& defects,
                         const TriangleIds& kept, const TriangleIds& dropped) {
@@ -98,9 +87,9 @@ double dropped_distance(const bake::LatticeMesh& mesh, const MeshDefects& defect
       apart.push_back(triangle);
     }
   }
-  return apart.empty()
-             ? 0
-             : simplify::farthest_from(in_cells(mesh, kept), in_cells(mesh, apart)) * mesh.cell;
+  return apart.empty() ? 0
+                       : simplify::farthest_from(source_of(part_of(mesh, kept)),
+                                                 source_of(part_of(mesh, apart)));
 }
 
 /// Removes triangles as the options say, and unused vertices.
@@ -135,13 +124,11 @@ std::string text_of(double length, const BakeOptions& options) {
 
 bake::LatticeMesh lattice_of(const InputMesh& input, const BakeOptions& options) {
   const double cell = options.cell.value_or(input.finest_cell);
-  bake::Rounding rounding = bake::round_to_lattice(input.mesh, input.extent, cell);
-  if (!rounding.out_of_range.empty()) {
+  if (!bake::fits(input.extent, cell)) {
     throw UserError(input.path, "is too large for a cell of ", text_of(cell, options),
-                    ": out of range are ", triangle_list(rounding.out_of_range),
                     "; the finest that it fits is --cell ", shortest(input.finest_cell));
   }
-  return std::move(rounding.mesh);
+  return bake::round_to_lattice(input.mesh, input.extent, cell);
 }
 
 RoundedMesh round_mesh(const InputMesh& input, const BakeOptions& options) {

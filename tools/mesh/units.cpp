@@ -37,10 +37,8 @@ Unit unit_of(std::string_view name, std::string_view Measure::*member) {
   return Unit::none;
 }
 
-/// 0 if there is no such unit.
-std::uint64_t nanometres_in(std::string_view name) {
-  const Unit unit = unit_of(name, &Measure::name);
-  return unit == Unit::none ? 0 : kUnits[static_cast<std::size_t>(unit) - 1].nanometres;
+std::uint64_t nanometres_in(Unit unit) {
+  return kUnits[static_cast<std::size_t>(unit) - 1].nanometres;
 }
 
 /// "part.stl" also names meshes/part.stl.
@@ -48,57 +46,53 @@ bool is_meant(const std::string& name, const std::string& file) {
   return name == file || name == std::filesystem::path(file).filename().string();
 }
 
-[[noreturn]] void refuse_second_unit(const std::string& place, const std::string& file,
-                                     const std::string& known) {
-  throw UserError(place, file, " is in ", known, " already; give it one unit");
-}
-
 }  // namespace
 
 Units::Units(const std::vector<std::string>& given, const std::vector<std::string>& files) {
   for (const std::string& option : given) {
+    const std::string place = "--unit " + option;
     const std::size_t equals = option.rfind('=');
-    const std::string unit = equals == std::string::npos ? option : option.substr(equals + 1);
-    if (nanometres_in(unit) == 0) {
-      throw UserError("--unit " + option, "'", unit, "' is no unit; give ", kNames);
+    const std::string name = equals == std::string::npos ? option : option.substr(equals + 1);
+    const Unit unit = unit_of(name, &Measure::name);
+    if (unit == Unit::none) {
+      throw UserError(place, "'", name, "' is no unit; give ", kNames);
     }
-    if (equals == std::string::npos) {
-      set_common(unit);
-    } else {
-      set_own(option.substr(0, equals), unit, files);
+    if (equals != std::string::npos) {
+      set_own(place, option.substr(0, equals), unit, files);
+      continue;
     }
+    if (common_ != Unit::none && common_ != unit) {
+      throw UserError(place, "the unit is ", common(),
+                      " already; give a file's own unit as --unit FILE=", name);
+    }
+    common_ = unit;
   }
-  if (common_.empty() && !own_.empty()) {
+  if (common_ == Unit::none && !own_.empty()) {
     throw UserError("--unit " + given[0],
                     "says nothing of the unit of the results; add it, such as --unit mm");
   }
 }
 
-void Units::set_common(const std::string& unit) {
-  if (!common_.empty() && common_ != unit) {
-    throw UserError("--unit " + unit, "the unit is ", common_,
-                    " already; give a file's own unit as --unit FILE=", unit);
-  }
-  common_ = unit;
-}
-
-void Units::set_own(const std::string& name, const std::string& unit,
+void Units::set_own(const std::string& place, const std::string& name, Unit unit,
                     const std::vector<std::string>& files) {
-  const std::string place = "--unit " + name + "=" + unit;
   bool found = false;
   for (const std::string& file : files) {
     if (is_meant(name, file)) {
-      const std::string& known = own_.emplace(file, unit).first->second;
-      if (known != unit) {
-        refuse_second_unit(place, file, known);
-      }
       found = true;
+      if (const Unit known = own_.emplace(file, unit).first->second; known != unit) {
+        throw UserError(place, file, " is in ", unit_name(known), " already; give it one unit");
+      }
     }
   }
   if (!found) {
     throw UserError(place, "no mesh '", name,
                     "' is given; name one as it is given, or by its name without folders");
   }
+}
+
+Unit Units::unit_of_file(const std::string& file, Unit says) const {
+  const auto own = own_.find(file);
+  return own == own_.end() ? says : own->second;
 }
 
 /// In lowest terms: a conversion from mm to m rounds each length once, by the division.
@@ -110,17 +104,14 @@ struct Units::Ratio {
 };
 
 Units::Ratio Units::ratio_of(const std::string& file, Unit says) const {
-  const auto own = own_.find(file);
-  const std::string unit = own == own_.end() ? unit_name(says) : own->second;
-  if (common_.empty() || unit.empty()) {
+  const Unit own = unit_of_file(file, says);
+  if (common_ == Unit::none || own == Unit::none) {
     return {};
   }
-  const std::uint64_t from = nanometres_in(unit);
+  const std::uint64_t from = nanometres_in(own);
   const std::uint64_t to = nanometres_in(common_);
   const std::uint64_t common_part = std::gcd(from, to);
-  const std::uint64_t numerator = from / common_part;
-  const std::uint64_t denominator = to / common_part;
-  return {static_cast<double>(numerator), static_cast<double>(denominator)};
+  return {static_cast<double>(from / common_part), static_cast<double>(to / common_part)};
 }
 
 void Units::convert(bake::SourceMesh& mesh, const std::string& file, Unit says) const {
@@ -130,10 +121,6 @@ void Units::convert(bake::SourceMesh& mesh, const std::string& file, Unit says) 
       coordinate = ratio.of(coordinate);
     }
   }
-}
-
-Unit Units::unit() const {
-  return unit_of(common_, &Measure::name);
 }
 
 std::string unit_name(Unit unit) {
@@ -149,16 +136,15 @@ double Units::converted(double length, const std::string& file, Unit says) const
 }
 
 std::string Units::contradiction(const std::string& file, Unit says) const {
-  const auto own = own_.find(file);
-  if (says == Unit::none || own == own_.end() || own->second == unit_name(says)) {
-    return "";
-  }
-  return concat("carries the unit ", unit_name(says), ", but --unit FILE=", own->second,
-                " takes its numbers for ", own->second);
+  const Unit own = unit_of_file(file, says);
+  return own == says || says == Unit::none
+             ? ""
+             : concat("carries the unit ", unit_name(says), ", but --unit FILE=", unit_name(own),
+                      " takes its numbers for ", unit_name(own));
 }
 
 std::string Units::with_unit(double length) const {
-  return shortest(length) + (common_.empty() ? "" : " " + common_);
+  return concat(shortest(length), common_ == Unit::none ? "" : " ", common());
 }
 
 }  // namespace flashbvh::tool

@@ -10,6 +10,9 @@
 
 namespace flashbvh::tool {
 
+/// The unit's name as in --unit; empty for none.
+std::string unit_name(Unit unit);
+
 /// The --unit options for some mesh files. "U" is the unit of all results and lengths, and of each
 /// file without a unit of its own. "FILE=U" gives a file its own unit, whatever the file says.
 /// Files with a unit are converted.
@@ -32,24 +35,22 @@ class Units {
   std::string contradiction(const std::string& file, Unit says) const;
 
   /// The name of the common unit; if none was given, it is empty and no file is converted.
-  const std::string& common() const { return common_; }
-  Unit unit() const;
+  std::string common() const { return unit_name(common_); }
+  Unit unit() const { return common_; }
   /// `length`, in the common unit, with the unit's name if there is one.
   std::string with_unit(double length) const;
 
  private:
-  void set_common(const std::string& unit);
   struct Ratio;
   Ratio ratio_of(const std::string& file, Unit says) const;
-  void set_own(const std::string& name, const std::string& unit,
+  Unit unit_of_file(const std::string& file, Unit says) const;
+  void set_own(const std::string& place, const std::string& name, Unit unit,
                const std::vector<std::string>& files);
 
-  std::string common_;
-  std::map<std::string, std::string> own_;  ///< by file
+  Unit common_ = Unit::none;
+  std::map<std::string, Unit> own_;  ///< by file
 };
 
-/// The unit's name as in --unit; empty for none.
-std::string unit_name(Unit unit);
 /// By its name in 3MF; Unit::none if there is none.
 Unit unit_of_3mf(std::string_view name);
 

@@ -23,18 +23,6 @@ constexpr int kPasses = 24;
 /// A pass that removes less than this part of the triangles is the last one.
 constexpr double kLastPass = 0.003;
 
-/// In its unit.
-bake::SourceMesh placed_in_frame(const bake::LatticeMesh& rounded) {
-  bake::SourceMesh placed;
-  for (const Vertex& vertex : rounded.vertices) {
-    placed.vertices.push_back({(rounded.origin[0] + vertex.x) * rounded.cell,
-                               (rounded.origin[1] + vertex.y) * rounded.cell,
-                               (rounded.origin[2] + vertex.z) * rounded.cell});
-  }
-  placed.triangles = rounded.triangles;
-  return placed;
-}
-
 bake::SourceMesh without_unused_vertices(const bake::SourceMesh& mesh) {
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0U);
@@ -112,11 +100,11 @@ void drop_repeated(bake::SourceMesh& mesh) {
 }  // namespace
 
 Coarsening::Coarsening(const bake::SourceMesh& mesh, double cell)
-    : Coarsening(mesh, bake::round_to_lattice(mesh, bake::extent_of(mesh), cell).mesh) {}
+    : Coarsening(mesh, bake::round_to_lattice(mesh, bake::extent_of(mesh), cell)) {}
 
 Coarsening::Coarsening(const bake::SourceMesh& mesh, bake::LatticeMesh rounded)
     : rounded_(std::make_shared<const bake::LatticeMesh>(std::move(rounded))) {
-  const bake::SourceMesh placed = placed_in_frame(*rounded_);
+  const bake::SourceMesh placed = source_of(*rounded_);
   margin_ = kErrors * std::max(arithmetic_error(mesh), arithmetic_error(placed));
   std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
   const std::vector<std::uint32_t> first =

@@ -58,8 +58,7 @@ Comparison comparison(const ImageFile& image, const std::vector<SourceTriangle>&
     return found;
   }
   const std::vector<LatticePoint> vertices = vertices_of(image.tree());
-  const bake::LatticeMesh rounded =
-      bake::round_to_lattice(input.mesh, input.extent, image.cell()).mesh;
+  const bake::LatticeMesh rounded = bake::round_to_lattice(input.mesh, input.extent, image.cell());
   const MeshDefects defects = defects_of(input.mesh, rounded, input.degenerate);
   auto at = triangles.begin();
   for (std::uint32_t number = 0; number < rounded.triangles.size(); ++number) {
