@@ -12,14 +12,14 @@ namespace flashbvh::tool {
 
 /// The number of threads that run at once.
 inline std::size_t processor_count() {
-  return std::max(1U, std::thread::hardware_concurrency());
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
 }
 
-/// Calls `work` with each number below `count`, in any order; in ascending order with one thread.
-/// If calls throw, no new calls start; rethrows the exception of the lowest number after all
-/// running calls have returned.
+/// Calls `work` on all processors, with each number below `count`, in any order. If calls throw, no
+/// new calls start; rethrows the exception of the lowest number after all running calls have
+/// returned.
 template <class Work>
-void for_each_in_parallel(std::size_t count, std::size_t most_threads, const Work& work) {
+void for_each_in_parallel(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::size_t thrower = count;
@@ -39,7 +39,7 @@ void for_each_in_parallel(std::size_t count, std::size_t most_threads, const Wor
     }
   };
   std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < std::min(most_threads, count); ++i) {
+  for (std::size_t i = 1; i < std::min(processor_count(), count); ++i) {
     threads.emplace_back(run);
   }
   run();
@@ -49,12 +49,6 @@ void for_each_in_parallel(std::size_t count, std::size_t most_threads, const Wor
   if (thrown) {
     std::rethrow_exception(thrown);
   }
-}
-
-/// Runs `work` on all processors.
-template <class Work>
-void for_each_in_parallel(std::size_t count, const Work& work) {
-  for_each_in_parallel(count, processor_count(), work);
 }
 
 }  // namespace flashbvh::tool

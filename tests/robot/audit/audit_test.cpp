@@ -28,17 +28,16 @@ Model post_and_blade() {
 }  // namespace
 
 TEST_CASE("a collision that may lie in a zone that there was no time for refutes no line") {
-  const Model model = post_and_blade();
-  const BakedArm arm(model, 1e-3);
-  const std::vector<PairVerdict> pairs = arm.decide();
-  REQUIRE(pairs[0].verdict == MatrixVerdict::can);
-  DisabledPair line;
-  line.a = 0;
-  line.b = 1;
-  DecidedPairs decided = {model, arm.wholes(), arm.cell(), pairs};
-  CHECK(audit_of(decided, {line}).lines[0].verdict == LineVerdict::refuted);
+  Prepared robot = {Clock::now(), post_and_blade(), 1e-3, {}, {}};
+  for (const ModelLink& link : robot.model.links) {
+    robot.wholes.push_back(bake_part(link.mesh, robot.cell));
+  }
+  Decided decided = decide(robot, {}, 0, [](const std::string&, double) {});
+  REQUIRE(decided.pairs[0].verdict == MatrixVerdict::can);
+  const std::vector<DisabledPair> disabled = {{0, 1, "", 0}};
+  CHECK(audit_of(robot, decided, disabled).lines[0].verdict == LineVerdict::refuted);
   decided.late_joints = {0};
-  const Audit audit = audit_of(decided, {line});
+  const Audit audit = audit_of(robot, decided, disabled);
   CHECK(audit.lines[0].verdict == LineVerdict::undecided);
   CHECK(audit.lines[0].why == "no time was left to find a zone about joint0");
 }

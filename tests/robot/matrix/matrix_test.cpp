@@ -1,7 +1,6 @@
 // Verdicts against formulas, and against brute force on random arms.
 #include "robot/matrix/matrix.hpp"
 #include "robot/matrix/pair_search.hpp"
-#include "robot/matrix/witness_triangles.hpp"
 #include "simplify/zoo.hpp"
 #include "support/arms/arms.hpp"
 #include "support/test.hpp"
@@ -88,7 +87,7 @@ TEST_CASE("a link of more triangles than 16 bits count is decided, with a witnes
     if (pair.verdict == MatrixVerdict::can) {
       CHECK(pair.witness[0] > angle_at(kWall - kCell));
       CHECK(pair.witness[0] <= range_of_variable(model, 0).upper);
-      const auto lit = triangles_at(model, meshes.data(), kCell, pair).triangles;
+      const auto lit = triangles_at(model, meshes, kCell, pair);
       // The middle of the rod at the wall, and the extent of the rod and of rounding.
       const double at = kWall / std::tan(pair.witness[0]);
       const double near = 0.001 / std::sin(pair.witness[0]) + 3 * kCell + kWide;
@@ -146,25 +145,6 @@ TEST_CASE("a continuous joint covers the full turn") {
   model = rod_and_wall(-kPi + 0.02, kPi - 0.02, 0);
   model.links[0].mesh = box({-1.2, -0.0005, -0.1}, {-0.9, 0.0005, 0.1});
   CHECK(verdict_of(model) == MatrixVerdict::never);
-}
-
-TEST_CASE("a planar arm folds until its law of cosines says so") {
-  // A post around the shoulder; the upper arm passes above it. A hand hangs from the forearm, 0.9
-  // to 1 from the elbow, whose angle is at least `opening`.
-  const double opening = 0.5;
-  const double nearest = std::sqrt(1 + 0.81 - 2 * 0.9 * std::cos(opening));
-  for (const double beyond : {-6 * kCell, 4 * kCell}) {
-    CAPTURE(beyond);
-    Model model;
-    const double radius = nearest + beyond;
-    add_link(model, kNoJoint, prism(180, radius / std::cos(kPi / 180), 0, 0, -0.05, 0.05));
-    const std::size_t shoulder = add_joint(model, kNoJoint, {}, JointType::continuous, -kPi, kPi);
-    const std::size_t elbow = add_joint(model, shoulder, shifted({1, 0, 0.2}), JointType::revolute,
-                                        opening - kPi, kPi - opening);
-    const double thin = kCell / 4;
-    add_link(model, elbow, box({0.9, -thin, -0.4}, {1, thin, 0.2}));
-    CHECK(verdict_of(model) == (beyond < 0 ? MatrixVerdict::never : MatrixVerdict::can));
-  }
 }
 
 TEST_CASE("what never collides is guarded if it comes within the stop distance") {
@@ -231,14 +211,6 @@ TEST_CASE("mimics move with their master, not by themselves") {
   model.joints[elbow].offset = kPi / 2;
   model.links[0].mesh = box({-0.1, 1.4, -0.5}, {0.1, 1.5, 0.5});
   CHECK(verdict_of(model) == MatrixVerdict::can);
-}
-
-TEST_CASE("pairs that need no test say why") {
-  Model model = rod_and_wall(-3, 3, 0.5);
-  add_link(model, kNoJoint, box({0, 0, -0.2}, {0.1, 0.1, 0.2}));
-  const PairVerdict fixed = decided(model, {}, 2);
-  CHECK(fixed.verdict == MatrixVerdict::fixed);
-  CHECK(fixed.reason == "no joint moves them, apart");
 }
 
 TEST_CASE("what an SRDF disables is decided as any pair") {

@@ -3,9 +3,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/robot/robot_options.hpp"
+#include "cli/robot/robot_output.hpp"
 #include "cli/table.hpp"
 #include "robot/audit/audit.hpp"
-#include "robot/pipeline/decide.hpp"
 #include "robot/pipeline/warnings.hpp"
 #include "text/files.hpp"
 
@@ -32,9 +32,7 @@ Json line_json(const Model& model, const AuditedLine& line) {
                {"witness", Json::object()},
                {"triangles", Json::array()}};
   if (line.verdict == LineVerdict::refuted) {
-    for (std::size_t i = 0; i < line.pair.witness.size(); ++i) {
-      json["witness"][model.joints[model.variables[i]].name] = line.pair.witness[i];
-    }
+    json["witness"] = witness_json(model, line.pair);
     json["triangles"] = {triangle_json(line.triangles[0]), triangle_json(line.triangles[1])};
   }
   return json;
@@ -42,30 +40,39 @@ Json line_json(const Model& model, const AuditedLine& line) {
 
 Json audit_json(const Model& model, const std::string& srdf, const Audit& audit,
                 const Warnings& warnings) {
-  Json json = {{"robot", model.name},
-               {"srdf", srdf},
-               {"ok", audit.count(LineVerdict::refuted) == 0},
-               {"proven", audit.count(LineVerdict::proven)},
-               {"contact", audit.count(LineVerdict::contact)},
-               {"refuted", audit.count(LineVerdict::refuted)},
-               {"undecided", audit.count(LineVerdict::undecided)},
-               {"lines", Json::array()},
-               {"missing", Json::array()}};
+  Json json = {
+      {"robot", model.name}, {"srdf", srdf}, {"ok", audit.count(LineVerdict::refuted) == 0}};
+  for (const LineVerdict verdict : kLineVerdicts) {
+    json[name_of(verdict)] = audit.count(verdict);
+  }
+  json["lines"] = Json::array();
   for (const AuditedLine& line : audit.lines) {
     json["lines"].push_back(line_json(model, line));
   }
-  for (const MissingLine& missing : audit.missing) {
-    json["missing"].push_back({{"a", model.links[missing.line.a].name},
-                               {"b", model.links[missing.line.b].name},
-                               {"srdf_reason", missing.line.reason},
-                               {"reason", missing.why}});
+  json["missing"] = Json::array();
+  for (const SrdfLine& line : audit.missing) {
+    json["missing"].push_back({{"a", model.links[line.a].name},
+                               {"b", model.links[line.b].name},
+                               {"srdf_reason", line.reason},
+                               {"reason", line.why}});
   }
   json["warnings"] = json_of(warnings);
   return json;
 }
 
+/// "64 lines: 60 proven, 3 contact, 1 refuted, 0 undecided; 2 pairs are missing".
+std::string audit_summary(const Json& audit) {
+  const std::size_t lines = audit["lines"].size();
+  const std::size_t missing = audit["missing"].size();
+  const auto count = [&](LineVerdict verdict) {
+    return concat(audit[name_of(verdict)].get<std::size_t>(), " ", name_of(verdict));
+  };
+  return concat(lines, lines == 1 ? " line: " : " lines: ", joined(kLineVerdicts, count), "; ",
+                missing, missing == 1 ? " pair is missing" : " pairs are missing");
+}
+
 /// `place`: the SRDF, or the robot without one.
-void print_audit(const Json& json, const std::string& place, const std::string& summary) {
+void print_audit(const Json& json, const std::string& place) {
   const Column srdf = {"SRDF", [](const Json& row) {
                          const std::string reason = row["srdf_reason"];
                          return reason.empty() ? "-" : reason;
@@ -74,7 +81,8 @@ void print_audit(const Json& json, const std::string& place, const std::string& 
                               word_column("verdict", "verdict"), word_column("reason", "reason")});
   std::cout << (json["lines"].empty() ? "" : "\n");
   print_table(json["missing"], {pair_column("missing"), srdf, word_column("reason", "reason")});
-  std::cout << (json["missing"].empty() ? "" : "\n") << place << ": " << summary << "\n";
+  std::cout << (json["missing"].empty() ? "" : "\n") << place << ": " << audit_summary(json)
+            << "\n";
 }
 
 ExitCode audit_srdf(const AuditArguments& arguments) {
@@ -85,12 +93,10 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   const Prepared robot = prepare(std::move(model), arguments, shown_by(progress), warnings);
   const Decided decided = decide(robot, arguments, 0, shown_by(progress));
   warn_of_late_zones(robot.model, decided, arguments.urdf, "undecided", warnings);
-  const std::vector<WholeMesh> meshes = views_of(robot.wholes);
-  const DecidedPairs pairs = {robot.model, meshes, robot.cell, decided.pairs, decided.late_joints};
-  const Audit audit = audit_of(pairs, disabled);
+  const Audit audit = audit_of(robot, decided, disabled);
   FileSet files(files_read(arguments, robot.model));
   if (!arguments.written.empty()) {
-    files.add(arguments.written, srdf_of(robot.model, srdf_lines(pairs)));
+    files.add(arguments.written, srdf_of(robot.model, audit.valid));
   }
   files.write([&] {
     warnings.print();
@@ -98,8 +104,7 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
     if (arguments.json) {
       print_object(json);
     } else {
-      print_audit(json, arguments.srdf.empty() ? arguments.urdf : arguments.srdf,
-                  summary_of(audit));
+      print_audit(json, arguments.srdf.empty() ? arguments.urdf : arguments.srdf);
     }
     flush_output();
   });

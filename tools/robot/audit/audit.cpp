@@ -6,7 +6,6 @@
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/unguarded.hpp"
-#include "robot/matrix/witness_triangles.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -17,74 +16,6 @@ double default_value(const ModelJoint& joint) {
   return joint.lower <= 0 && joint.upper >= 0 ? 0 : 0.5 * (joint.lower + joint.upper);
 }
 
-PairSpace space_of(const DecidedPairs& decided, const PairVerdict& pair) {
-  return {decided.model,
-          {pair.a, decided.meshes[pair.a]},
-          {pair.b, decided.meshes[pair.b]},
-          decided.cell};
-}
-
-/// True if the links intersect at the default configuration.
-bool intersect_at_default(const DecidedPairs& decided, const PairSpace& space) {
-  std::vector<double> at_default;
-  for (const Dimension& dimension : space.dimensions()) {
-    at_default.push_back(
-        default_value(decided.model.joints[decided.model.variables[dimension.variable]]));
-  }
-  return space.intersect(at_default);
-}
-
-/// True if the links intersect at the default configuration and at every other one that is tried.
-bool is_in_contact(const DecidedPairs& decided, const PairVerdict& pair) {
-  const PairSpace space = space_of(decided, pair);
-  return intersect_at_default(decided, space) &&
-         intersect_wherever_tried(space, MatrixOptions{}.looks);
-}
-
-/// The joint between two neighbours if the search for its zone ran out of time.
-std::optional<std::size_t> late_joint(const DecidedPairs& decided, const PairVerdict& pair) {
-  const auto joint = joint_of_neighbours(decided.model, pair.a, pair.b);
-  return joint && decided.late_joints.count(*joint) != 0 ? joint : std::nullopt;
-}
-
-/// The verdict on a line that disables the pair.
-LineVerdict line_verdict(const DecidedPairs& decided, const PairVerdict& pair) {
-  if (pair.zone) {
-    return LineVerdict::contact;
-  }
-  switch (pair.verdict) {
-    case MatrixVerdict::never:
-      return LineVerdict::proven;
-    case MatrixVerdict::fixed:
-      return is_in_contact(decided, pair) ? LineVerdict::contact : LineVerdict::proven;
-    case MatrixVerdict::can:
-    case MatrixVerdict::believed:
-      return is_in_contact(decided, pair) ? LineVerdict::contact
-             : late_joint(decided, pair)  ? LineVerdict::undecided
-                                          : LineVerdict::refuted;
-    case MatrixVerdict::undecided:
-      break;
-  }
-  return LineVerdict::undecided;
-}
-
-/// The SRDF's reason for disabling the pair, or null if planners have to check it. "Never" only of
-/// whole links that never collide, "Default" only of links that intersect at the default
-/// configuration.
-const char* reason_of(const DecidedPairs& decided, const PairVerdict& pair, LineVerdict verdict) {
-  const auto& adjacent = decided.model.adjacent;
-  if (verdict != LineVerdict::proven && verdict != LineVerdict::contact) {
-    return nullptr;
-  }
-  if (std::find(adjacent.begin(), adjacent.end(), std::pair(pair.a, pair.b)) != adjacent.end()) {
-    return "Adjacent";
-  }
-  return verdict == LineVerdict::proven                           ? "Never"
-         : pair.verdict == MatrixVerdict::fixed                   ? "Always"
-         : intersect_at_default(decided, space_of(decided, pair)) ? "Default"
-                                                                  : "User";
-}
-
 FileTriangle file_triangle(const ModelLink& link, std::size_t triangle) {
   const auto next =
       std::upper_bound(link.source_begins.begin(), link.source_begins.end(), triangle);
@@ -92,25 +23,116 @@ FileTriangle file_triangle(const ModelLink& link, std::size_t triangle) {
   return {link.sources[source], triangle - link.source_begins[source]};
 }
 
-std::string why_of(const DecidedPairs& decided, const PairVerdict& pair, LineVerdict verdict) {
-  if (verdict == LineVerdict::contact && !pair.zone && pair.verdict != MatrixVerdict::fixed) {
-    return "intersect at the default configuration and wherever tried; sampled, not proven";
-  }
-  const std::optional<std::size_t> late = late_joint(decided, pair);
-  return verdict == LineVerdict::undecided && late
-             ? "no time was left to find a zone about " + decided.model.joints[*late].name
-             : pair.reason;
-}
+/// Judges lines that disable a decided pair.
+class Auditor {
+ public:
+  Auditor(const Prepared& robot, const Decided& decided) : robot_(robot), decided_(decided) {}
 
-void add_witness(const DecidedPairs& decided, AuditedLine& line) {
-  const Model& model = decided.model;
-  const auto found = triangles_at(model, decided.meshes.data(), decided.cell, line.pair).triangles;
-  line.triangles = {file_triangle(model.links[line.pair.a], found.a),
-                    file_triangle(model.links[line.pair.b], found.b)};
-  line.why = concat("intersect at ", witness_text(model, line.pair), "; triangle ",
-                    line.triangles[0].triangle, " of ", line.triangles[0].source, " and triangle ",
-                    line.triangles[1].triangle, " of ", line.triangles[1].source);
-}
+  AuditedLine audited(const DisabledPair& line, const PairVerdict& pair) const {
+    const LineVerdict verdict = verdict_on(pair);
+    AuditedLine made = {line, pair, verdict, why(pair, verdict), {}};
+    if (verdict == LineVerdict::refuted) {
+      add_witness(made);
+    }
+    return made;
+  }
+
+  /// The line that may disable the pair, if planners need not check it.
+  std::optional<SrdfLine> valid_line(const PairVerdict& pair) const {
+    const LineVerdict verdict = verdict_on(pair);
+    if (verdict != LineVerdict::proven && verdict != LineVerdict::contact) {
+      return std::nullopt;
+    }
+    return SrdfLine{pair.a, pair.b, reason(pair, verdict), why(pair, verdict)};
+  }
+
+ private:
+  PairSpace space_of(const PairVerdict& pair) const {
+    return {robot_.model,
+            {pair.a, robot_.wholes[pair.a].view()},
+            {pair.b, robot_.wholes[pair.b].view()},
+            robot_.cell};
+  }
+
+  /// True if the links intersect at the default configuration.
+  bool intersect_at_default(const PairSpace& space) const {
+    std::vector<double> at_default;
+    for (const Dimension& dimension : space.dimensions()) {
+      at_default.push_back(
+          default_value(robot_.model.joints[robot_.model.variables[dimension.variable]]));
+    }
+    return space.intersect(at_default);
+  }
+
+  /// True if the links intersect at the default configuration and at every other one that is tried.
+  bool is_in_contact(const PairVerdict& pair) const {
+    const PairSpace space = space_of(pair);
+    return intersect_at_default(space) && intersect_wherever_tried(space, MatrixOptions{}.looks);
+  }
+
+  /// The joint between two neighbours if the search for its zone ran out of time: a collision may
+  /// lie in the zone and refutes nothing.
+  std::optional<std::size_t> late_joint(const PairVerdict& pair) const {
+    const auto joint = joint_of_neighbours(robot_.model, pair.a, pair.b);
+    return joint && decided_.late_joints.count(*joint) != 0 ? joint : std::nullopt;
+  }
+
+  LineVerdict verdict_on(const PairVerdict& pair) const {
+    if (pair.zone) {
+      return LineVerdict::contact;
+    }
+    switch (pair.verdict) {
+      case MatrixVerdict::never:
+        return LineVerdict::proven;
+      case MatrixVerdict::fixed:
+        return is_in_contact(pair) ? LineVerdict::contact : LineVerdict::proven;
+      case MatrixVerdict::can:
+      case MatrixVerdict::believed:
+        return is_in_contact(pair) ? LineVerdict::contact
+               : late_joint(pair)  ? LineVerdict::undecided
+                                   : LineVerdict::refuted;
+      case MatrixVerdict::undecided:
+        break;
+    }
+    return LineVerdict::undecided;
+  }
+
+  /// "Never" only for whole links that never collide, "Default" only for links that intersect at
+  /// the default configuration.
+  const char* reason(const PairVerdict& pair, LineVerdict verdict) const {
+    const auto& adjacent = robot_.model.adjacent;
+    const std::pair links(pair.a, pair.b);
+    return std::find(adjacent.begin(), adjacent.end(), links) != adjacent.end() ? "Adjacent"
+           : verdict == LineVerdict::proven                                     ? "Never"
+           : pair.verdict == MatrixVerdict::fixed                               ? "Always"
+           : intersect_at_default(space_of(pair))                               ? "Default"
+                                                                                : "User";
+  }
+
+  std::string why(const PairVerdict& pair, LineVerdict verdict) const {
+    if (verdict == LineVerdict::contact && !pair.zone && pair.verdict != MatrixVerdict::fixed) {
+      return "intersect at the default configuration and wherever tried; sampled, not proven";
+    }
+    const std::optional<std::size_t> late = late_joint(pair);
+    return verdict == LineVerdict::undecided && late
+               ? "no time was left to find a zone about " + robot_.model.joints[*late].name
+               : pair.reason;
+  }
+
+  void add_witness(AuditedLine& line) const {
+    const Model& model = robot_.model;
+    const auto found = triangles_at(model, views_of(robot_.wholes), robot_.cell, line.pair);
+    line.triangles = {file_triangle(model.links[line.pair.a], found.a),
+                      file_triangle(model.links[line.pair.b], found.b)};
+    line.why =
+        concat("intersect at ", witness_text(model, line.pair), "; triangle ",
+               line.triangles[0].triangle, " of ", line.triangles[0].source, " and triangle ",
+               line.triangles[1].triangle, " of ", line.triangles[1].source);
+  }
+
+  const Prepared& robot_;
+  const Decided& decided_;
+};
 
 std::string xml_text(const std::string& name) {
   std::string text;
@@ -133,16 +155,6 @@ std::size_t Audit::count(LineVerdict verdict) const {
                     [&](const AuditedLine& line) { return line.verdict == verdict; }));
 }
 
-std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided) {
-  std::vector<SrdfLine> lines;
-  for (const PairVerdict& pair : decided.pairs) {
-    if (const char* reason = reason_of(decided, pair, line_verdict(decided, pair))) {
-      lines.push_back({pair.a, pair.b, reason});
-    }
-  }
-  return lines;
-}
-
 std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines) {
   std::string text =
       concat("<?xml version=\"1.0\"?>\n<robot name=\"", xml_text(model.name), "\">\n");
@@ -154,35 +166,22 @@ std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines) {
   return text + "</robot>\n";
 }
 
-Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& disabled) {
+Audit audit_of(const Prepared& robot, const Decided& decided,
+               const std::vector<DisabledPair>& disabled) {
+  const Auditor auditor(robot, decided);
   Audit audit;
-  for (const DisabledPair& of : disabled) {
-    const PairVerdict& pair = *find_pair(decided.pairs, of.a, of.b);
-    const LineVerdict verdict = line_verdict(decided, pair);
-    audit.lines.push_back({of, pair, verdict, why_of(decided, pair, verdict), {}});
-    if (verdict == LineVerdict::refuted) {
-      add_witness(decided, audit.lines.back());
-    }
+  for (const DisabledPair& line : disabled) {
+    audit.lines.push_back(auditor.audited(line, *find_pair(decided.pairs, line.a, line.b)));
   }
-  for (const SrdfLine& line : srdf_lines(decided)) {
-    if (find_pair(disabled, line.a, line.b) == nullptr) {
-      const PairVerdict& pair = *find_pair(decided.pairs, line.a, line.b);
-      audit.missing.push_back({line, why_of(decided, pair, line_verdict(decided, pair))});
+  for (const PairVerdict& pair : decided.pairs) {
+    if (const std::optional<SrdfLine> line = auditor.valid_line(pair)) {
+      audit.valid.push_back(*line);
+      if (find_pair(disabled, pair.a, pair.b) == nullptr) {
+        audit.missing.push_back(*line);
+      }
     }
   }
   return audit;
-}
-
-std::string summary_of(const Audit& audit) {
-  std::string text = concat(audit.lines.size(), audit.lines.size() == 1 ? " line: " : " lines: ");
-  const char* between = "";
-  for (const LineVerdict verdict :
-       {LineVerdict::proven, LineVerdict::contact, LineVerdict::refuted, LineVerdict::undecided}) {
-    text += concat(between, audit.count(verdict), " ", name_of(verdict));
-    between = ", ";
-  }
-  return concat(text, "; ", audit.missing.size(),
-                audit.missing.size() == 1 ? " pair is missing" : " pairs are missing");
 }
 
 }  // namespace flashbvh::tool

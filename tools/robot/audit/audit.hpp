@@ -3,11 +3,10 @@
 #pragma once
 
 #include <array>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "robot/matrix/matrix.hpp"
+#include "robot/pipeline/decide.hpp"
 
 namespace flashbvh::tool {
 
@@ -15,7 +14,8 @@ namespace flashbvh::tool {
 struct SrdfLine {
   std::size_t a;
   std::size_t b;
-  const char* reason;  ///< MoveIt's: Adjacent, Never, Always, Default, User
+  const char* reason;    ///< MoveIt's: Adjacent, Never, Always, Default, User
+  std::string why = {};  ///< an explanation for users
 };
 
 enum class LineVerdict : std::uint8_t {
@@ -26,6 +26,8 @@ enum class LineVerdict : std::uint8_t {
   refuted,    ///< they can collide, with a witness
   undecided,  ///< neither proven nor refuted
 };
+constexpr LineVerdict kLineVerdicts[] = {LineVerdict::proven, LineVerdict::contact,
+                                         LineVerdict::refuted, LineVerdict::undecided};
 const char* name_of(LineVerdict verdict);
 
 /// A triangle of a file or of a primitive, counted from 0.
@@ -43,39 +45,19 @@ struct AuditedLine {
   std::array<FileTriangle, 2> triangles;
 };
 
-struct MissingLine {
-  SrdfLine line;
-  std::string why;
-};
-
 struct Audit {
-  std::vector<AuditedLine> lines;    ///< in the SRDF's order
-  std::vector<MissingLine> missing;  ///< pairs that the SRDF leaves enabled needlessly
+  std::vector<AuditedLine> lines;  ///< in the SRDF's order
+  std::vector<SrdfLine> valid;     ///< all pairs that a planner need not check
+  std::vector<SrdfLine> missing;   ///< those of them that the SRDF leaves enabled
 
   std::size_t count(LineVerdict verdict) const;
 };
 
-/// A robot whose pairs are decided, none of them believed.
-struct DecidedPairs {
-  const Model& model;
-  const std::vector<WholeMesh>& meshes;
-  double cell;  ///< metres
-  const std::vector<PairVerdict>& pairs;
-  /// Joints whose zone search ran out of time: a collision of the links next to such a joint may
-  /// lie in the zone and refutes nothing.
-  std::set<std::size_t> late_joints = {};
-};
-
-/// Lines for all pairs that a planner need not check.
-std::vector<SrdfLine> srdf_lines(const DecidedPairs& decided);
+/// `disabled`: the SRDF's pairs, from read_srdf(); the model has none.
+Audit audit_of(const Prepared& robot, const Decided& decided,
+               const std::vector<DisabledPair>& disabled);
 
 /// The text of an SRDF with only these lines.
 std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines);
-
-/// `disabled`: the SRDF's pairs, from read_srdf().
-Audit audit_of(const DecidedPairs& decided, const std::vector<DisabledPair>& disabled);
-
-/// "64 lines: 60 proven, 3 contact, 1 refuted, 0 undecided; 2 pairs are missing".
-std::string summary_of(const Audit& audit);
 
 }  // namespace flashbvh::tool

@@ -231,7 +231,7 @@ std::vector<std::uint8_t> distance_table_of(const Model& model, const Robot& rob
 std::vector<std::uint8_t> distance_tables_of(const Model& model, const Robot& robot,
                                              const Deadline& deadline) {
   std::vector<std::vector<std::uint8_t>> tables(robot.pair_count);
-  for_each_in_parallel(tables.size(), threads_for(deadline), [&](std::size_t i) {
+  for_each_in_parallel(tables.size(), [&](std::size_t i) {
     tables[i] = distance_table_of(model, robot, robot.pairs[i], deadline);
   });
   std::vector<std::uint8_t> all;

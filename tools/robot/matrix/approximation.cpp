@@ -55,7 +55,7 @@ std::vector<std::optional<Approximation>> approximations(const Model& model, dou
                                                          const MatrixOptions& options) {
   std::vector<std::optional<Approximation>> found(model.links.size());
   const double length = kPartOfTouching * cell * (options.stop + options.early + options.slack);
-  for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
+  for_each_in_parallel(found.size(), [&](std::size_t i) {
     const bool is_next_to_joint =
         std::any_of(model.neighbours.begin(), model.neighbours.end(),
                     [&](const auto& pair) { return pair.first == i || pair.second == i; });

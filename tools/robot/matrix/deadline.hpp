@@ -35,13 +35,7 @@ inline Deadline in_seconds(Clock::time_point began, double seconds) {
           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))};
 }
 
-/// The number of threads that may check the deadline.
-inline std::size_t threads_for(const Deadline& deadline) {
-  return deadline.looks != nullptr ? 1 : processor_count();
-}
-
-/// The deadline of one of `left` tasks: `share` times an equal part of the remaining time. Numbers
-/// of checks are not divided.
+/// The deadline of one of `left` tasks: `share` times an equal part of the remaining time.
 inline Deadline turn_of(const Deadline& all, std::size_t left, double share) {
   if (!all.at) {
     return all;

@@ -348,7 +348,7 @@ FoundZones joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
   std::vector<std::optional<JointZone>> found(model.neighbours.size());
   std::vector<std::optional<std::size_t>> late_joints(found.size());
   const std::vector<std::optional<Approximation>> others = approximations(model, cell, options);
-  for_each_in_parallel(found.size(), threads_for(options.deadline), [&](std::size_t i) {
+  for_each_in_parallel(found.size(), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
     const std::optional<std::size_t> joint = joint_of_neighbours(model, a, b);
     if (!joint) {

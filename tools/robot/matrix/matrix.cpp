@@ -282,7 +282,7 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Whol
   std::mutex mutex;
   std::size_t decided = 0;
   const std::vector<PairVerdict*> order = in_order(verdicts, zones);
-  for_each_in_parallel(order.size(), threads_for(options.deadline), [&](std::size_t i) {
+  for_each_in_parallel(order.size(), [&](std::size_t i) {
     const double share = i < zones.size() ? kShareWithZone : kShareOfTime;
     const Deadline turn = turn_of(options.deadline, order.size() - i, share);
     *order[i] = matrix.decide(order[i]->a, order[i]->b, turn);
@@ -303,6 +303,15 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Whol
     });
   }
   return verdicts;
+}
+
+TrianglePair<WholeMesh::Index> triangles_at(const Model& model,
+                                            const std::vector<WholeMesh>& meshes, double cell,
+                                            const PairVerdict& pair) {
+  TrianglePair<WholeMesh::Index> found{};
+  const Transform frame = frame_between(model, joints_between(model, pair.a, pair.b), pair.witness);
+  (void)first_pair(meshes[pair.a], meshes[pair.b], pose_of(frame, cell), found);
+  return found;
 }
 
 std::vector<std::vector<ZoneParts>> decide_parts(const Model& model,

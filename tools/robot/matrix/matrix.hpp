@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "flashbvh/mesh.hpp"
+#include "flashbvh/collide.hpp"
 #include "robot/matrix/joint_zone.hpp"
 #include "robot/matrix/matrix_options.hpp"
 #include "robot/matrix/reaches.hpp"
@@ -61,6 +61,11 @@ std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<Whol
                                       const std::vector<JointZone>& zones, const Reaches& reaches,
                                       double cell, const MatrixOptions& options,
                                       const MatrixProgress& progress);
+
+/// Two triangles of the pair's links that intersect at its witness. `meshes`: of each link.
+TrianglePair<WholeMesh::Index> triangles_at(const Model& model,
+                                            const std::vector<WholeMesh>& meshes, double cell,
+                                            const PairVerdict& pair);
 
 /// For each decided pair with a zone that has to be guarded, the parts of its links outside that
 /// may come near; clears its bodies. Where none may, the pair never collides there. The last

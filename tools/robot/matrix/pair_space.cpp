@@ -79,12 +79,10 @@ typename BasicPairSpace<MeshType>::Bounds BasicPairSpace<MeshType>::bounds_of(co
                                                                               double cell) {
   Vector3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Vector3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    const Vertex& v = mesh.vertices[i];
-    const std::int32_t p[3] = {v.x, v.y, v.z};
+  for (const Vector3& vertex : vertices_of(mesh)) {
     for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], cell * (p[k] + mesh.origin[k]));
-      high[k] = std::max(high[k], cell * (p[k] + mesh.origin[k]));
+      low[k] = std::min(low[k], cell * vertex[k]);
+      high[k] = std::max(high[k], cell * vertex[k]);
     }
   }
   Bounds bounds{};

@@ -209,10 +209,8 @@ bool is_any_inside(const SweptPair& pair, const SweptEnd& end,
       joints_between(pair.model, end.link, is_a ? pair.link_b : pair.link_a);
   const Transform frame = frame_between(pair.model, joints, variables);
   for (std::uint32_t i = 0; i < other.shell_count; ++i) {
-    const Vertex& v = other.vertices[other.shell_vertices[i]];
-    const Vector3 point =
-        placed(frame, {pair.cell * (v.x + other.origin[0]), pair.cell * (v.y + other.origin[1]),
-                       pair.cell * (v.z + other.origin[2])});
+    const auto [x, y, z] = vertex_of(other, other.shell_vertices[i]);
+    const Vector3 point = placed(frame, {pair.cell * x, pair.cell * y, pair.cell * z});
     const auto cells = [&](std::size_t axis) {
       return static_cast<std::int32_t>(std::round(point[axis] / pair.cell));
     };

@@ -129,17 +129,12 @@ std::vector<UnguardedPair> unguarded_pairs(const std::vector<PairVerdict>& pairs
 
 RobotUnguarded fixed_unguarded(const UnguardedPair& pair, double cell) {
   return {static_cast<std::uint8_t>(pair.a), static_cast<std::uint8_t>(pair.b), pair.why,
-          pair.joint == kNoJoint ? kBase : static_cast<std::uint8_t>(pair.joint),
-          fine_length_rounded_up(pair.radius, cell).count};
+          fixed_joint(pair.joint), fine_length_rounded_up(pair.radius, cell).count};
 }
 
 UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell, bool is_never_outside) {
-  return {fixed.a,
-          fixed.b,
-          fixed.why,
-          fixed.joint == kBase ? kNoJoint : fixed.joint,
-          fixed.radius * cell / kFineOne,
-          is_never_outside};
+  const double radius = fixed.radius * cell / kFineOne;
+  return {fixed.a, fixed.b, fixed.why, joint_of(fixed.joint), radius, is_never_outside};
 }
 
 std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs) {
