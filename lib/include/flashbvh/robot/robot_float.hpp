@@ -32,23 +32,11 @@ inline JointCoordinate angle_coordinate(float radians) {
                                                         : static_cast<int64_t>(units));
 }
 
-/// Converts a length in the robot's unit, metres, rounded to 1/2,048 cell. Returns kNoCoordinate if
-/// it is not a number, or 2^19 cells or more. `cells_per_unit` is itself rounded to a float, so the
-/// result may be off by 2^-24 of the length: more than a unit from 2^24 units on, for which
-/// Robot::slack has no room. set_values() and set_frame() have no such error.
-inline JointCoordinate slide_coordinate(float length, float cells_per_unit) {
-  constexpr int dropped = 16 - kFrameBits;
-  const int64_t units =
-      (detail::cell_fractions(length, cells_per_unit) + (1 << (dropped - 1))) >> dropped;
-  return units > kMaxJointCoordinate || units < -kMaxJointCoordinate
-             ? kNoCoordinate
-             : static_cast<JointCoordinate>(units);
-}
-
 namespace detail {
 
-/// slide_coordinate() with an exact scale: off by half a unit and 2^-8 at most.
-inline JointCoordinate exact_slide_coordinate(float length, const CellsPerUnit& cells) {
+/// Converts a length in metres, rounded to 1/2,048 cell, halves up: off by half a unit and 2^-8 at
+/// most. Returns kNoCoordinate if it is not a number, or 2^19 cells or more.
+inline JointCoordinate slide_coordinate(float length, const CellsPerUnit& cells) {
   const FloatParts parts = parts_of(length);
   const uint64_t product = parts.digits * cells.digits;  // below 2^63; from 2^38 on, unless 0
   const int shift = -(parts.exponent + cells.exponent + kFrameBits);
@@ -56,7 +44,6 @@ inline JointCoordinate exact_slide_coordinate(float length, const CellsPerUnit& 
     return kNoCoordinate;
   }
   const uint64_t half = shift > 0 && shift < 64 ? uint64_t{1} << (shift - 1) : 0;
-  // Halves go up, as in slide_coordinate().
   const uint64_t units = half == 0 ? 0 : (product + half - (parts.is_negative ? 1 : 0)) >> shift;
   if (units > kMaxJointCoordinate) {
     return kNoCoordinate;
@@ -72,7 +59,7 @@ inline Status set_translation(const Robot& robot, const float (&metres)[3], Fram
   const CellsPerUnit cells = exact_cells_per_unit(robot.cell_bits);
   bool fits = true;
   for (int axis = 0; axis < 3; ++axis) {
-    frame.translation[axis] = exact_slide_coordinate(metres[axis], cells);
+    frame.translation[axis] = slide_coordinate(metres[axis], cells);
     fits = fits && frame.translation[axis] != kNoCoordinate;
   }
   return fits ? Status::done : Status::translation_out_of_range;
@@ -109,7 +96,7 @@ inline void set_values(const Robot& robot, const float* floats, JointCoordinate*
     const uint32_t variable = joint.variable;
     if (joint.shift == 0) {  // no mimic
       values[variable] = joint.type == JointType::prismatic
-                             ? detail::exact_slide_coordinate(floats[variable], cells)
+                             ? detail::slide_coordinate(floats[variable], cells)
                              : angle_coordinate(floats[variable]);
     }
   }
