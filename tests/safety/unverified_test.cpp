@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "flashbvh/robot.h"
+#include "robot/baked/robot_image.hpp"
 #include "safety/flips.hpp"
 #include "support/arms/guarded_arm.hpp"
 #include "support/test.hpp"
@@ -49,7 +50,7 @@ bool leads_out(std::size_t byte, const Robot& robot) {
 /// A guard in memory of exactly its size, so that the address sanitizer detects accesses outside.
 struct GuardInMemory {
   explicit GuardInMemory(const FixedArm& arm) : robot(arm.robot()) {
-    const std::uint32_t between = arm.fixed.pair_joint_count();
+    const std::uint32_t between = tool::pair_joint_count(arm.robot());
     words.resize(FLASHBVH_GUARD_STATE_SIZE(robot.joint_count, robot.pair_count, between) / 4);
   }
   Guard guard() { return Guard(robot, words.data(), words.size() * 4); }

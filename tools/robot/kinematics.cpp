@@ -94,6 +94,30 @@ Transform frame_between(const Model& model, const JointsBetween& joints,
   return composed(inverse(outermost(joints.of_a)), outermost(joints.of_b));
 }
 
+Frame fixed_frame(const Transform& transform, double cell) {
+  Frame frame{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      frame.rotation[i][j] =
+          static_cast<std::int32_t>(std::lround(transform.rotation[i][j] * kRotationOne));
+    }
+    frame.translation[i] =
+        static_cast<std::int32_t>(std::lround(transform.translation[i] / cell * kFrameCell));
+  }
+  return frame;
+}
+
+Transform transform_of(const Frame& frame, double cell) {
+  Transform transform;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      transform.rotation[i][j] = static_cast<double>(frame.rotation[i][j]) / kRotationOne;
+    }
+    transform.translation[i] = frame.translation[i] * cell / kFrameCell;
+  }
+  return transform;
+}
+
 Pose pose_of(const Transform& transform, double cell) {
   return lattice_pose({transform.rotation, transform.translation}, cell, "the robot");
 }

@@ -58,6 +58,10 @@ std::vector<Transform> frames_inwards(const Model& model, const std::vector<std:
 Transform frame_between(const Model& model, const JointsBetween& joints,
                         const std::vector<double>& variables);
 
+/// The frame in fixed point, rounded to the nearest, and back. `cell`: of the frame's lengths.
+Frame fixed_frame(const Transform& transform, double cell);
+Transform transform_of(const Frame& frame, double cell);
+
 /// The pose on the lattice. UserError if it exceeds the range of poses.
 Pose pose_of(const Transform& transform, double cell);
 

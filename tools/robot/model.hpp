@@ -102,6 +102,14 @@ inline std::size_t find_link(const Model& model, const std::string& name) {
   return kNoLink;
 }
 
+/// Firmware's number of a joint, and back.
+inline std::uint8_t fixed_joint(std::size_t joint) {
+  return joint == kNoJoint ? kBase : static_cast<std::uint8_t>(joint);
+}
+inline std::size_t joint_of(std::uint8_t fixed) {
+  return fixed == kBase ? kNoJoint : fixed;
+}
+
 /// The lattice cell of a robot's meshes, in metres.
 inline double cell_of(const Robot& robot) {
   double cell = 0;
@@ -131,20 +139,6 @@ inline const char* type_name(JointType type) {
 /// A joint's name, or `base` for kNoJoint.
 inline std::string joint_name(const Model& model, std::size_t joint, const char* base) {
   return joint == kNoJoint ? base : model.joints[joint].name;
-}
-
-/// For example "-1 to 1.5 rad, as left by -0.5".
-inline std::string moves_of(const Model& model, std::size_t number) {
-  const ModelJoint& joint = model.joints[number];
-  std::string text = joint.type == JointType::continuous
-                         ? "on and on"
-                         : significant(joint.lower, 6) + " to " + significant(joint.upper, 6) +
-                               (joint.type == JointType::prismatic ? " m" : " rad");
-  if (is_mimic(model, number)) {
-    text += ", as " + model.joints[model.variables[joint.variable]].name + " by " +
-            significant(joint.multiplier, 6);
-  }
-  return text;
 }
 
 }  // namespace flashbvh::tool

@@ -45,10 +45,11 @@ TEST_CASE("an image opens as the robot that it was made of, and its guard answer
     }
     REQUIRE(mount_count(words.data()) == arm.model.mounts.size());
     for (std::uint32_t i = 0; i < arm.model.mounts.size(); ++i) {
-      const Mount mount = tool::fixed_mount(arm.model.mounts[i], arm.arm.cell());
+      const tool::ModelMount& mount = arm.model.mounts[i];
       const Mount& kept = mounts(words.data())[i];
-      CHECK(mount_name(words.data(), i) == arm.model.mounts[i].name);
-      CHECK((kept.joint == mount.joint && same_array(&kept.frame, &mount.frame, 1)));
+      const Frame frame = tool::fixed_frame(mount.transform, arm.arm.cell());
+      CHECK(mount_name(words.data(), i) == mount.name);
+      CHECK((tool::joint_of(kept.joint) == mount.joint && same_array(&kept.frame, &frame, 1)));
     }
     const auto states = std::make_unique<AnyGuardState[]>(2);
     Guard of_arrays(arm.robot(), states[0]);

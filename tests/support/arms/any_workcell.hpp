@@ -17,16 +17,7 @@ using AnyWorkcell = WorkcellOf<12, 16, 64, 128>;
 using WorkcellState = GuardStateOf<12, 64, 512>;
 
 inline Frame fixed_frame(const Transform& transform) {
-  Frame frame{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      frame.rotation[i][j] =
-          static_cast<std::int32_t>(std::lround(transform.rotation[i][j] * kRotationOne));
-    }
-    frame.translation[i] = static_cast<std::int32_t>(
-        std::lround(transform.translation[i] / kWorkcellCell * kFrameCell));
-  }
-  return frame;
+  return tool::fixed_frame(transform, kWorkcellCell);
 }
 
 inline Transform any_transform(Random& random, double far) {

@@ -7,11 +7,13 @@
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/robot/kinematics.hpp"
 #include "robot/kinematics.hpp"
+#include "robot/matrix/baked_part.hpp"
 
 namespace flashbvh::test {
 
 using tool::Transform;
 using tool::Vector3;
+using tool::vertices_of;
 
 using Values = std::vector<JointCoordinate>;
 
@@ -41,14 +43,7 @@ struct PlacedLinks {
 
 /// In cells.
 inline Transform transform_of(const Frame& frame) {
-  Transform made;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      made.rotation[i][j] = 1.0 * frame.rotation[i][j] / kRotationOne;
-    }
-    made.translation[i] = 1.0 * frame.translation[i] / kFrameCell;
-  }
-  return made;
+  return tool::transform_of(frame, 1);
 }
 inline Transform transform_of(const Pose& pose) {
   Transform made;
@@ -60,17 +55,6 @@ inline Transform transform_of(const Pose& pose) {
     made.translation[row] = pose.translation(i) + pose.fraction(i) / 65536.0;
   }
   return made;
-}
-
-/// The vertices in cells of the mesh's own frame.
-inline std::vector<Vector3> vertices_of(const Mesh& mesh) {
-  std::vector<Vector3> points;
-  for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    const Vertex& v = mesh.vertices[i];
-    points.push_back(
-        {1.0 * mesh.origin[0] + v.x, 1.0 * mesh.origin[1] + v.y, 1.0 * mesh.origin[2] + v.z});
-  }
-  return points;
 }
 
 /// Calls visit(joint, reach) for the joints between two links. `reach`: in 1/256 cell per unit of

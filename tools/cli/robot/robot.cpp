@@ -32,7 +32,7 @@ void add_files(const OutputArguments& arguments, const OutputName& name, const B
               {reinterpret_cast<const char*>(image.data()), image.size() * sizeof image[0]});
   }
   if (arguments.format != "image") {
-    SourceFiles sources = robot_in_c(image, baked.model, *baked.fixed, baked.unguarded, name);
+    SourceFiles sources = robot_in_c(image, baked.model, baked.robot(), baked.unguarded, name);
     files.add(stem + ".robot.h", std::move(sources.header));
     files.add(stem + ".robot.c", std::move(sources.source));
   }

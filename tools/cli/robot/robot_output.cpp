@@ -1,6 +1,5 @@
 #include "cli/robot/robot_output.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 #include "cli/table.hpp"
@@ -35,15 +34,23 @@ Json joints_json(const Model& model) {
   return all;
 }
 
-Json links_json(const BakedRobot& robot) {
+/// The links of a robot or an image.
+Json links_json(const Model& model, const Robot& robot, const std::vector<Size>& sizes) {
   Json all = Json::array();
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    all.push_back({{"name", model.links[i].name},
+                   {"joint", name_of_joint(model, model.links[i].joint)},
+                   {"triangles", robot.meshes[i].triangle_count},
+                   {"size", sizes[i]}});
+  }
+  return all;
+}
+
+Json links_json(const BakedRobot& robot) {
+  Json all = links_json(robot.model, robot.robot(), robot.sizes);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const ModelLink& link = robot.model.links[i];
-    all.push_back({{"name", link.name},
-                   {"joint", name_of_joint(robot.model, link.joint)},
-                   {"triangles", robot.links[i].tree.triangles.size()},
-                   {"flash_bytes", robot.links[i].image_bytes()},
-                   {"size", robot.sizes[i]},
+    all[i].update({{"flash_bytes", robot.links[i].image_bytes()},
                    {"deviation", robot.links[i].tree.deviation},
                    {"source_triangles", link.mesh.triangles.size()},
                    {"sources", link.sources}});
@@ -54,15 +61,11 @@ Json links_json(const BakedRobot& robot) {
 Json pairs_json(const Model& model, const std::vector<PairVerdict>& pairs) {
   Json all = Json::array();
   for (const PairVerdict& pair : pairs) {
-    Json witness = Json::object();
-    for (std::size_t i = 0; i < pair.witness.size(); ++i) {
-      witness[model.joints[model.variables[i]].name] = pair.witness[i];
-    }
     all.push_back({{"a", model.links[pair.a].name},
                    {"b", model.links[pair.b].name},
                    {"verdict", name_of(pair)},
                    {"reason", pair.reason},
-                   {"witness", std::move(witness)},
+                   {"witness", witness_json(model, pair)},
                    {"cells", pair.joint_boxes},
                    {"guarded", pair.is_guarded}});
   }
@@ -72,32 +75,25 @@ Json pairs_json(const Model& model, const std::vector<PairVerdict>& pairs) {
 /// The facts of an image.
 Json file_json(const RobotFile& file, const Model& model) {
   const Robot& robot = file.robot();
-  Json json = {{"name", model.name},
-               {"format_version", file.header().version},
-               {"bytes", file.header().byte_count},
-               {"ram_bytes", robot_ram_bytes(robot, file.header().pair_joint_count)},
-               {"cell", file.cell()},
-               {"slack", unit_length(robot.slack, file.cell())},
-               {"hash", robot.hash},
-               {"not_guarded", unguarded_json(model, file.unguarded())},
-               {"links", Json::array()},
-               {"joints", joints_json(model)},
-               {"pairs", Json::array()}};
-  const std::vector<Size> sizes = link_sizes(model, robot.meshes, file.cell());
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    json["links"].push_back({{"name", model.links[i].name},
-                             {"joint", name_of_joint(model, model.links[i].joint)},
-                             {"triangles", robot.meshes[i].triangle_count},
-                             {"size", sizes[i]}});
-  }
+  Json pairs = Json::array();
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
     const RobotPair& pair = robot.pairs[i];
-    json["pairs"].push_back({{"a", model.links[pair.a].name},
-                             {"b", model.links[pair.b].name},
-                             {"stop", unit_length(pair.stop, file.cell())},
-                             {"warn", unit_length(pair.warn, file.cell())}});
+    pairs.push_back({{"a", model.links[pair.a].name},
+                     {"b", model.links[pair.b].name},
+                     {"stop", unit_length(pair.stop, file.cell())},
+                     {"warn", unit_length(pair.warn, file.cell())}});
   }
-  return json;
+  return {{"name", model.name},
+          {"format_version", file.header().version},
+          {"bytes", file.header().byte_count},
+          {"ram_bytes", robot_ram_bytes(robot)},
+          {"cell", file.cell()},
+          {"slack", unit_length(robot.slack, file.cell())},
+          {"hash", robot.hash},
+          {"not_guarded", unguarded_json(model, file.unguarded())},
+          {"links", links_json(model, robot, link_sizes(model, robot.meshes, file.cell()))},
+          {"joints", joints_json(model)},
+          {"pairs", std::move(pairs)}};
 }
 
 /// A column of joints, or of the base.
@@ -120,10 +116,16 @@ void print_links(const Model& model, const Json& robot, bool is_image) {
   }
   print_table(robot["links"], columns);
   std::cout << (model.joints.empty() ? "" : "\n");
+  // For example "-1 to 1.5 rad, as left by -0.5".
   const auto moves = [&](const Json& row) {
-    const auto is_named = [&](const ModelJoint& joint) { return joint.name == row["name"]; };
-    const auto joint = std::find_if(model.joints.begin(), model.joints.end(), is_named);
-    return moves_of(model, static_cast<std::size_t>(joint - model.joints.begin()));
+    const std::string range =
+        concat(significant(row["lower"], 6), " to ", significant(row["upper"], 6),
+               row["type"] == "prismatic" ? " m" : " rad");
+    const ModelJoint& master = model.joints[model.variables[row["variable"].get<std::size_t>()]];
+    return concat(row["type"] == "continuous" ? "on and on" : range,
+                  row.contains("multiplier")
+                      ? concat(", as ", master.name, " by ", significant(row["multiplier"], 6))
+                      : "");
   };
   print_table(robot["joints"], {word_column("joint", "name"),
                                 joint_column("parent", "parent"),
@@ -136,14 +138,6 @@ void print_unguarded(const Model& model, const std::vector<UnguardedPair>& ungua
   if (!unguarded.empty()) {
     std::cout << "not guarded: " << names_of(model, unguarded) << "\n\n";
   }
-}
-
-double deviation_of(const BakedRobot& robot) {
-  double most = 0;
-  for (const BakedLink& link : robot.links) {
-    most = std::max(most, link.tree.deviation);
-  }
-  return most;
 }
 
 /// The effect of simplifying firmware's links.
@@ -163,21 +157,33 @@ std::string simplified_text(const BakedRobot& robot) {
 
 }  // namespace
 
+Json witness_json(const Model& model, const PairVerdict& pair) {
+  Json witness = Json::object();
+  for (std::size_t i = 0; i < pair.witness.size(); ++i) {
+    witness[model.joints[model.variables[i]].name] = pair.witness[i];
+  }
+  return witness;
+}
+
 Json robot_json(const BakedRobot& robot, const RobotFlash& flash) {
+  double most = 0;
+  for (const BakedLink& link : robot.links) {
+    most = std::max(most, link.tree.deviation);
+  }
   Json json = {{"name", robot.model.name},
                {"not_guarded", unguarded_json(robot.model, robot.unguarded)},
                {"pairs", pairs_json(robot.model, robot.pairs)},
                {"links", links_json(robot)},
                {"joints", joints_json(robot.model)},
                {"cell", robot.cell},
-               {"deviation", deviation_of(robot)},
+               {"deviation", most},
                {"simplified", robot.simplified},
                {"leaf_size", robot.leaf_size},
                {"flash_bytes", flash.bytes}};
   if (flash.smaller) {
     json["flash_bytes_leaf_size_5"] = *flash.smaller;
   }
-  json["ram_bytes"] = robot_ram_bytes(robot.robot(), robot.fixed->pair_joint_count());
+  json["ram_bytes"] = robot_ram_bytes(robot.robot());
   return json;
 }
 
@@ -193,7 +199,7 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
   print_table(json["pairs"],
               {pair_column("pair"), word_column("collide", "verdict"), {"reason", reason}});
   std::cout << "\ncell " << shortest(robot.cell) << " m, largest deviation "
-            << significant(deviation_of(robot), 3) << " m; " << flash.bytes << " bytes of flash, "
+            << significant(json["deviation"], 3) << " m; " << flash.bytes << " bytes of flash, "
             << json["ram_bytes"] << " bytes of RAM for a guard\n";
   if (robot.simplified > 0) {
     std::cout << simplified_text(robot);

@@ -18,6 +18,9 @@ struct RobotFlash {
   std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if to be printed
 };
 
+/// The values of the variables at a pair's witness.
+Json witness_json(const Model& model, const PairVerdict& pair);
+
 /// The facts of a baked robot, for --json and pages.
 Json robot_json(const BakedRobot& robot, const RobotFlash& flash);
 /// Prints tables of these facts to standard output.

@@ -139,20 +139,6 @@ double link_deviation(const ModelLink& link, double cell) {
   return bake::deviation(link.mesh, cell) + std::sqrt(3.0) * link.precision;
 }
 
-void check_triangles(const ModelLink& link, double cell, const std::string& path) {
-  const std::size_t count = link.mesh.triangles.size();
-  if (count <= Limits::kMost) {
-    return;
-  }
-  constexpr double kLength = 0.001;
-  BakeOptions options;
-  options.cell = cell;
-  throw UserError(at_element(path, "link", link.name), "has ", count,
-                  " triangles, 16-bit indices reach ", Limits::kMost, "; ",
-                  offer_of(link_input(link, path), options, kLength),
-                  "; or say with --fit what the robot may take");
-}
-
 bool fits_firmware(const BakedPart& part) {
   return part.triangles.size() <= Limits::kMost && part.vertices.size() <= Limits::kMost &&
          part.nodes.size() <= Limits::kMost && part.leaf_count <= Limits::kMostLeaves;

@@ -40,10 +40,6 @@ InputMesh link_input(const ModelLink& link, const std::string& path);
 /// rounding to the lattice, and the reader's rounding.
 double link_deviation(const ModelLink& link, double cell);
 
-/// UserError, with the link and the remedy, if it has more triangles than 16-bit indices reach;
-/// reports how many triangles simplifying would leave.
-void check_triangles(const ModelLink& link, double cell, const std::string& path);
-
 /// True if 16-bit indices reach all elements of the part.
 bool fits_firmware(const BakedPart& part);
 

@@ -33,8 +33,6 @@ double unit_of_coordinate(JointType type, double cell);
 /// UserError if a joint has limits that no coordinate keeps.
 void check_limits(const Model& model, double cell);
 
-Mount fixed_mount(const ModelMount& mount, double cell);
-
 class FixedRobot {
  public:
   /// `wholes`: the links' meshes on which pairs are decided; `meshes`: firmware's meshes of them.
@@ -42,8 +40,8 @@ class FixedRobot {
   /// `meshes` outlive the robot; if empty, the robot has no meshes, a hash of 1 and no distance
   /// tables. `reaches`: of the first links; further ones are computed. `deviations`: of the meshes
   /// from the URDF, in metres; if empty, those of the wholes. UserError if the robot has more
-  /// joints or links than firmware takes, is too large, or moves a pair too far; names a cell that
-  /// would do. Also if its links deviate by more than firmware's slack holds.
+  /// joints or links than firmware takes, or moves a pair too far; names a cell that would do. Also
+  /// if its links deviate by more than firmware's slack holds.
   FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
              const std::vector<Mesh>& meshes, double cell, const std::vector<GuardedPair>& pairs,
              const Reaches& reaches = {}, const std::vector<double>& deviations = {});
@@ -57,22 +55,15 @@ class FixedRobot {
   FixedRobot(const FixedRobot&) = delete;
   FixedRobot& operator=(const FixedRobot&) = delete;
 
-  const std::vector<RobotJoint>& joints() const { return joints_; }
-  /// The number of joints between two links, summed over all pairs.
-  std::uint32_t pair_joint_count() const { return pair_joint_count_; }
-
  private:
   void add_joint(const Model& model, std::size_t joint);
   void add_link(const Model& model, std::size_t link, const WholeMesh& whole,
                 const std::vector<double>& reaches, double deviation);
   void add_pair(const Model& model, const GuardedPair& pair);
   double reach_of(const RobotPair& pair) const;
-  void check_reach() const;
+  void check_reaches() const;
   double extent_of(const Model& model, std::size_t link) const;
-  void check_size(const Model& model) const;
-  void check_deviations(const Model& model) const;
-  void check_slack(const Model& model) const;
-  std::uint32_t slack(const Model& model) const;
+  std::uint32_t checked_slack(const Model& model) const;
 
   double cell_;
   std::vector<RobotJoint> joints_;
@@ -84,7 +75,6 @@ class FixedRobot {
   double most_reach_ = 0;             ///< of all pairs
   std::vector<std::uint8_t> distance_tables_;
   std::vector<Mesh> meshes_;
-  std::uint32_t pair_joint_count_ = 0;
   Robot robot_{};
 };
 

@@ -34,25 +34,10 @@ std::string refusal(Status status, const RobotImageHeader& header, std::size_t s
   }
 }
 
-std::size_t number_of_joint(std::uint8_t joint) {
-  return joint == kBase ? kNoJoint : joint;
-}
-
-Transform transform_of(const Frame& frame, double cell) {
-  Transform transform;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      transform.rotation[i][j] = static_cast<double>(frame.rotation[i][j]) / kRotationOne;
-    }
-    transform.translation[i] = frame.translation[i] * cell / kFrameCell;
-  }
-  return transform;
-}
-
-ModelJoint joint_of(const RobotJoint& fixed, double cell) {
+ModelJoint model_joint(const RobotJoint& fixed, double cell) {
   const double unit = unit_of_coordinate(fixed.type, cell);
   ModelJoint joint;
-  joint.parent = number_of_joint(fixed.parent);
+  joint.parent = joint_of(fixed.parent);
   joint.fixed = transform_of(fixed.fixed, cell);
   joint.type = fixed.type;
   joint.lower = fixed.type == JointType::continuous ? -kPi : fixed.lower * unit;
@@ -101,7 +86,7 @@ Model RobotFile::model() const {
   model.variables.resize(robot_.variable_count);
   for (std::uint32_t i = 0; i < robot_.joint_count; ++i) {
     const RobotJoint& fixed = robot_.joints[i];
-    ModelJoint joint = joint_of(fixed, cell());
+    ModelJoint joint = model_joint(fixed, cell());
     joint.name = flashbvh::joint_name(words_.data(), i);
     if (fixed.shift == 0) {
       model.variables[fixed.variable] = i;
@@ -120,14 +105,14 @@ Model RobotFile::model() const {
   for (std::uint32_t i = 0; i < robot_.link_count; ++i) {
     ModelLink link;
     link.name = link_name(words_.data(), i);
-    link.joint = number_of_joint(robot_.links[i].joint);
+    link.joint = joint_of(robot_.links[i].joint);
     model.part_count += find_link(model, link.name) != kNoLink ? 1 : 0;
     model.links.push_back(link);
   }
   for (std::uint32_t i = 0; i < mount_count(words_.data()); ++i) {
     const Mount& mount = mounts(words_.data())[i];
-    model.mounts.push_back({mount_name(words_.data(), i), number_of_joint(mount.joint),
-                            transform_of(mount.frame, cell())});
+    model.mounts.push_back(
+        {mount_name(words_.data(), i), joint_of(mount.joint), transform_of(mount.frame, cell())});
   }
   return model;
 }

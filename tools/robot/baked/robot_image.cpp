@@ -4,8 +4,10 @@
 #include <stdexcept>
 
 #include "flashbvh/detail/robot/distance_table.hpp"
+#include "flashbvh/detail/robot/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "flashbvh/robot/image.hpp"
+#include "robot/kinematics.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -32,27 +34,14 @@ std::string names_of(const Model& model, const std::string& name) {
   return names;
 }
 
-/// Concatenates parts.
-class Bytes {
- public:
-  template <class Element>
-  void add(const Element* elements, std::size_t count) {
-    bytes_.append(reinterpret_cast<const char*>(elements), count * sizeof(Element));
-  }
-  /// Pads to a whole word.
-  void fill() { bytes_.resize((bytes_.size() + 3) / 4 * 4); }
-  std::size_t size() const { return bytes_.size(); }
-  std::vector<std::uint32_t> words() const {
-    std::vector<std::uint32_t> words(bytes_.size() / 4);
-    std::memcpy(words.data(), bytes_.data(), bytes_.size());
-    return words;
-  }
+template <class Element>
+void add(const Element* elements, std::size_t count, std::string& bytes) {
+  bytes.append(reinterpret_cast<const char*>(elements), count * sizeof(Element));
+}
 
- private:
-  std::string bytes_;
-};
-
-RobotImageHeader header_of(const Robot& robot) {
+/// The header but for the image's size and checksum.
+RobotImageHeader header_of(const Model& model, const Robot& robot, std::size_t unguarded,
+                           const std::string& names) {
   RobotImageHeader header{};
   header.magic = kRobotImageMagic;
   header.version = kRobotImageVersion;
@@ -61,23 +50,23 @@ RobotImageHeader header_of(const Robot& robot) {
   header.hash = robot.hash;
   header.slack = robot.slack;
   std::memcpy(header.cell, &robot.cell_bits, sizeof header.cell);
+  header.pair_joint_count = pair_joint_count(robot);
+  header.distance_table_bytes = robot.distance_table_bytes;
   header.pair_count = robot.pair_count;
   header.reach_count = robot.reach_count;
+  header.names_size = static_cast<std::uint16_t>(names.size());
   header.variable_count = robot.variable_count;
-  header.distance_table_bytes = robot.distance_table_bytes;
-  for (std::size_t i = 0; i < robot.pair_count; ++i) {
-    header.pair_joint_count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
-  }
+  header.mount_count = static_cast<std::uint8_t>(model.mounts.size());
+  header.unguarded_count = static_cast<std::uint16_t>(unguarded);
   return header;
 }
 
 std::vector<Mount> fixed_mounts(const Model& model, double cell) {
   std::vector<Mount> mounts(model.mounts.size());
   for (std::size_t i = 0; i < mounts.size(); ++i) {
-    const Mount mount = fixed_mount(model.mounts[i], cell);
-    std::memset(static_cast<void*>(&mounts[i]), 0, sizeof mount);
-    mounts[i].joint = mount.joint;
-    mounts[i].frame = mount.frame;
+    std::memset(static_cast<void*>(&mounts[i]), 0, sizeof mounts[i]);  // padding, too
+    mounts[i].joint = fixed_joint(model.mounts[i].joint);
+    mounts[i].frame = fixed_frame(model.mounts[i].transform, cell);
   }
   return mounts;
 }
@@ -96,17 +85,21 @@ void check_image(const Model& model, const std::string& name, double cell) {
   check_limits(model, cell);
 }
 
+std::uint32_t pair_joint_count(const Robot& robot) {
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < robot.pair_count; ++i) {
+    count += robot.pairs[i].joints_a + robot.pairs[i].joints_b;
+  }
+  return count;
+}
+
 std::size_t own_image_bytes(const Model& model, const Robot& robot,
                             const std::vector<UnguardedPair>& unguarded, const std::string& name) {
-  std::size_t bytes = sizeof(RobotImageHeader) + robot.joint_count * sizeof(RobotJoint) +
-                      robot.link_count * sizeof(RobotLink) + robot.pair_count * sizeof(RobotPair) +
-                      robot.reach_count * sizeof(std::uint32_t) +
-                      model.mounts.size() * sizeof(Mount) +
-                      unguarded.size() * sizeof(RobotUnguarded) + names_of(model, name).size();
+  RobotImageHeader header = header_of(model, robot, unguarded.size(), names_of(model, name));
   for (std::size_t i = 0; i < robot.pair_count; ++i) {
-    bytes += distance_table_size(robot, robot.pairs[i]);
+    header.distance_table_bytes += distance_table_size(robot, robot.pairs[i]);
   }
-  return (bytes + 3) / 4 * 4;
+  return detail::robot_meshes_offset(header);
 }
 
 std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
@@ -114,34 +107,32 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
                                        const std::string& name) {
   check_image(model, name, cell_of(robot));
-  RobotImageHeader header = header_of(robot);
   const std::string names = names_of(model, name);
-  header.names_size = static_cast<std::uint16_t>(names.size());
-  header.unguarded_count = static_cast<std::uint16_t>(unguarded.size());
+  RobotImageHeader header = header_of(model, robot, unguarded.size(), names);
+  const std::size_t own = detail::robot_meshes_offset(header);
   const std::vector<Mount> mounts = fixed_mounts(model, cell_of(robot));
-  header.mount_count = static_cast<std::uint8_t>(mounts.size());
-  Bytes bytes;
-  bytes.add(&header, 1);
-  bytes.add(robot.joints, robot.joint_count);
-  bytes.add(robot.links, robot.link_count);
-  bytes.add(robot.pairs, robot.pair_count);
-  bytes.add(robot.reaches, robot.reach_count);
-  bytes.add(mounts.data(), mounts.size());
+  std::string bytes;
+  add(&header, 1, bytes);
+  add(robot.joints, robot.joint_count, bytes);
+  add(robot.links, robot.link_count, bytes);
+  add(robot.pairs, robot.pair_count, bytes);
+  add(robot.reaches, robot.reach_count, bytes);
+  add(mounts.data(), mounts.size(), bytes);
   for (const UnguardedPair& pair : unguarded) {
     const RobotUnguarded kept = fixed_unguarded(pair, cell_of(robot));
-    bytes.add(&kept, 1);
+    add(&kept, 1, bytes);
   }
-  bytes.add(robot.distance_tables, robot.distance_table_bytes);
-  bytes.add(names.data(), names.size());
-  bytes.fill();
-  const std::size_t own = bytes.size();
+  add(robot.distance_tables, robot.distance_table_bytes, bytes);
+  bytes += names;
+  bytes.resize(own);
   for (const std::vector<std::uint32_t>& mesh : meshes) {
-    bytes.add(mesh.data(), mesh.size());
+    add(mesh.data(), mesh.size(), bytes);
   }
   if (bytes.size() > UINT32_MAX) {
     throw UserError(model.path, "the image would be over 4 GiB; simplify it: --simplify, --fit");
   }
-  std::vector<std::uint32_t> image = bytes.words();
+  std::vector<std::uint32_t> image(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(image.data(), bytes.data(), bytes.size());
   header.byte_count = static_cast<std::uint32_t>(bytes.size());
   std::memcpy(image.data(), &header, sizeof header);
   header.crc = image_crc(image.data(), own);

@@ -22,6 +22,9 @@ std::vector<std::uint32_t> robot_image(const Model& model, const Robot& robot,
                                        const std::vector<std::vector<std::uint32_t>>& meshes,
                                        const std::string& name);
 
+/// The number of joints between two links, summed over all pairs.
+std::uint32_t pair_joint_count(const Robot& robot);
+
 /// The size of the image without its meshes.
 std::size_t own_image_bytes(const Model& model, const Robot& robot,
                             const std::vector<UnguardedPair>& unguarded, const std::string& name);

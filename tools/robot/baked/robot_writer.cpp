@@ -2,34 +2,35 @@
 
 #include <algorithm>
 
-#include "flashbvh/robot/guard.hpp"
+#include "flashbvh/robot.h"
+#include "robot/baked/robot_image.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
 template <class Element>
-std::vector<std::string> names_of(const std::vector<Element>& elements) {
-  std::vector<std::string> names(elements.size());
-  std::transform(elements.begin(), elements.end(), names.begin(),
-                 [](const Element& element) { return element.name; });
-  return names;
+std::vector<OutputName> names_of(const std::vector<Element>& elements) {
+  std::vector<std::string> names;
+  for (const Element& element : elements) {
+    names.push_back(element.name);
+  }
+  return distinct_names(names);
 }
 
-std::vector<std::string> names_of_variables(const Model& model) {
-  std::vector<std::string> names;
-  names.reserve(model.variables.size());
+std::vector<ModelJoint> joints_of_variables(const Model& model) {
+  std::vector<ModelJoint> joints;
   for (const std::size_t joint : model.variables) {
-    names.push_back(model.joints[joint].name);
+    joints.push_back(model.joints[joint]);
   }
-  return names;
+  return joints;
 }
 
 /// An enumerator "PREFIXelbow" for each; nothing if there are none.
 std::string numbers_of(const std::string& prefix, const char* comment,
-                       const std::vector<std::string>& names) {
+                       const std::vector<OutputName>& names) {
   std::string text;
-  for (const OutputName& name : distinct_names(names)) {
+  for (const OutputName& name : names) {
     text += concat("  ", prefix, name.word, ",\n");
   }
   return names.empty() ? "" : concat("\n/** ", comment, " */\nenum {\n", text, "};\n");
@@ -48,8 +49,8 @@ std::string state_sizes(const std::string& word) {
 std::string unguarded_text(const Model& model, const std::vector<UnguardedPair>& unguarded) {
   std::string text =
       "\n/* Links that a joint moves and no guard looks at: their collisions are never detected.\n";
-  const std::vector<OutputName> links = distinct_names(names_of(model.links));
-  const std::vector<OutputName> joints = distinct_names(names_of(model.joints));
+  const std::vector<OutputName> links = names_of(model.links);
+  const std::vector<OutputName> joints = names_of(model.joints);
   for (const UnguardedPair& pair : unguarded) {
     text +=
         concat(" * ", links[pair.a].word, " - ", links[pair.b].word,
@@ -62,38 +63,31 @@ std::string unguarded_text(const Model& model, const std::vector<UnguardedPair>&
   return text + (unguarded.empty() ? " * There are none. */\n" : " */\n");
 }
 
-constexpr std::size_t at_least_one(std::size_t count) {
-  return std::max<std::size_t>(count, 1);
-}
-
 }  // namespace
 
-std::size_t robot_ram_bytes(const Robot& robot, std::size_t pair_joint_count) {
-  return sizeof(GuardCore) +
-         at_least_one(robot.joint_count) * (4 * sizeof(JointCoordinate) + sizeof(Frame)) +
-         at_least_one(robot.pair_count) * sizeof(GuardPair) +
-         at_least_one(pair_joint_count) * sizeof(JointCoordinate) +
-         (at_least_one(pair_joint_count) + at_least_one(robot.joint_count) + 3) / 4 * 4;
+std::size_t robot_ram_bytes(const Robot& robot) {
+  return FLASHBVH_GUARD_STATE_SIZE(std::size_t{robot.joint_count},
+                                   std::max<std::size_t>(robot.pair_count, 1),
+                                   std::max<std::size_t>(pair_joint_count(robot), 1));
 }
 
 SourceFiles robot_in_c(const std::vector<std::uint32_t>& image, const Model& model,
-                       const FixedRobot& fixed, const std::vector<UnguardedPair>& unguarded,
+                       const Robot& robot, const std::vector<UnguardedPair>& unguarded,
                        const OutputName& name) {
   const std::string& word = name.word;
-  const Robot& robot = fixed.robot();
   const std::string about =
-      count_macros(
-          word, {{"LINK_COUNT", robot.link_count, "bodies with a mesh"},
-                 {"JOINT_COUNT", robot.joint_count, "that move, mimics among them"},
-                 {"VARIABLE_COUNT", robot.variable_count, "joints that are no mimics"},
-                 {"PAIR_COUNT", robot.pair_count, "of links that can collide"},
-                 {"PAIR_JOINT_COUNT", fixed.pair_joint_count(), "between the links of all pairs"},
-                 {"REACH_COUNT", robot.reach_count, "for a workcell's room"},
-                 {"UNGUARDED_COUNT", unguarded.size(), "of unguarded_pairs()"},
-                 {"IMAGE_BYTES", 4 * image.size(), "of the array"}}) +
+      count_macros(word,
+                   {{"LINK_COUNT", robot.link_count, "bodies with a mesh"},
+                    {"JOINT_COUNT", robot.joint_count, "that move, mimics among them"},
+                    {"VARIABLE_COUNT", robot.variable_count, "joints that are no mimics"},
+                    {"PAIR_COUNT", robot.pair_count, "of links that can collide"},
+                    {"PAIR_JOINT_COUNT", pair_joint_count(robot), "between the links of all pairs"},
+                    {"REACH_COUNT", robot.reach_count, "for a workcell's room"},
+                    {"UNGUARDED_COUNT", unguarded.size(), "of unguarded_pairs()"},
+                    {"IMAGE_BYTES", 4 * image.size(), "of the array"}}) +
       cell_macros(word, cell_of(robot), "m") + state_sizes(word) +
       numbers_of(word + "_variable_", "Where each joint's value stands among the caller's.",
-                 names_of_variables(model)) +
+                 names_of(joints_of_variables(model))) +
       numbers_of(word + "_link_", "Links by number.", names_of(model.links)) +
       numbers_of(word + "_mount_", "Of mounts(): the frames of all links of the URDF.",
                  names_of(model.mounts)) +

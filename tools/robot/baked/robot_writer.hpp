@@ -6,18 +6,16 @@
 #include <vector>
 
 #include "image/c_writer.hpp"
-#include "robot/baked/fixed_robot.hpp"
 #include "robot/matrix/unguarded.hpp"
 
 namespace flashbvh::tool {
 
-/// The state of a guard of the robot: plain data, equally large on every core. `pair_joint_count`:
-/// joints between the links, summed over all pairs.
-std::size_t robot_ram_bytes(const Robot& robot, std::size_t pair_joint_count);
+/// The state of a guard of the robot: plain data, equally large on every core.
+std::size_t robot_ram_bytes(const Robot& robot);
 
 /// `NAME_robot_image`, and constants, whose names begin with NAME_.
 SourceFiles robot_in_c(const std::vector<std::uint32_t>& image, const Model& model,
-                       const FixedRobot& robot, const std::vector<UnguardedPair>& unguarded,
+                       const Robot& robot, const std::vector<UnguardedPair>& unguarded,
                        const OutputName& name);
 
 }  // namespace flashbvh::tool

@@ -11,17 +11,7 @@
 namespace flashbvh::tool {
 namespace {
 
-/// UserError if firmware cannot hold a link as it is. Takes almost no time unless it refuses.
-void check_triangles(const Model& model, const RobotRequest& request) {
-  check_simplify_or_fit(request.simplify.has_value(), request.fit.has_value());
-  for (const ModelLink& link : model.links) {
-    if (!request.simplify && !request.fit) {
-      check_triangles(link, robot_cell(model, given_cell(request), request.urdf), request.urdf);
-    }
-  }
-}
-
-/// As above, once trees are baked.
+/// UserError if firmware cannot hold a link as it is.
 void check_wholes(const Prepared& robot, const RobotRequest& request) {
   for (std::size_t i = 0; i < robot.wholes.size(); ++i) {
     if (!request.simplify && !request.fit && !fits_firmware(robot.wholes[i])) {
@@ -92,10 +82,10 @@ BakedRobot bake_for_firmware(Divided divided, const AllDistances& distances,
 
 BakedRobot baked_robot(Model model, const RobotRequest& request, const Told& told,
                        Warnings& warnings) {
-  // Requests that no work can meet are refused before any work.
-  check_triangles(model, request);
+  check_simplify_or_fit(request.simplify.has_value(), request.fit.has_value());
   const AllDistances distances = all_distances(model, request);
   Prepared prepared = prepare(std::move(model), request, told, warnings);
+  // Requests that no work can meet are refused before pairs are decided.
   check_image(prepared.model, prepared.model.name, prepared.cell);
   check_wholes(prepared, request);
   SimplifiedLinks simplified(prepared.model, prepared.cell, request);
