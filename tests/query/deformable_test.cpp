@@ -14,8 +14,6 @@
 
 namespace {
 
-constexpr int kShare = share_on_board(10);
-
 /// The box of all vertices below a node, gathered top down.
 template <class Mesh>
 void add_vertices(const Mesh& mesh, std::uint32_t node, Box& box) {
@@ -131,20 +129,20 @@ void check_queries(Random& random, int rounds) {
 TEST_CASE(
     "a refit's boxes are those of the triangles below, whatever moved and however it is cut") {
   Random random = test_random();
-  check_refits<MeshWithLevels>(random, 60 / kShare);
-  check_refits<PreMeshWithLevels>(random, 30 / kShare);
-  check_refits<Mesh>(random, 20 / kShare);
+  check_refits<MeshWithLevels>(random, 60);
+  check_refits<PreMeshWithLevels>(random, 30);
+  check_refits<Mesh>(random, 20);
 }
 
 TEST_CASE("every traversal takes a mesh that bends, on either side and against itself") {
   Random random = test_random(1);
-  check_queries<MeshWithLevels>(random, 20 / kShare);
-  check_queries<PreMeshWithLevels>(random, 20 / kShare);
+  check_queries<MeshWithLevels>(random, 20);
+  check_queries<PreMeshWithLevels>(random, 20);
 }
 
 TEST_CASE("distances, rays and insides are those of the same mesh baked as it is now") {
   const bake::LatticeMesh ring = torus(6, 4, 60, 20);
-  for_rounds(40 / kShare, 2, [&](Random& random, int) {
+  for_rounds(40, 2, [&](Random& random, int) {
     Bending<Mesh> bent(any_tree(random, ring), ring);
     move_some(random, 8, bent.vertices.data(), bent.vertices.size());
     bent.mesh.set_origin({random.between(-50, 50), 7, -3});

@@ -9,8 +9,6 @@
 
 namespace {
 
-constexpr int kShare = share_on_board(10);
-
 /// Pairs by source numbers, the smaller first.
 Pairs unordered(Pairs pairs) {
   for (auto& pair : pairs) {
@@ -123,12 +121,12 @@ std::uint32_t mixed(std::uint32_t sum, std::uint32_t value) {
 TEST_CASE("a soup's, a sheet's or a tube's triangles that intersect are found once each") {
   Random random = test_random();
   std::uint32_t answers = 0;
-  check_frames<Mesh>(random, 60 / kShare, 6, answers);
-  CHECK(answers > 2000 / kShare);
+  check_frames<Mesh>(random, 60, 6, answers);
+  CHECK(answers > 2000);
 }
 
 TEST_CASE("a position is taken if and only if a walk on which all boxes overlap comes by") {
-  for_rounds(60 / kShare, 2, [&](Random& random, int) {
+  for_rounds(60, 2, [&](Random& random, int) {
     // All boxes overlap and all triangles share a vertex: no answer ends a run.
     bake::LatticeMesh lattice = random_mesh(random, 1 + random.below(10), 0, 0);
     for (auto& triangle : lattice.triangles) {

@@ -7,9 +7,6 @@
 
 namespace {
 
-// Solid angles are slow on boards.
-constexpr int kShare = share_on_board(30);
-
 /// The side of a point in A's lattice, by solid angles.
 PointSide truth_of(const Mesh& mesh, const detail::Transform* transform, const Point& p) {
   const Winding winding = winding_about(mesh, p, transform);
@@ -37,7 +34,7 @@ bake::LatticeMesh small_box() {
 TEST_CASE(
     "a point's side is decided by its winding number, wherever edges and corners lie above it") {
   std::uint32_t seen[3] = {0, 0, 0};
-  const std::uint32_t tries = kShare > 1 ? 2 : rounds(24u, 60u);
+  const std::uint32_t tries = rounds(24u, 60u);
   for_rounds(tries, [&](Random& random, std::uint32_t) {
     bake::LatticeMesh lattice = boxes(random);
     for (std::int32_t& origin : lattice.origin) {
@@ -67,7 +64,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
   const AnyMesh mesh(bake::build_default(lattice), lattice);
   std::uint32_t within = 0;
-  for_rounds(1500 / kShare, [&](Random& random, int round) {
+  for_rounds(1500, [&](Random& random, int round) {
     // Just below a corner, or below the middle of an edge.
     const auto& corner = mesh.triangles[random.below(mesh.triangle_count)].corner;
     const Vertex& u = mesh.vertices[corner[0]];
@@ -77,7 +74,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
     REQUIRE(found.side == truth_of(mesh, nullptr, p));
     within += found.side == PointSide::inside ? 1 : 0;
   });
-  CHECK(within > 100 / kShare);
+  CHECK(within > 100);
   CHECK(inside(mesh, {0, 0, 0}).side == PointSide::outside);
   CHECK(inside(mesh, {8000, 0, 0}).side == PointSide::inside);
   CHECK(inside(mesh, {1 << 29, 0, -(1 << 29)}).side == PointSide::outside);
@@ -92,7 +89,7 @@ TEST_CASE("below the edges and corners of a curved mesh no crossing is lost") {
 TEST_CASE("bodies have points in common if triangles intersect or one lies inside the other") {
   std::uint32_t within = 0;
   std::uint32_t apart = 0;
-  for_rounds(400 / kShare, [&](Random& random, int) {
+  for_rounds(400, [&](Random& random, int) {
     bake::LatticeMesh outer;
     const std::int32_t wide = random.between(20, 60);
     add_box(outer, {-wide, -wide, -wide}, {2 * wide, 2 * wide, 2 * wide}, false);
@@ -135,7 +132,7 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     within += truth && !touch ? 1 : 0;
     apart += truth ? 0 : 1;
   });
-  CHECK((kShare > 1 || (within > 10 && apart > 20)));
+  CHECK((within > 10 && apart > 20));
 }
 
 TEST_CASE("bodies at the ends of the range have nothing in common") {
