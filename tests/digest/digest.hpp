@@ -1,5 +1,4 @@
-// One number for thousands of queries: every reported pair, in order, every count, and, with one
-// traversal, each pair's contact.
+// One number for the answers of many queries.
 #pragma once
 
 #include <stdint.h>
@@ -20,19 +19,5 @@ class Hash {
  private:
   uint64_t value_ = 0xCBF29CE484222325u;
 };
-
-struct Result {
-  bool is_expected;  ///< whether all sums have the expected values
-  uint32_t cases;    ///< (mesh pair, pose, rule)
-  uint32_t pairs;    ///< of triangles that intersect, over all cases
-  uint32_t refused;  ///< trees that check_tree() refuses: 0
-};
-
-/// Receives a sum's name, its value, and the value of every core and compiler; returns whether they
-/// are equal.
-using Report = bool(const char* name, uint64_t value, uint64_t expected);
-
-/// Runs the fixed list of cases. About 7 KB of memory, all of it static.
-Result run(Report* report);
 
 }  // namespace digest

@@ -4,7 +4,6 @@
 #include "support/points.hpp"
 #include "support/test.hpp"
 #include "support/torus.hpp"
-#include "support/transformed_mesh.hpp"
 
 using namespace flashbvh::detail;
 

@@ -6,8 +6,8 @@
 #include "flashbvh/shape.hpp"
 #include "support/any_motion.hpp"
 #include "support/oracles/first_touch.hpp"
+#include "support/queries.hpp"
 #include "support/test.hpp"
-#include "support/transformed_mesh.hpp"
 
 namespace {
 

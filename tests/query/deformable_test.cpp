@@ -9,7 +9,6 @@
 #include "support/refused.hpp"
 #include "support/test.hpp"
 #include "support/torus.hpp"
-#include "support/transformed_mesh.hpp"
 #include "support/vectors.hpp"
 
 namespace {

@@ -5,7 +5,6 @@
 #include "support/bending.hpp"
 #include "support/queries.hpp"
 #include "support/test.hpp"
-#include "support/transformed_mesh.hpp"
 
 namespace {
 

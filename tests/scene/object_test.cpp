@@ -11,12 +11,6 @@ using scene::Orientation;
 
 namespace {
 
-#if defined(FLASHBVH_ON_BOARD)
-constexpr std::uint32_t kSubdivisions = 1;  // a board has no memory for the maps of more
-#else
-constexpr std::uint32_t kSubdivisions = scene::kMaxSubdivisions;
-#endif
-
 /// Whether each edge lies in exactly two triangles, which use it in opposite directions.
 bool is_watertight(const bake::LatticeMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -68,7 +62,7 @@ std::uint64_t hash_of(const bake::LatticeMesh& mesh) {
 
 TEST_CASE("the evaluation's object has 796 faces, four times as many with each subdivision") {
   std::uint32_t faces = 796;
-  for (std::uint32_t i = 0; i <= kSubdivisions; ++i, faces *= 4) {
+  for (std::uint32_t i = 0; i <= scene::kMaxSubdivisions; ++i, faces *= 4) {
     const scene::PaperObject object = {i, kFullRadius, Orientation::upright};
     CHECK(object.faces() == faces);
     CHECK(make_mesh(object).triangles.size() == faces);
@@ -76,7 +70,7 @@ TEST_CASE("the evaluation's object has 796 faces, four times as many with each s
 }
 
 TEST_CASE("the evaluation's object is watertight and turned outwards, however it is made") {
-  for (std::uint32_t i = 0; i <= test::rounds<std::uint32_t>(1, kSubdivisions); ++i) {
+  for (std::uint32_t i = 0; i <= test::rounds<std::uint32_t>(1, scene::kMaxSubdivisions); ++i) {
     for (const auto orientation :
          {Orientation::upright, Orientation::lying, Orientation::upside_down}) {
       const bake::LatticeMesh mesh = make_mesh({i, kFullRadius, orientation});

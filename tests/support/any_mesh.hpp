@@ -8,7 +8,6 @@
 #include "support/queries.hpp"
 #include "support/rotations.hpp"
 #include "support/shapes.hpp"
-#include "support/transformed_mesh.hpp"
 
 namespace flashbvh::test {
 

@@ -1,4 +1,4 @@
-// Runs queries of any traversal to the end, in runs of any length.
+// Runs queries of any traversal to the end, in runs of any length, and brute force.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "bake/mesh.hpp"
 #include "heap_guard.hpp"
 #include "support/any_query.hpp"
+#include "support/transformed_vertex.hpp"
 
 namespace flashbvh::test {
 
@@ -18,6 +20,15 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 inline Pairs sorted(Pairs pairs) {
   std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// All pairs of triangles that intersect, in order, of meshes before baking.
+inline Pairs brute_force(const bake::LatticeMesh& a, const bake::LatticeMesh& b, const Pose& pose) {
+  Pairs pairs;
+  brute_force(a, static_cast<std::uint32_t>(a.triangles.size()), b,
+              static_cast<std::uint32_t>(b.triangles.size()), pose,
+              [&pairs](std::uint32_t i, std::uint32_t j) { pairs.emplace_back(i, j); });
   return pairs;
 }
 

@@ -19,8 +19,8 @@ bool same_view(const BasicMesh<Index, layout>& u, const BasicMesh<Index, layout>
          u.stack_need == v.stack_need && u.triangle_count == v.triangle_count &&
          u.vertex_count == v.vertex_count && u.shell_count == v.shell_count &&
          u.longest_edge == v.longest_edge && u.unit == v.unit && u.is_closed == v.is_closed &&
-         u.cell_bits == v.cell_bits && same_array(u.origin, v.origin, 3) &&
-         same_array(u.nodes, v.nodes, u.node_count) &&
+         u.deviation_sixteenths == v.deviation_sixteenths && u.cell_bits == v.cell_bits &&
+         same_array(u.origin, v.origin, 3) && same_array(u.nodes, v.nodes, u.node_count) &&
          same_array(u.triangles, v.triangles, u.triangle_count) &&
          same_array(u.triangle_ids, v.triangle_ids, u.triangle_count) &&
          same_array(u.vertices, v.vertices, u.vertex_count) &&

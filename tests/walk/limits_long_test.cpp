@@ -4,7 +4,6 @@
 #include "support/queries.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
-#include "support/transformed_mesh.hpp"
 
 using namespace flashbvh::detail;
 

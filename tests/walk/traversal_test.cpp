@@ -139,6 +139,22 @@ TEST_CASE("all traversals agree on random trees of every shape") {
   });
 }
 
+TEST_CASE("all traversals agree on chains as deep as their triangles, and on unequal heights") {
+  for_rounds(12, 2, [&](Random& random, int round) {
+    const std::uint32_t count_a = 1 + random.below(120);
+    const std::uint32_t count_b = 1 + random.below(120);
+    Trees trees = any_trees(random, count_a, count_b);
+    trees.a = chain(trees.mesh_a, (round & 1) != 0);
+    if ((round & 2) != 0) {
+      trees.b = chain(trees.mesh_b, (round & 4) != 0);
+    }
+    check_all(trees);
+    std::swap(trees.a, trees.b);
+    std::swap(trees.mesh_a, trees.mesh_b);
+    check_all(trees);
+  });
+}
+
 TEST_CASE("all traversals agree when everything overlaps, and when nothing does") {
   Random random = test_random(3);
   Trees trees = any_trees(random, 40, 40);
