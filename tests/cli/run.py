@@ -39,6 +39,8 @@ def run(number):
     if result.wasSuccessful():
         os.chdir(cli.WORK)
         shutil.rmtree(cli.WORK / test.id(), ignore_errors=True)
+    for _, reason in result.skipped:
+        print(f"skipped: {test}: {reason}")
     return [f"FAILED: {at}\n{trace}  in {cli.WORK / test.id()}" for at, trace in result.errors + result.failures], \
         cli.SEEN_FIELDS
 

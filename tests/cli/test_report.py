@@ -10,7 +10,7 @@ from inputs import images, meshes
 
 def is_live(page):
     """Without a compiler for WebAssembly, pages have tables alone."""
-    return "id=live-data" in text(page)
+    return page_data(page)["drawing"] is not None
 
 
 class ReportTest(Case):

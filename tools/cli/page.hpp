@@ -6,7 +6,7 @@
 
 #include "cli/json.hpp"
 #include "flashbvh/version.hpp"
-#include "viewer/live_section.hpp"
+#include "viewer/page.hpp"
 
 namespace flashbvh::tool {
 
@@ -16,22 +16,24 @@ struct Headline {
   std::string text;
 };
 
-/// A self-contained HTML file, the same bytes for the same facts. `facts`: an array of objects.
+/// A self-contained HTML file, the same bytes for the same facts. `facts`: an array of objects;
+/// `drawing`: as robot.js or scene.js takes it.
 inline std::string page_text(const char* command, const std::string& title,
                              const std::vector<Headline>& headlines, const Json& facts,
-                             const std::string& section) {
+                             const Json& drawing) {
   Json lines = Json::array();
   for (const Headline& line : headlines) {
     lines.push_back({line.verdict, line.text});
   }
   const std::string version = concat("flashbvh ", FLASHBVH_VERSION_MAJOR, ".",
                                      FLASHBVH_VERSION_MINOR, ".", FLASHBVH_VERSION_PATCH);
-  const Json data = {{"command", command},
-                     {"title", title},
-                     {"headlines", lines},
-                     {"facts", facts},
-                     {"version", version}};
-  return page_of(data.dump(-1, ' ', false, Json::error_handler_t::replace), section);
+  Json data = {{"command", command},
+               {"title", title},
+               {"headlines", lines},
+               {"facts", facts},
+               {"version", version}};
+  data["drawing"] = *kPageLibrary != '\0' ? drawing : Json();
+  return page_of(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 /// Links that no guard looks at, a line each reason.

@@ -12,7 +12,7 @@ def text_of(path):
 
 
 def main(output, *parts):
-    lines = ['#include "viewer/parts.hpp"', "", "namespace flashbvh::tool {", ""]
+    lines = ['#include "viewer/page.hpp"', "", "namespace flashbvh::tool {", ""]
     for part in parts:
         name, files = part.split("=")
         text = "".join(text_of(Path(file)) for file in files.split(",") if file)

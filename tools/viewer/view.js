@@ -33,17 +33,13 @@ const times = (a, b) => {
 };
 const placed = (m, [x, y, z]) => [0, 1, 2, 3].map(i => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i]);
 
-// Without a GPU, edges are not smoothed: smoothing takes a quarter of a frame.
-const has_gpu = (() => {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  const names = gl && gl.getExtension("WEBGL_debug_renderer_info");
-  return !(names && /swiftshader|llvmpipe|software/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)));
-})();
+// A mesh's own colour, which mixtures with other meshes' at smoothed edges do not have.
+const tag_of = mesh => [37, 91, 153].map(factor => factor * (mesh + 1) % 251 + 1);
 
 class View {
   // `meshes`: a list of { vertices: Int16Array, triangles: Uint16Array }. Throws if there is no WebGL.
   constructor(canvas, meshes) {
-    const gl = canvas.getContext("webgl2", { antialias: has_gpu, alpha: false });
+    const gl = canvas.getContext("webgl2", { alpha: false });
     if (!gl) throw new Error("this browser has no WebGL 2");
     this.gl = gl;
     this.canvas = canvas;
@@ -165,42 +161,15 @@ class View {
     gl.enable(gl.DEPTH_TEST);
   }
 
-  // The viewing ray through a pixel of the page: its start, and its direction of length 1.
-  ray(x, y) {
-    const [eye, screen] = [this.eye(), this.screen()];
-    const seen = [(2 * x / this.canvas.clientWidth - 1) / screen[0], (1 - 2 * y / this.canvas.clientHeight) / screen[5], -1];
-    const length = Math.hypot(...seen);
-    const turned = v => [0, 1, 2].map(i => eye[4 * i] * v[0] + eye[4 * i + 1] * v[1] + eye[4 * i + 2] * v[2]);
-    return { from: turned([-eye[12], -eye[13], -eye[14]]), way: turned(seen.map(part => part / length)) };
-  }
-
-  // Calls draw() with a framebuffer of the canvas's size without samples: colours stay as they are drawn.
-  #unsmoothed(draw) {
-    const { gl } = this;
-    const frame = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    const buffers = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, place]) => {
-      const buffer = gl.createRenderbuffer();
-      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorage(gl.RENDERBUFFER, format, this.canvas.width, this.canvas.height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
-      return buffer;
-    });
-    draw();
-    gl.deleteFramebuffer(frame);  // binds the canvas again
-    for (const buffer of buffers) gl.deleteRenderbuffer(buffer);
-  }
-
-  // The mesh at a pixel of the page, or -1. Draws the meshes' numbers as colours.
+  // The mesh at a pixel of the page, or -1. Draws the meshes in their own colours.
   pick(matrices, x, y) {
     const { gl } = this;
     const ratio = this.canvas.width / this.canvas.clientWidth;
     const pixel = new Uint8Array(4);
-    this.#unsmoothed(() => {
-      gl.clearColor(0, 0, 0, 0);
-      this.#draw(matrices, this.meshes.map((_, i) => [(i + 1) / 255, 0, 0, 1]), true);
-      gl.readPixels(x * ratio, this.canvas.height - y * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    });
-    return pixel[0] - 1;
+    const tags = this.meshes.map((_, i) => tag_of(i));
+    gl.clearColor(0, 0, 0, 0);
+    this.#draw(matrices, tags.map(tag => [...tag.map(part => part / 255), 1]), true);
+    gl.readPixels(x * ratio, this.canvas.height - y * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return tags.findIndex(tag => tag.every((part, i) => part === pixel[i]));
   }
 }

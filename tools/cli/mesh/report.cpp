@@ -49,11 +49,15 @@ bool touches(const ImageFile& a, const ImageFile& b, const Pose& pose, std::size
   return answer.counts.triangle_pairs != 0 || one_is_inside(a, b, pose).value_or(false);
 }
 
-/// Two meshes at their poses, of which so many touch.
+/// Two images at their poses, of which so many touch. The page steps through some of them.
 struct QueriedPair {
-  LivePair live;
-  std::size_t touching = 0;
-  std::size_t poses = 0;
+  std::size_t a;
+  std::size_t b;
+  Json drawn_poses;  ///< of 12 numbers each
+  Json names;
+  std::string verdicts;  ///< a digit each
+  std::size_t touching;
+  std::size_t poses;
 };
 
 /// At the poses of a file, or as drawn. Of each few poses the page steps to one, one that touches.
@@ -62,24 +66,24 @@ QueriedPair queried_pair(const Images& images, std::size_t a, std::size_t b,
   const double cell = images[a]->cell();
   const std::vector<Pose> poses =
       path.empty() ? std::vector<Pose>{Pose::translated(0, 0, 0)} : read_lattice_poses(path, cell);
-  QueriedPair pair = {{a, b, {}, {}, ""}, 0, poses.size()};
+  QueriedPair pair = {a, b, Json::array(), Json::array(), "", 0, poses.size()};
   const std::size_t step = poses.size() / kMostSteps + 1;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool touch = touches(*images[a], *images[b], poses[i], i);
     pair.touching += touch ? 1 : 0;
+    if (path.empty()) {
+      break;  // one pose needs no time line
+    }
     if (i % step == 0) {
-      pair.live.poses.emplace_back();
-      pair.live.names.emplace_back();
-      pair.live.verdicts += ' ';
+      pair.drawn_poses.emplace_back();
+      pair.names.emplace_back();
+      pair.verdicts += ' ';
     }
-    if (i % step == 0 || (touch && pair.live.verdicts.back() == '0')) {
-      pair.live.poses.back() = joined(pose_numbers(poses[i], cell), shortest, " ");
-      pair.live.names.back() = concat("pose ", i);
-      pair.live.verdicts.back() = touch ? '3' : '0';
+    if (i % step == 0 || (touch && pair.verdicts.back() == '0')) {
+      pair.drawn_poses.back() = joined(pose_numbers(poses[i], cell), shortest, " ");
+      pair.names.back() = concat("pose ", i);
+      pair.verdicts.back() = touch ? '3' : '0';
     }
-  }
-  if (path.empty()) {  // one pose needs no time line
-    pair.live = {a, b, {}, {}, ""};
   }
   return pair;
 }
@@ -107,8 +111,8 @@ std::vector<QueriedPair> queried_pairs(const Images& images, const std::string& 
 
 Headline headline_of(const QueriedPair& pair, const std::vector<std::string>& names,
                      bool is_drawn) {
-  const std::string& a = names[pair.live.a];
-  const std::string& b = names[pair.live.b];
+  const std::string& a = names[pair.a];
+  const std::string& b = names[pair.b];
   return pair.touching == 0 ? Headline{0, concat(b, " does not touch ", a,
                                                  is_drawn ? ", as drawn" : " at any pose")}
                             : Headline{3, concat(b, " touches ", a,
@@ -132,7 +136,7 @@ void write_page(const ReportArguments& arguments) {
   }
   std::stable_sort(headlines.begin(), headlines.end(),
                    [](const Headline& p, const Headline& q) { return p.verdict > q.verdict; });
-  std::vector<LiveMesh> meshes;
+  Json meshes = Json::array();
   Json facts = Json::array();
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -143,29 +147,31 @@ void write_page(const ReportArguments& arguments) {
     }
     facts.push_back(image_facts(image));
     // The library in a page opens only images of this kind.
-    const bool is_live =
-        std::holds_alternative<MeshWithLevels>(image.tree()) && meshes.size() < kMostLiveMeshes;
-    places.push_back(is_live ? meshes.size() : kMostLiveMeshes);
-    if (is_live) {
-      meshes.push_back({names[i],
-                        {image.bytes(), image.header().byte_count},
-                        unit_name(image.unit()),
-                        subject.marks});
+    const bool is_drawn =
+        std::holds_alternative<MeshWithLevels>(image.tree()) && meshes.size() < kMostDrawn;
+    places.push_back(is_drawn ? meshes.size() : kMostDrawn);
+    if (is_drawn) {
+      meshes.push_back({{"name", names[i]},
+                        {"image", base64(image.bytes(), image.header().byte_count)},
+                        {"unit", unit_name(image.unit())},
+                        {"marks", subject.marks}});
     }
   }
-  std::vector<LivePair> live;
+  Json drawn = Json::array();
   for (QueriedPair& pair : pairs) {
-    LivePair& shown = pair.live;
-    shown.a = places[shown.a];
-    shown.b = places[shown.b];
-    if (shown.a < kMostLiveMeshes && shown.b < kMostLiveMeshes) {
-      live.push_back(std::move(shown));
+    if (places[pair.a] < kMostDrawn && places[pair.b] < kMostDrawn) {
+      drawn.push_back({{"a", places[pair.a]},
+                       {"b", places[pair.b]},
+                       {"poses", std::move(pair.drawn_poses)},
+                       {"names", std::move(pair.names)},
+                       {"verdicts", std::move(pair.verdicts)}});
     }
   }
   const std::string title =
       names.size() > 2 ? concat(names.size(), " meshes") : joined(names, " and ");
   write_file(arguments.page,
-             page_text("report", title, headlines, facts, live_section(meshes, live, 0)));
+             page_text("report", title, headlines, facts,
+                       meshes.empty() ? Json() : Json{{"meshes", meshes}, {"pairs", drawn}}));
 }
 
 }  // namespace

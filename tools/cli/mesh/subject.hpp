@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/json.hpp"
 #include "image/image_file.hpp"
-#include "viewer/live_section.hpp"
 
 namespace flashbvh::tool {
 
@@ -13,7 +13,8 @@ namespace flashbvh::tool {
 struct Subject {
   explicit Subject(const ImageFile& image);
 
-  std::vector<LiveMarks> marks;
+  Json marks =
+      Json::array();  ///< of each a colour of the page, and vertices, of which two make a line
   std::vector<std::string> warnings;  ///< without the image's name
 };
 

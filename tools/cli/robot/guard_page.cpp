@@ -1,5 +1,6 @@
 // The page of flashbvh guard: the robot on its way, with the guard's verdicts.
 #include <algorithm>
+#include <utility>
 
 #include "cli/page.hpp"
 #include "cli/robot/guard_output.hpp"
@@ -11,11 +12,13 @@ namespace {
 /// The largest number of periods that a page plays: it skips periods of longer trajectories.
 constexpr std::size_t kMostPlayed = 4000;
 
-/// Of each few periods the worst one.
-LivePeriods played_periods(const GuardedTrajectory& guarded) {
+/// The robot, and of each few periods the worst one.
+Json drawn_periods(const GuardedTrajectory& guarded) {
   const Trajectory& trajectory = guarded.trajectory;
   const std::size_t step = (trajectory.size() + kMostPlayed - 1) / kMostPlayed;
-  LivePeriods played;
+  std::vector<float> all_values;
+  std::string verdicts;
+  Json names = Json::array();
   for (std::size_t first = 0; first < trajectory.size(); first += step) {
     const auto begin = guarded.answers.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = begin + static_cast<std::ptrdiff_t>(std::min(step, trajectory.size() - first));
@@ -24,13 +27,17 @@ LivePeriods played_periods(const GuardedTrajectory& guarded) {
     });
     const auto period = static_cast<std::size_t>(worst - guarded.answers.begin());
     const float* const values = trajectory.values(period);
-    played.values.insert(played.values.end(), values, values + trajectory.variables());
-    played.verdicts += static_cast<char>('0' + static_cast<int>(worst->verdict));
+    all_values.insert(all_values.end(), values, values + trajectory.variables());
+    verdicts += static_cast<char>('0' + static_cast<int>(worst->verdict));
     const std::string line = concat("line ", trajectory.line(period));
-    played.names.push_back(
+    names.push_back(
         trajectory.has_times() ? concat(line, " (", shortest(trajectory.time(period)), ")") : line);
   }
-  return played;
+  return {{"image", base64(guarded.image.data(), guarded.image.size() * sizeof guarded.image[0])},
+          {"zones", Json::array()},
+          {"values", base64(all_values.data(), all_values.size() * sizeof(float))},
+          {"verdicts", std::move(verdicts)},
+          {"names", std::move(names)}};
 }
 
 /// A line for each verdict that occurs, the worst first; motions; what is not guarded.
@@ -61,8 +68,7 @@ std::vector<Headline> headlines_of(const GuardedTrajectory& guarded) {
 
 std::string guard_page(const GuardedTrajectory& guarded) {
   return page_text("guard", guarded.model.name, headlines_of(guarded),
-                   Json::array({guarded_facts(guarded)}),
-                   live_section(guarded.image, {}, played_periods(guarded)));
+                   Json::array({guarded_facts(guarded)}), drawn_periods(guarded));
 }
 
 }  // namespace flashbvh::tool

@@ -59,14 +59,13 @@ std::string dependencies(const OutputArguments& arguments, const OutputName& nam
   return text + "\n";
 }
 
-std::vector<LiveZone> live_zones(const BakedRobot& robot) {
-  std::vector<LiveZone> zones;
+/// For each a joint, a point in cells of its frame, and a radius in metres.
+Json drawn_zones(const BakedRobot& robot) {
+  Json zones = Json::array();
   for (const JointZone& zone : robot.zones) {
-    std::array<double, 3> middle = zone.shape.middle;
-    for (double& along : middle) {
-      along /= robot.cell;
-    }
-    zones.push_back({zone.joint, middle, zone.shape.radius});
+    const auto& [x, y, z] = zone.shape.middle;
+    zones.push_back(
+        {zone.joint, x / robot.cell, y / robot.cell, z / robot.cell, zone.shape.radius});
   }
   return zones;
 }
@@ -77,7 +76,8 @@ std::string robot_page(const BakedRobot& robot, const ImageWords& image, const J
   headlines.push_back({0, concat("Guarded: ", robot.robot().pair_count, " of ", robot.pairs.size(),
                                  " pairs of links")});
   return page_text("robot", robot.model.name, headlines, Json::array({facts}),
-                   live_section(image, live_zones(robot)));
+                   {{"image", base64(image.data(), image.size() * sizeof image[0])},
+                    {"zones", drawn_zones(robot)}});
 }
 
 /// If `bytes` is large: the size with leaves of kLargeLeaf triangles.

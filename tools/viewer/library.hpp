@@ -1,13 +1,14 @@
-// Shared by the WebAssembly libraries of all pages: memory, and baked meshes in it. All memory lies
+// The library of pages, compiled for WebAssembly: memory, and baked meshes in it. All memory lies
 // after the linked data, and is never freed.
 #pragma once
 
 #include <stddef.h>
 
-#include "../wasm.hpp"
 #include "flashbvh/mesh.hpp"
 
-namespace live {
+#define EXPORT extern "C" __attribute__((visibility("default"), used))
+
+namespace page {
 
 constexpr uint32_t kMostMeshes = 64;
 constexpr double kFineCells = 256;  // steps of a distance in a cell
@@ -25,7 +26,4 @@ Type* take(size_t count) {
 /// A mesh's cell in its unit.
 double cell(uint32_t mesh = 0);
 
-/// fine_length_rounded_up() of the float that is not below `length`, in the mesh's unit.
-flashbvh::FineLength fine_length_rounded_up(double length, uint32_t mesh = 0);
-
-}  // namespace live
+}  // namespace page

@@ -1,10 +1,8 @@
-#include "meshes.hpp"
-
-#include "flashbvh/float.hpp"
+#include "library.hpp"
 
 extern "C" unsigned char __heap_base;  // of wasm-ld
 
-namespace live {
+namespace page {
 
 using namespace flashbvh;
 
@@ -25,17 +23,9 @@ void* take(size_t bytes) {
 }
 
 double cell(uint32_t mesh) {
-  return wasm::length_of(meshes[mesh].cell_bits);
-}
-
-FineLength fine_length_rounded_up(double length, uint32_t mesh) {
-  auto above = static_cast<float>(length);
-  if (above < length) {
-    uint32_t bits = 0;
-    __builtin_memcpy(&bits, &above, sizeof bits);
-    above = detail::float_of(bits + 1);
-  }
-  return flashbvh::fine_length_rounded_up(above, cells_per_unit(meshes[mesh].cell_bits));
+  double length = 0;
+  __builtin_memcpy(&length, &meshes[mesh].cell_bits, sizeof length);
+  return length;
 }
 
 /// Allocates memory for an image.
@@ -58,4 +48,4 @@ EXPORT uint32_t triangle_count(uint32_t mesh) {
   return meshes[mesh].triangle_count;
 }
 
-}  // namespace live
+}  // namespace page

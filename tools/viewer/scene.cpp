@@ -1,12 +1,11 @@
-// flashbvh's queries for the page of meshes: the firmware's library, for WebAssembly.
+// Queries of a page of meshes: the firmware's.
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/first_contact.hpp"
 #include "flashbvh/image.hpp"
-#include "flashbvh/ray.hpp"
 #include "flashbvh/solid.hpp"
-#include "meshes.hpp"
+#include "library.hpp"
 
-namespace live {
+namespace page {
 
 using namespace flashbvh;
 
@@ -44,18 +43,7 @@ struct Measured {
 struct Way {
   uint32_t status;   ///< `suspended`: the query took too long
   uint32_t outcome;  ///< a ContactOutcome
-  uint32_t from;
   uint32_t to;
-};
-
-/// The first hit of a segment.
-struct Hit {
-  uint32_t is_hit;
-  uint32_t triangle;  ///< its id
-  uint32_t slot;
-  int32_t side;
-  uint32_t distance;  ///< from the segment's start, in 1/256 cell
-  double point[3];    ///< in cells
 };
 
 PoseWords words;
@@ -66,8 +54,6 @@ Lit lit[kMostLit];
 uint32_t lit_ids[kMostLit][2];
 Measured measured;
 Witness<uint16_t> hint;
-Segment segment;
-Hit hit;
 
 uint32_t code(Status status) {
   return static_cast<uint32_t>(status);
@@ -82,7 +68,7 @@ void set_cells(const FinePoint& point, double (&cells)[3]) {
 }  // namespace
 
 /// Opens the last allocated image as mesh number `mesh`; returns a Status.
-EXPORT uint32_t open(uint32_t mesh, uint32_t bytes) {
+EXPORT uint32_t open_as_mesh(uint32_t mesh, uint32_t bytes) {
   return code(open_image(room_taken, bytes, meshes[mesh]));
 }
 EXPORT const void* origin(uint32_t mesh) {
@@ -152,35 +138,14 @@ EXPORT const void* measure(uint32_t a, uint32_t b) {
   }
   return &measured;
 }
-/// `length`: in the meshes' unit. True also if it is too long.
-EXPORT bool is_closer(uint32_t a, uint32_t b, double length) {
-  return closer_than(meshes[a], meshes[b], pose, live::fine_length_rounded_up(length, a)).yes;
-}
 
 /// Certifies the motion between the last two poses.
 EXPORT const void* certify(uint32_t a, uint32_t b) {
   const BodyMotion motion = BodyMotion::between(pose_before, pose);
   FirstContact query(meshes[a], meshes[b], motion);
   const FirstContactAnswer found = query.run(kMostWayWork);
-  way = {code(found.status), static_cast<uint32_t>(found.outcome), found.from, found.to};
+  way = {code(found.status), static_cast<uint32_t>(found.outcome), found.to};
   return &way;
 }
 
-/// The memory for a segment's ends, six words in cells of the mesh's frame; cast() then finds its
-/// first hit.
-EXPORT void* segment_words() {
-  return &segment;
-}
-EXPORT const void* cast(uint32_t mesh) {
-  const auto answer = nearest_hit(meshes[mesh], segment);
-  hit = {};
-  if (answer.status == Status::done && answer.yes) {
-    const SegmentShare along = answer.hit.along;
-    hit = {1, answer.hit.triangle, answer.hit.slot, answer.hit.side, distance_along(segment, along),
-           {}};
-    set_cells(point_along(segment, along), hit.point);
-  }
-  return &hit;
-}
-
-}  // namespace live
+}  // namespace page
