@@ -53,53 +53,45 @@ Fraction fraction_of(const mpq_class& value) {
   return {wide(value.get_num()), wide(value.get_den())};
 }
 
-/// Checks that the separation tests never separate nearer triangles.
-struct Separations {
+/// What pairs of triangles were so far, to check that each kind occurs.
+struct Seen {
+  std::set<FeatureKind> kinds;
   std::uint32_t directions = 0;
   std::uint32_t planes = 0;
   std::uint32_t pairs = 0;
-  long close = 0;            ///< cases less than 1/1,000 cell nearer
   std::uint32_t others = 0;  ///< separated by another pair's planes
+  long close = 0;            ///< cases less than 1/1,000 cell nearer
   Direction first;           ///< another pair's, like a query's
   SupportPlanes planes_before;
   mpq_class distance_before = 0;  ///< squared, of the planes' own pair
-
-  void check(const Triangle& a, const Triangle& b, const Features& features,
-             const mpq_class& truth) {
-    const mpz_class whole = truth.get_num() / truth.get_den();
-    const std::int64_t limit = whole.get_si();  // the truth is less than 1 above it
-    REQUIRE_FALSE(directions_separate(a, b, limit, first));
-    REQUIRE_FALSE(planes_separate(a, b, limit));
-    const std::int64_t less = limit - limit / 64 - 1;
-    directions += limit > 64 && directions_separate(a, b, less, first) ? 1 : 0;
-    planes += limit > 64 && planes_separate(a, b, less) ? 1 : 0;
-    if (planes_before.separates(a, b)) {
-      ++others;
-      REQUIRE(truth >= distance_before);
-    }
-    if (truth != 0) {
-      ++pairs;
-      const SupportPlanes own(a, b, features);
-      REQUIRE(own.separates(a, b));
-      // Not after B moves back along the direction, by any amount.
-      const PackedVector d = own.direction();
-      const auto back = [](std::int32_t along) {
-        return along > 4000 ? -1 : along < -4000 ? 1 : 0;
-      };
-      const Point step = {back(d.x()), back(d.y()), back(d.z)};
-      REQUIRE((step.x != 0 || step.y != 0 || step.z != 0));
-      REQUIRE_FALSE(own.separates(a, shifted(b, step)));
-      planes_before = own;
-      distance_before = truth;
-    }
-  }
 };
+
+/// Checks that the separation tests never separate nearer triangles.
+void check_separations(const Triangle& a, const Triangle& b, const Features& features,
+                       const mpq_class& truth, Seen& seen) {
+  const mpz_class whole = truth.get_num() / truth.get_den();
+  const std::int64_t limit = whole.get_si();  // the truth is less than 1 above it
+  REQUIRE_FALSE(directions_separate(a, b, limit, seen.first));
+  REQUIRE_FALSE(planes_separate(a, b, limit));
+  const std::int64_t less = limit - limit / 64 - 1;
+  seen.directions += limit > 64 && directions_separate(a, b, less, seen.first) ? 1 : 0;
+  seen.planes += limit > 64 && planes_separate(a, b, less) ? 1 : 0;
+  if (seen.planes_before.separates(a, b)) {
+    ++seen.others;
+    REQUIRE(truth >= seen.distance_before);
+  }
+  if (truth != 0) {
+    ++seen.pairs;
+    seen.planes_before = SupportPlanes(a, b, features);
+    seen.distance_before = truth;
+  }
+}
 
 /// Moves B `moves` times by whole cells, nearly normal to the direction: the planes must separate
 /// exactly if B gets no nearer. Returns how often B gets nearer by so little that high parts are
 /// equal.
 long check_planes(Random& random, const Triangle& a, const Triangle& b, const Features& features,
-                  const RationalVector& apart, bool is_far, int moves = 32) {
+                  const RationalVector& apart, bool is_far, int moves) {
   SupportPlanes own(a, b, features);
   if (is_far) {
     own.widen();
@@ -154,38 +146,41 @@ RationalVector check_places(const Triangle& a, const Triangle& b, const Features
   return apart;
 }
 
-void check(Random& random, const Triangle& a, const Triangle& b, std::set<FeatureKind>& seen,
-           Separations& separations, int moves = 32) {
+/// `is_far`: beyond the range of the tests that need kMaxApart.
+void check(Random& random, const Triangle& a, const Triangle& b, Seen& seen, bool is_far = false,
+           int moves = 32) {
   const mpq_class truth = Differences(a, b).squared_distance();
   Features features{};
-  const mpq_class found = squared_distance(a, b, features);
-  REQUIRE(found == truth);
-  REQUIRE((truth == 0) == (features.kind == FeatureKind::intersection));
-  if (squared_box_gap(a, b) == 0) {
-    REQUIRE(triangles_intersect(a, b) == (truth == 0));
-  }
-  REQUIRE(mpq_class(squared_box_gap(a, b)) <= truth);
-  seen.insert(features.kind);
-  separations.check(a, b, features, truth);
   Features other{};
+  REQUIRE(squared_distance(a, b, features) == truth);
   REQUIRE(squared_distance(b, a, other) == truth);
-
-  if (truth != 0) {
-    const RationalVector apart = check_places(a, b, features, truth);
-    REQUIRE(rational_of(squared_between(a, b, features)) == truth);
-    separations.close += check_planes(random, a, b, features, apart, false, moves);
-    // The exact distance, and its neighbour.
-    const Fraction exact = fraction_of(truth);
-    Fraction same = exact;
-    REQUIRE_FALSE(is_nearer(a, b, same, other));
-    const mpq_class above(truth.get_num() + 1, truth.get_den());
-    Fraction more = fraction_of(above);
-    REQUIRE(is_nearer(a, b, more, other));
-    REQUIRE(rational_of(more) == truth);
-  } else {
-    REQUIRE(is_within(a, b, {0, 1}));
+  REQUIRE((truth == 0) == (features.kind == FeatureKind::intersection));
+  seen.kinds.insert(features.kind);
+  if (!is_far) {
+    REQUIRE(mpq_class(squared_box_gap(a, b)) <= truth);
+    REQUIRE((squared_box_gap(a, b) != 0 || triangles_intersect(a, b) == (truth == 0)));
+    check_separations(a, b, features, truth, seen);
+    check_within(a, b, truth);
   }
-  check_within(a, b, truth);
+  if (truth == 0) {
+    REQUIRE(is_within(a, b, {0, 1}));
+    return;
+  }
+  const RationalVector apart = check_places(a, b, features, truth);
+  REQUIRE(rational_of(squared_between(a, b, features)) == truth);
+  seen.close += check_planes(random, a, b, features, apart, is_far, moves);
+  const Fraction exact = fraction_of(truth);
+  Fraction same = exact;
+  REQUIRE_FALSE(is_nearer(a, b, same, other));
+  Fraction more = fraction_of(mpq_class(truth.get_num() + 1, truth.get_den()));
+  REQUIRE((is_far || is_nearer(a, b, more, other)));
+  const mpz_class below = (truth.get_num() - 1) / truth.get_den();
+  REQUIRE(mpz_class(static_cast<long>(largest_below(exact, 0))) == below);
+  const mpz_class steps = sqrt(mpz_class(truth.get_num() * 65536 / truth.get_den()));
+  for (int beside = -1; beside <= 1 && steps > 0; ++beside) {
+    const mpz_class limit = (steps + beside) * (steps + beside);
+    REQUIRE(is_within(a, b, {limit.get_ui(), 65536}) == (mpq_class(limit, 65536) >= truth));
+  }
 }
 
 /// Makes a pair degenerate: flat in some way, or with shared parts.
@@ -230,8 +225,7 @@ void adapt(Random& random, unsigned kind, Triangle& a, Triangle& b) {
 }  // namespace
 
 TEST_CASE("distances of triangles are those of exact rationals") {
-  std::set<FeatureKind> seen;
-  Separations separations;
+  Seen seen;
   const std::int32_t reaches[] = {1, 3, 30, 1000, 4000, 16000, 30000};
   const std::int32_t offsets[] = {0, 2, 50, 1500, 8000, 30000, 60000};
   const auto tries = rounds(800u, 4000u);
@@ -242,14 +236,14 @@ TEST_CASE("distances of triangles are those of exact rationals") {
     Triangle b = any_triangle(random, reach);
     adapt(random, random.below(12), a, b);
     b = shifted(b, any_point(random, offset));
-    check(random, a, b, seen, separations);
+    check(random, a, b, seen);
   });
-  CHECK(seen.size() == 7);
-  CHECK(separations.directions > tries / 8);
-  CHECK(separations.planes > tries / 25);
-  CHECK(separations.pairs > tries / 8);
-  CHECK(separations.others > tries / 160);
-  CHECK(separations.close > tries / 200);
+  CHECK(seen.kinds.size() == 7);
+  CHECK(seen.directions > tries / 8);
+  CHECK(seen.planes > tries / 25);
+  CHECK(seen.pairs > tries / 8);
+  CHECK(seen.others > tries / 160);
+  CHECK(seen.close > tries / 200);
 }
 
 TEST_CASE("pairs of triangles of two unit cubes, which share an edge, a corner or nothing") {
@@ -263,23 +257,21 @@ TEST_CASE("pairs of triangles of two unit cubes, which share an edge, a corner o
       all.push_back({{{0, 0, 0}, p, q}});
     }
   }
-  std::set<FeatureKind> seen;
-  Separations separations;
+  Seen seen;
   for (const Triangle& a : all) {
     for (const Triangle& b : all) {
       for (std::int32_t z = 0; z < 3; ++z) {
-        check(random, a, shifted(b, {1, 1, z}), seen, separations, 1);
+        check(random, a, shifted(b, {1, 1, z}), seen, false, 1);
       }
     }
   }
-  CHECK(seen.size() >= 4);
-  CHECK(separations.pairs > all.size() * all.size());  // all with z = 2 are apart, and others
+  CHECK(seen.kinds.size() >= 4);
+  CHECK(seen.pairs > all.size() * all.size());  // all with z = 2 are apart, and others
 }
 
 TEST_CASE("distances at the ends of their range") {
   Random random = test_random();
-  std::set<FeatureKind> seen;
-  Separations separations;
+  Seen seen;
   constexpr std::int32_t m = 28377;
   constexpr std::int32_t far = 48000 + m;
   const Triangle a = {{{-16383, -16383, -16383}, {16383, -16383, -16383}, {-16383, 16383, -16383}}};
@@ -287,16 +279,15 @@ TEST_CASE("distances at the ends of their range") {
     const std::int32_t x = (signs & 1) != 0 ? far : -far;
     const std::int32_t y = (signs & 2) != 0 ? far : -far;
     const std::int32_t z = (signs & 4) != 0 ? far : -far;
-    check(random, a, {{{x, y, z}, {x - 2 * m, y, z}, {x, y - 2 * m, z}}}, seen, separations);
-    check(random, a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen, separations);
-    check(random, a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen, separations);
+    check(random, a, {{{x, y, z}, {x - 2 * m, y, z}, {x, y - 2 * m, z}}}, seen);
+    check(random, a, {{{x, y, z}, {x, y, z}, {-x, -y, -z}}}, seen);
+    check(random, a, {{{x, y, z}, {x, y, -z}, {-x, y, z}}}, seen);
   }
-  CHECK(seen.size() >= 3);
+  CHECK(seen.kinds.size() >= 3);
 }
 
 TEST_CASE("distances of meshes' triangles are exact up to kMaxFarApart") {
-  std::set<FeatureKind> seen;
-  long close = 0;
+  Seen seen;
   for_rounds(rounds(300u, 3000u), [&](Random& random, std::uint32_t round) {
     const std::int32_t reaches[] = {2, 40, 1000, 9000, 16383};
     constexpr std::int32_t most = 1 << 20;
@@ -320,29 +311,10 @@ TEST_CASE("distances of meshes' triangles are exact up to kMaxFarApart") {
       }
       by = {by.x >> 16, by.y >> 16, most};
     }
-    b = shifted(b, by);
-    const mpq_class truth = Differences(a, b).squared_distance();
-    Features features{};
-    REQUIRE(squared_distance(a, b, features) == truth);
-    seen.insert(features.kind);
-    REQUIRE(rational_of(squared_between(a, b, features)) == truth);
-    Features other{};
-    REQUIRE(squared_distance(b, a, other) == truth);
-    const RationalVector apart = check_places(a, b, features, truth);
-    close += check_planes(random, a, b, features, apart, true);
-    const Fraction exact = fraction_of(truth);
-    Fraction same = exact;
-    REQUIRE_FALSE(is_nearer(a, b, same, other));
-    const mpz_class below = (truth.get_num() - 1) / truth.get_den();
-    REQUIRE(mpz_class(static_cast<long>(largest_below(exact, 0))) == below);
-    const mpz_class steps = sqrt(mpz_class(truth.get_num() * 65536 / truth.get_den()));
-    for (int beside = -1; beside <= 1; ++beside) {
-      const mpz_class limit = (steps + beside) * (steps + beside);
-      REQUIRE(is_within(a, b, {limit.get_ui(), 65536}) == (mpq_class(limit, 65536) >= truth));
-    }
+    check(random, a, shifted(b, by), seen, true);
   });
-  CHECK(seen.size() > 3);
-  CHECK(close > 0);
+  CHECK(seen.kinds.size() > 3);
+  CHECK(seen.close > 0);
 }
 
 TEST_CASE("fractions are compared exactly, however near they are") {
