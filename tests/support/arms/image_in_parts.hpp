@@ -31,9 +31,8 @@ struct Parts {
         meshes(reinterpret_cast<unsigned char*>(words.data()) +
                detail::robot_meshes_offset(header)) {}
 
-  /// The header of the first mesh; repair_mesh() repairs its checksum.
+  /// The header of the first mesh.
   ImageHeader& mesh() const { return *reinterpret_cast<ImageHeader*>(meshes); }
-  void repair_mesh() const { repair_crc(meshes, mesh().byte_count); }
 
   RobotImageHeader& header;
   RobotJoint* joints;
