@@ -316,10 +316,6 @@ class Finder {
 
 }  // namespace
 
-std::string zone_text(const Model& model, const JointZone& zone) {
-  return radius_text(model, zone.shape.radius, zone.joint);
-}
-
 std::string radius_text(const Model& model, double radius, std::size_t joint) {
   return concat(significant(radius, 4), " m about ", model.joints[joint].name);
 }

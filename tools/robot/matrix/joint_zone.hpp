@@ -38,7 +38,6 @@ struct JointZone {
 };
 
 /// "0.126 m about elbow".
-std::string zone_text(const Model& model, const JointZone& zone);
 std::string radius_text(const Model& model, double radius, std::size_t joint);
 
 /// The joint between two neighbours, if it is the only one.

@@ -202,7 +202,8 @@ struct Matrix {
     }
     pair.zone = static_cast<std::size_t>(zone - zones.data());
     decide_outside(*zone, own, pair);
-    pair.reason = concat("outside ", zone_text(model, *zone), ": ", pair.reason);
+    pair.reason =
+        concat("outside ", radius_text(model, zone->shape.radius, zone->joint), ": ", pair.reason);
     return pair;
   }
 

@@ -141,19 +141,17 @@ std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs
   return joined(pairs, [&](const UnguardedPair& pair) { return name_of(model, pair); });
 }
 
-std::vector<std::string> unguarded_warnings(const Model& model,
-                                            const std::vector<UnguardedPair>& pairs) {
-  std::vector<std::string> warnings;
+void warn_of_unguarded(const Model& model, const std::vector<UnguardedPair>& pairs,
+                       const std::string& path, Warnings& warnings) {
   for (const Why& why : kWhys) {
     std::vector<UnguardedPair> named;
     std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(named),
                  [&](const UnguardedPair& pair) { return pair.why == why.why; });
     if (!named.empty()) {
-      warnings.push_back(concat("not guarded: ", names_of(model, named), " (", why.meaning,
+      warnings.add(path, concat("not guarded: ", names_of(model, named), " (", why.meaning,
                                 "): a collision of these is never detected; ", why.advice));
     }
   }
-  return warnings;
 }
 
 }  // namespace flashbvh::tool

@@ -37,9 +37,9 @@ UnguardedPair unguarded_pair(const RobotUnguarded& fixed, double cell, bool is_n
 /// zone is followed by "(never outside zone)" if that is proven.
 std::string names_of(const Model& model, const std::vector<UnguardedPair>& pairs);
 
-/// For users: each reason with all its pairs by name, its meaning and a remedy.
-std::vector<std::string> unguarded_warnings(const Model& model,
-                                            const std::vector<UnguardedPair>& pairs);
+/// Warns of each reason with all its pairs by name, its meaning and a remedy.
+void warn_of_unguarded(const Model& model, const std::vector<UnguardedPair>& pairs,
+                       const std::string& path, Warnings& warnings);
 
 /// "elbow 1.2, wrist 0": the values at a pair's witness, of the joints between its links.
 std::string witness_text(const Model& model, const PairVerdict& pair);

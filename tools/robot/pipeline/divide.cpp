@@ -58,7 +58,8 @@ Divided divide(Prepared prepared, Decided decided, const RobotRequest& request) 
   for (std::size_t i = 0; i < parts.size(); ++i) {
     PairVerdict& pair = robot.pairs[i];
     for (ZoneParts& part : parts[i]) {
-      const std::string where = zone_text(robot.model, robot.zones[*pair.zone]);
+      const JointZone& zone = robot.zones[*pair.zone];
+      const std::string where = radius_text(robot.model, zone.shape.radius, zone.joint);
       const std::size_t a = add_part(pair.a, std::move(part.a), where, request, robot);
       pair.bodies.emplace_back(a, add_part(pair.b, std::move(part.b), where, request, robot));
     }

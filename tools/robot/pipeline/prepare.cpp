@@ -1,6 +1,5 @@
 #include "robot/pipeline/prepare.hpp"
 
-#include "image/fine_length.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/matrix/unguarded.hpp"
 #include "robot/read/urdf.hpp"
@@ -28,20 +27,14 @@ std::vector<BakedPart> bake_wholes(const Prepared& robot, const RobotRequest& re
 }
 
 /// UserError, at the option that gives it, if a distance is too large for firmware.
-void check_range(double distance, const std::string& place, double cell) {
-  const double most = kMaxGuardDistance * cell / kFineOne;
-  if (fine_length_rounded_up(distance, cell).count > kMaxGuardDistance) {
-    throw UserError(place, "is out of range: 0 to ", significant(most, 6),
-                    " m, 32,767 cells; lengths are in metres: ", shortest(distance), " mm is ",
-                    shortest(distance / 1000));
-  }
-}
-
 void check_ranges(const AllDistances& distances, const RobotRequest& request, double cell) {
-  check_range(distances.usual.stop, "--stop " + request.stop, cell);
-  check_range(distances.usual.warn, "--warn " + request.warn.value_or(request.stop), cell);
+  const auto check = [&](double distance, const std::string& place) {
+    check_length(distance, kMaxGuardDistance, place, cell);
+  };
+  check(distances.usual.stop, "--stop " + request.stop);
+  check(distances.usual.warn, "--warn " + request.warn.value_or(request.stop));
   for (std::size_t i = 0; i < distances.own.size(); ++i) {
-    check_range(distances.own[i].warn, "--pair " + request.pairs[i], cell);
+    check(distances.own[i].warn, "--pair " + request.pairs[i]);
   }
 }
 

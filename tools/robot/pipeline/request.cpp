@@ -38,39 +38,41 @@ std::size_t link_of(const Model& model, const std::string& place, const std::str
   return link;
 }
 
+/// The texts before and after the first `mark`; none if one of them is empty.
+std::optional<std::pair<std::string, std::string>> halves(const std::string& text, char mark) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos || at == 0 || at + 1 == text.size()) {
+    return std::nullopt;
+  }
+  return std::pair(text.substr(0, at), text.substr(at + 1));
+}
+
 /// LINK,LINK=STOP[,WARN]
 GuardedPair own_distances(const Model& model, const std::string& given) {
   const std::string place = "--pair " + given;
-  const std::size_t comma = given.find(',');
-  const std::size_t equals = given.find('=');
-  if (comma == std::string::npos || equals == std::string::npos || comma > equals) {
+  const auto sides = halves(given, '=');
+  if (!sides) {
     throw UserError(place, "is no LINK,LINK=STOP[,WARN]; give two links and their distances");
   }
-  const std::string lengths = given.substr(equals + 1);
-  const std::size_t split = lengths.find(',');
-  const std::string stop = lengths.substr(0, split);
-  const std::string warn = split == std::string::npos ? stop : lengths.substr(split + 1);
-  const Distances distances = {metres_in(place, stop), metres_in(place, warn)};
-  if (distances.warn < distances.stop) {
+  const auto [a, b] = links_of(model, place, sides->first);
+  const auto both = halves(sides->second, ',');
+  const double stop = metres_in(place, both ? both->first : sides->second);
+  const double warn = both ? metres_in(place, both->second) : stop;
+  if (warn < stop) {
     throw UserError(place, "warns nearer than it stops; warn from further off");
   }
-  const auto [a, b] = links_of(model, place, given.substr(0, equals));
-  return {a, b, distances.stop, distances.warn};
-}
-
-/// UserError if firmware cannot hold the radius.
-double zone_radius(const std::string& place, const std::string& text, double cell) {
-  constexpr std::uint32_t kMostRadius = UINT32_MAX / kFineOne;
-  const double radius = metres_in(place, text);
-  if (fine_length_rounded_up(radius, cell).count == UINT32_MAX) {
-    throw UserError(place, "is out of range: 0 to ", significant(kMostRadius * cell, 6), " m, ",
-                    kMostRadius, " cells; lengths are in metres: ", shortest(radius), " mm is ",
-                    shortest(radius / 1000));
-  }
-  return radius;
+  return {a, b, stop, warn};
 }
 
 }  // namespace
+
+void check_length(double length, std::uint32_t most, const std::string& place, double cell) {
+  if (fine_length_rounded_up(length, cell).count > most) {
+    throw UserError(place, "is out of range: 0 to ", significant(most * cell / kFineOne, 6), " m, ",
+                    most / kFineOne, " cells; lengths are in metres: ", shortest(length), " mm is ",
+                    shortest(length / 1000));
+  }
+}
 
 double seconds(const std::string& text) {
   const std::optional<double> time = parse_number(text);
@@ -103,14 +105,14 @@ double simplify_length(const RobotRequest& request) {
 Packages packages_of(const std::vector<std::string>& given) {
   Packages packages;
   for (const std::string& option : given) {
-    const std::size_t equals = option.find('=');
-    const std::string name = option.substr(0, equals);
-    if (equals == std::string::npos || name.empty() || equals + 1 == option.size()) {
+    const auto named = halves(option, '=');
+    if (!named) {
       throw UserError("--package " + option,
                       "is no NAME=DIR; give a package's name and its folder");
     }
-    if (!packages.emplace(name, option.substr(equals + 1)).second) {
-      throw UserError("--package " + option, "is a second folder of ", name, "; give it one");
+    if (!packages.insert(*named).second) {
+      throw UserError("--package " + option, "is a second folder of ", named->first,
+                      "; give it one");
     }
   }
   return packages;
@@ -128,13 +130,11 @@ Distances usual_distances(const RobotRequest& request) {
 
 std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::string& place,
                                              const std::string& names) {
-  const std::size_t comma = names.find(',');
-  if (comma == std::string::npos) {
+  const auto both = halves(names, ',');
+  if (!both) {
     throw UserError(place, "does not name LINK,LINK; give two links");
   }
-  const std::pair<std::size_t, std::size_t> links = {
-      link_of(model, place, names.substr(0, comma)),
-      link_of(model, place, names.substr(comma + 1))};
+  const std::pair links(link_of(model, place, both->first), link_of(model, place, both->second));
   if (links.first == links.second) {
     throw UserError(place, "names one link twice; give two");
   }
@@ -169,11 +169,11 @@ ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, 
   ZoneRadii radii;
   for (const std::string& option : given) {
     const std::string place = "--zone " + option;
-    const std::size_t equals = option.find('=');
-    if (equals == std::string::npos || equals == 0) {
+    const auto sides = halves(option, '=');
+    if (!sides) {
       throw UserError(place, "is no JOINT=LENGTH; give a joint and the zone's radius, in metres");
     }
-    const std::string name = option.substr(0, equals);
+    const std::string& name = sides->first;
     const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
                                     [&](const ModelJoint& of) { return of.name == name; });
     const auto number = static_cast<std::size_t>(joint - model.joints.begin());
@@ -181,7 +181,9 @@ ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, 
       throw UserError(place, "names '", name,
                       "', which is no moving joint between two links that collide");
     }
-    if (!radii.emplace(number, zone_radius(place, option.substr(equals + 1), cell)).second) {
+    const double radius = metres_in(place, sides->second);
+    check_length(radius, UINT32_MAX - 1, place, cell);
+    if (!radii.emplace(number, radius).second) {
       throw UserError(place, "is a second zone of ", name, "; give it one");
     }
   }

@@ -54,6 +54,8 @@ double least_stop(const AllDistances& distances);
 
 /// The files of the robot, the SRDF and the meshes, sorted: no output may replace them.
 std::vector<std::string> files_read(const RobotRequest& request, const Model& model);
+/// UserError, at `place`, if the length is more than `most` in 1/256 cell.
+void check_length(double length, std::uint32_t most, const std::string& place, double cell);
 /// A number above 0.
 double seconds(const std::string& text);
 std::optional<double> given_cell(const RobotRequest& request);

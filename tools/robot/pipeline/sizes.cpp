@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "bake/length.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/numbers.hpp"
@@ -16,15 +15,17 @@ namespace {
 constexpr double kFewCellsOfLink = 20;
 
 /// The size in the link's own frame.
-Size size_in_link(const Model& model, const ModelLink& link, bake::SourceMesh mesh) {
+Size size_in_link(const Model& model, const ModelLink& link, std::vector<Vector3> vertices) {
   const auto mount = std::find_if(model.mounts.begin(), model.mounts.end(),
                                   [&](const ModelMount& of) { return of.name == link.name; });
   if (mount != model.mounts.end()) {
     const Transform to_link = inverse(mount->transform);
-    for (Vector3& vertex : mesh.vertices) {
+    for (Vector3& vertex : vertices) {
       vertex = placed(to_link, vertex);
     }
   }
+  bake::SourceMesh mesh;
+  mesh.vertices = std::move(vertices);
   return bake::extent_of(mesh).size();
 }
 
@@ -33,8 +34,8 @@ double longest_joint(const Model& model) {
   double most = 0;
   for (const ModelJoint& joint : model.joints) {
     const Vector3& t = joint.fixed.translation;
-    most = std::max({most, bake::length(t[0], t[1], t[2]),
-                     joint.type == JointType::prismatic ? joint.upper - joint.lower : 0});
+    most = std::max(
+        {most, length_of(t), joint.type == JointType::prismatic ? joint.upper - joint.lower : 0});
   }
   return most;
 }
@@ -102,7 +103,7 @@ void warn_of_cell(const Prepared& robot, double stop, const RobotRequest& reques
 std::vector<Size> link_sizes(const Model& model) {
   std::vector<Size> sizes;
   for (const ModelLink& link : model.links) {
-    sizes.push_back(size_in_link(model, link, link.mesh));
+    sizes.push_back(size_in_link(model, link, link.mesh.vertices));
   }
   return sizes;
 }
@@ -110,14 +111,11 @@ std::vector<Size> link_sizes(const Model& model) {
 std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell) {
   std::vector<Size> sizes;
   for (const ModelLink& link : model.links) {
-    const Mesh& mesh = meshes[sizes.size()];
-    bake::SourceMesh source;
-    for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-      const Vertex& at = mesh.vertices[i];
-      source.vertices.push_back({(mesh.origin[0] + at.x) * cell, (mesh.origin[1] + at.y) * cell,
-                                 (mesh.origin[2] + at.z) * cell});
+    std::vector<Vector3> vertices = vertices_of(meshes[sizes.size()]);
+    for (Vector3& vertex : vertices) {
+      vertex = {vertex[0] * cell, vertex[1] * cell, vertex[2] * cell};
     }
-    sizes.push_back(size_in_link(model, link, std::move(source)));
+    sizes.push_back(size_in_link(model, link, std::move(vertices)));
   }
   return sizes;
 }

@@ -25,47 +25,38 @@ void warn_of_near(const Divided& robot, const AllDistances& distances, const Rob
     if (!pair.is_stopped && !pair.is_warned) {
       continue;
     }
-    const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
+    const bool is_own = find_pair(distances.own, pair.a, pair.b) != nullptr;
     const auto [stop, warn] = distances_of(distances, pair);
-    const std::string names =
-        concat(robot.model.links[pair.a].name, ",", robot.model.links[pair.b].name);
-    const std::string links =
-        concat("links '", robot.model.links[pair.a].name, "' and '", robot.model.links[pair.b].name,
-               "'", pair.zone ? " outside their joint's zone" : "",
-               " are nowhere found farther apart than the ", pair.is_stopped ? "stop" : "warn",
-               " distance, ", shortest(pair.is_stopped ? stop : warn), " m",
-               pair.is_stopped && robot.options.early > 0
-                   ? concat(" and ", significant(robot.options.early * robot.cell, 3),
-                            " m that simplified links may stop earlier")
-                   : "",
-               ", so ");
-    if (!pair.is_stopped && own == nullptr) {
-      warnings.add(request.urdf,
-                   concat(links, "they are not warned of; --pair ", names, "=STOP,WARN warns"));
+    const double distance = pair.is_stopped ? stop : warn;
+    const char* const word = pair.is_stopped ? "stop" : "warn";
+    const std::string& a = robot.model.links[pair.a].name;
+    const std::string& b = robot.model.links[pair.b].name;
+    const std::string early = significant(robot.options.early * robot.cell, 3);
+    const std::string near = concat(
+        "links '", a, "' and '", b, "'", pair.zone ? " outside their joint's zone" : "",
+        " are nowhere found farther apart than the ", word, " distance, ", shortest(distance), " m",
+        pair.is_stopped && robot.options.early > 0
+            ? concat(" and ", early, " m that simplified links may stop earlier")
+            : "");
+    if (!pair.is_stopped && !is_own) {
+      warnings.add(request.urdf, concat(near, ", so they are not warned of; --pair ", a, ",", b,
+                                        "=STOP,WARN warns"));
       continue;
     }
-    const char* const word = pair.is_stopped ? "stop" : "warn";
-    warnings.add(
-        request.urdf,
-        concat(links, "a guard would ", pair.is_stopped ? "always say stop; " : "never say free; ",
-               pair.zone ? "give the joint a larger --zone, or " : "",
-               (pair.is_stopped ? stop : warn) != 0 ? concat("lower it (--", word, ", --pair), or ")
-               : own != nullptr                     ? "leave out its --pair, or "
-                                                    : "",
-               "disable the pair in an SRDF",
-               pair.verdict == MatrixVerdict::never ? ""
-                                                    : concat(" and name it by --believe ", names)));
+    std::string remedies = pair.zone ? "give the joint a larger --zone, or " : "";
+    remedies += distance != 0 ? concat("lower it (--", word, ", --pair), or ")
+                : is_own      ? "leave out its --pair, or "
+                              : "";
+    remedies += "disable the pair in an SRDF";
+    remedies +=
+        pair.verdict != MatrixVerdict::never ? concat(" and name it by --believe ", a, ",", b) : "";
+    warnings.add(request.urdf,
+                 concat(near, ", so a guard would ",
+                        pair.is_stopped ? "always say stop; " : "never say free; ", remedies));
   }
 }
 
 }  // namespace
-
-void warn_of_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded,
-                       const std::string& path, Warnings& warnings) {
-  for (const std::string& warning : unguarded_warnings(model, unguarded)) {
-    warnings.add(path, warning);
-  }
-}
 
 void warn_of_guard(const Divided& robot, const AllDistances& distances, const RobotRequest& request,
                    Warnings& warnings) {
@@ -76,13 +67,11 @@ void warn_of_guard(const Divided& robot, const AllDistances& distances, const Ro
 
 void warn_of_late_zones(const Model& model, const Decided& decided, const std::string& path,
                         const std::string& then, Warnings& warnings) {
-  std::string joints;
-  for (const std::size_t joint : decided.late_joints) {
-    joints += concat(joints.empty() ? "" : ", ", model.joints[joint].name);
-  }
-  if (!joints.empty()) {
-    warnings.add(path, concat("no time was left to find a zone about ", joints,
-                              ": links that touch there are ", then, "; give more --time"));
+  const auto name = [&](std::size_t joint) { return model.joints[joint].name; };
+  if (!decided.late_joints.empty()) {
+    warnings.add(path,
+                 concat("no time was left to find a zone about ", joined(decided.late_joints, name),
+                        ": links that touch there are ", then, "; give more --time"));
   }
 }
 

@@ -8,12 +8,8 @@
 
 namespace flashbvh::tool {
 
-/// Warns of pairs that no guard tests.
-void warn_of_unguarded(const Model& model, const std::vector<UnguardedPair>& unguarded,
-                       const std::string& path, Warnings& warnings);
-
-/// As above; also of pairs with their own distances that no joint moves, and of pairs for which a
-/// guard would report one verdict in all configurations.
+/// Warns of pairs that no guard tests, of pairs with their own distances that no joint moves, and
+/// of pairs for which a guard would report one verdict in all configurations.
 void warn_of_guard(const Divided& robot, const AllDistances& distances, const RobotRequest& request,
                    Warnings& warnings);
 
