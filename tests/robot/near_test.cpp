@@ -95,12 +95,11 @@ class Scene {
   }
 
   /// Whether a pair is within a distance, in 1/256 cell, as the guard places it.
-  bool is_within(std::uint32_t pair, const Moment& moment, std::uint32_t limit) const {
+  bool is_within(const RobotPair& of, const Moment& moment, std::uint32_t limit) const {
     PlacedLinks links(robot(), coordinates_of(robot(), moment.values));
     if (obstacle_ != kMaxLinks) {
       links.frames.back() = moment.obstacle;
     }
-    const RobotPair& of = robot().pairs[pair];
     return closer_than(robot().meshes[of.a], robot().meshes[of.b], links.pose(of.a, of.b),
                        {std::min(limit, kMaxGuardDistance)})
         .yes;
@@ -110,7 +109,7 @@ class Scene {
     bool are = true;
     for (std::uint32_t i = 0; are && i < robot().pair_count; ++i) {
       const bool is_ignored = !is_always_near_.empty() && is_always_near_[i];
-      are = !is_within(i, moment, robot().pairs[i].stop + (is_ignored ? 0 : excess));
+      are = !is_within(robot().pairs[i], moment, robot().pairs[i].stop + (is_ignored ? 0 : excess));
     }
     return are;
   }
@@ -204,7 +203,8 @@ class Scene {
     for (int i = 0; i < kTries; ++i) {
       const Moment moment = any();
       for (std::uint32_t j = 0; j < robot().pair_count; ++j) {
-        near[j] += is_within(j, moment, robot().pairs[j].stop + fine(kFarthest)) ? 1 : 0;
+        const RobotPair& pair = robot().pairs[j];
+        near[j] += is_within(pair, moment, pair.stop + fine(kFarthest)) ? 1 : 0;
       }
     }
     for (const int count : near) {
@@ -276,15 +276,12 @@ class Guarded {
   }
 
   bool is_sound(const Moment& before, const Moment& now, const GuardAnswer& answer) const {
-    bool is = answer.status == Status::done &&
-              (answer.distance < 2 || !scene_.is_within(answer.pair, now, answer.distance - 1));
-    const Robot& robot = scene_.robot();
-    for (std::uint32_t i = 0; answer.verdict <= Verdict::warn && i < robot.pair_count; ++i) {
-      const RobotPair& pair = robot.pairs[i];
-      const std::uint32_t limit = answer.verdict == Verdict::free ? pair.warn : pair.stop;
-      is = is && !scene_.is_within(i, before, limit) && !scene_.is_within(i, now, limit);
-    }
-    return is;
+    const auto holds_at = [&](const Moment& moment) {
+      return holds(scene_.robot(), answer, [&](const RobotPair& pair, std::uint32_t limit) {
+        return scene_.is_within(pair, moment, limit);
+      });
+    };
+    return holds_at(before) && holds_at(now);
   }
 
   void count_stop(const std::vector<Moment>& move, std::size_t at) {

@@ -95,19 +95,14 @@ double distance_of(const FixedArm& arm, const Gantry& gantry, const RobotPair& p
 /// Whether the truth contradicts a verdict of the period.
 bool is_contradicted(const FixedArm& arm, const Gantry& gantry, const GuardAnswer& answer,
                      const Period& period, Random& random) {
-  for (int moment = 0; moment < 6; ++moment) {
+  bool is = false;
+  for (int moment = 0; !is && moment < 6; ++moment) {
     const Values values = period.at(moment, random);
-    for (std::uint16_t i = 0; i < arm.robot().pair_count; ++i) {
-      const RobotPair& pair = arm.robot().pairs[i];
-      const double apart = distance_of(arm, gantry, pair, values);
-      if ((answer.verdict == Verdict::free && apart <= pair.warn) ||
-          (answer.verdict == Verdict::warn && apart <= pair.stop) ||
-          (i == answer.pair && apart < answer.distance)) {
-        return true;
-      }
-    }
+    is = !holds(arm.robot(), answer, [&](const RobotPair& pair, std::uint32_t limit) {
+      return distance_of(arm, gantry, pair, values) <= limit;
+    });
   }
-  return false;
+  return is;
 }
 
 /// Whether the spheres alone prove the pair free, beyond the distance of any query.

@@ -12,21 +12,15 @@ namespace {
 /// Whether brute force contradicts a promise of the answer.
 bool is_contradicted(const CrowdedCell& cell, const GuardAnswer& answer, const Period& period,
                      Random& random) {
-  if (answer.verdict > Verdict::warn) {
-    return false;
-  }
-  for (int moment = 0; moment < 4; ++moment) {
+  bool is = false;
+  for (int moment = 0; !is && moment < 4; ++moment) {
     const double part = moment == 0 ? 0 : moment == 1 ? 1 : real_between(random, 0, 1);
     const Values values = period.at(moment, random);
-    for (std::uint32_t i = 0; i < cell.robot().pair_count; ++i) {
-      const RobotPair& pair = cell.robot().pairs[i];
-      const std::uint32_t kept = answer.verdict == Verdict::free ? pair.warn : pair.stop;
-      if (kept > kPlacingFine && cell.is_closer(pair, values, part, kept - kPlacingFine)) {
-        return true;
-      }
-    }
+    is = !holds(cell.robot(), answer, [&](const RobotPair& pair, std::uint32_t limit) {
+      return limit > kPlacingFine && cell.is_closer(pair, values, part, limit - kPlacingFine);
+    });
   }
-  return false;
+  return is;
 }
 
 }  // namespace

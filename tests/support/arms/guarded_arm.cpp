@@ -156,14 +156,10 @@ const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const Guar
   }
   for (int moment = 0; moment < 4; ++moment) {
     const Values values = period.at(moment, random);
-    if (drawn.is_closer(reported, values, answer.distance)) {
-      return "nearer than the reported distance";
-    }
-    for (std::uint32_t i = 0; is_apart && i < robot.pair_count; ++i) {
-      const RobotPair& pair = robot.pairs[i];
-      if (drawn.is_closer(pair, values, answer.verdict == Verdict::free ? pair.warn : pair.stop)) {
-        return "nearer than the verdict has it";
-      }
+    if (!holds(robot, answer, [&](const RobotPair& pair, std::uint32_t limit) {
+          return drawn.is_closer(pair, values, limit);
+        })) {
+      return "nearer than the verdict or the distance has it";
     }
   }
   return nullptr;

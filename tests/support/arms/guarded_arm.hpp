@@ -74,6 +74,19 @@ inline bool are_same(const GuardAnswer& u, const GuardAnswer& v) {
 GuardAnswer prime_apart(Random& random, const FixedArm& arm, Guard& guard, int tries,
                         Values& values);
 
+/// Whether the answer's promises hold at one moment. `is_within(pair, limit)`: whether a pair is
+/// nearer than a limit, in 1/256 cell.
+template <class IsWithin>
+bool holds(const Robot& robot, const GuardAnswer& answer, const IsWithin& is_within) {
+  bool is = answer.status == Status::done &&
+            (answer.distance < 2 || !is_within(robot.pairs[answer.pair], answer.distance - 1));
+  for (std::uint32_t i = 0; is && answer.verdict <= Verdict::warn && i < robot.pair_count; ++i) {
+    const RobotPair& pair = robot.pairs[i];
+    is = !is_within(pair, answer.verdict == Verdict::free ? pair.warn : pair.stop);
+  }
+  return is;
+}
+
 /// The promise of the answer that brute force contradicts; nullptr if there is none.
 const char* contradiction(const FixedArm& arm, const DrawnArm& drawn, const GuardAnswer& answer,
                           const Period& period, bool is_unlimited, Random& random);
