@@ -1,6 +1,6 @@
 """Inputs of the tests: fixtures, poses, meshes in OBJ and robots."""
+import os
 import random
-import re
 import shutil
 from math import sqrt
 from pathlib import Path
@@ -29,57 +29,6 @@ def images():
     flashbvh("bake meshes/ring.stl -o wide --cell 0.01 --index-bits 32")
     flashbvh("bake meshes/ring.stl -o coarser --cell 0.02")
     write("home", f"{HOME} 0 0 0")
-
-
-OPTIONS = "--srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01"
-
-
-# A base, a shoulder turned by -y with a mesh, a slide, and two fingers, one of which mimics the other, on a link
-# without geometry.
-@fixture
-def two_fingers():
-    meshes()
-    limit = '<limit lower="-1" upper="1.5" effort="1" velocity="1"/>'
-    write("arm.urdf", f"""
-        <robot name="two fingers">
-        <link name="base"><collision><geometry><box size="0.2 0.2 0.1"/></geometry></collision></link>
-        <link name="upper-arm"><collision><geometry>
-          <mesh filename="package://parts/ring.stl" scale="0.01 0.01 0.01"/></geometry></collision></link>
-        <link name="class"><collision><origin rpy="0 1 0"/><geometry>
-          <cylinder radius="0.02" length="0.3"/></geometry></collision></link>
-        <link name="hand"></link>
-        <link name="finger.l"><collision><geometry><box size="0.01 0.02 0.05"/></geometry></collision></link>
-        <link name="finger.r"><collision><geometry><sphere radius="0.02"/></geometry></collision></link>
-        <joint name="turn" type="revolute"><parent link="base"/><child link="upper-arm"/>
-          <origin xyz="0 0 0.4"/><axis xyz="0 -1 0"/>{limit}</joint>
-        <joint name="slide" type="prismatic"><parent link="upper-arm"/><child link="class"/>
-          <axis xyz="0 0 1"/>{limit}</joint>
-        <joint name="wrist" type="continuous"><parent link="class"/><child link="hand"/><axis xyz="0 0 1"/></joint>
-        <joint name="left" type="revolute"><parent link="hand"/><child link="finger.l"/>
-          <origin xyz="0 0.05 0"/>{limit}</joint>
-        <joint name="right" type="revolute"><parent link="hand"/><child link="finger.r"/>
-          <origin xyz="0 -0.05 0"/>{limit}<mimic joint="left" multiplier="-0.5"/></joint>
-        </robot>""")
-    write("arm.srdf", """
-        <robot name="two fingers"><disable_collisions link1="base" link2="class" reason="Never"/></robot>""")
-    Path("parts").mkdir()
-    shutil.copy("meshes/ring.stl", "parts")
-    write("json", flashbvh(f"robot arm.urdf -o first {OPTIONS} --json --report page.html"))
-    flashbvh(f"robot arm.urdf -o image {OPTIONS} --format image")
-    # Used like in firmware.
-    write("bytes.cpp", """
-        #include "two_fingers.robot.h"
-        #include <cstdio>
-        #include "flashbvh/robot/guard.hpp"
-        #include "flashbvh/robot/motion.hpp"
-        int main() {
-          using GuardState = flashbvh::GuardStateOf<two_fingers_JOINT_COUNT, two_fingers_PAIR_COUNT,
-                                                    two_fingers_PAIR_JOINT_COUNT>;
-          using MotionState = flashbvh::MotionStateOf<two_fingers_VARIABLE_COUNT, two_fingers_JOINT_COUNT>;
-          std::printf("%zu %zu", sizeof(GuardState), sizeof(MotionState));
-        }""")
-    compiled("-std=c++17", "-Ifirst", "bytes.cpp", "-o", "bytes")
-    write("bytes_of_ram", run("./bytes"))
 
 
 def rotation(w, x, y, z):
@@ -136,11 +85,11 @@ def box(x=0, y=0, z=0, size=1, first=0, inwards=False):
 
 
 # Parts of URDFs: links with one or several collision primitives, and joints.
-def shape(geometry, place=""):
-    return f'<collision><origin xyz="{place or "0 0 0"}"/><geometry>{geometry}</geometry></collision>'
+def shape(geometry, place="0 0 0", rpy="0 0 0"):
+    return f'<collision><origin xyz="{place}" rpy="{rpy}"/><geometry>{geometry}</geometry></collision>'
 
 
-def box_of(sides, place=""):
+def box_of(sides, place="0 0 0"):
     return shape(f'<box size="{sides}"/>', place)
 
 
@@ -162,3 +111,44 @@ def robot(name, *parts):
 def disables(a, b):
     """An SRDF element that disables a pair."""
     return f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>'
+
+
+RING = shape('<mesh filename="package://parts/ring.stl" scale="0.01 0.01 0.01"/>')
+OPTIONS = "--srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01"
+
+
+# A base, a shoulder turned by -y with a mesh, a slide, and two fingers, one of which mimics the other, on a link
+# without geometry.
+@fixture
+def two_fingers():
+    meshes()
+    limits = (-1, 1.5)
+    robot("two fingers", link("base", box_of("0.2 0.2 0.1")), link("upper-arm", RING),
+          link("class", shape('<cylinder radius="0.02" length="0.3"/>', rpy="0 1 0")), link("hand"),
+          link("finger.l", box_of("0.01 0.02 0.05")), link("finger.r", shape('<sphere radius="0.02"/>')),
+          joint("turn", "revolute", "base", "upper-arm", '<origin xyz="0 0 0.4"/><axis xyz="0 -1 0"/>', limits),
+          joint("slide", "prismatic", "upper-arm", "class", '<axis xyz="0 0 1"/>', limits),
+          joint("wrist", "continuous", "class", "hand", '<axis xyz="0 0 1"/>'),
+          joint("left", "revolute", "hand", "finger.l", '<origin xyz="0 0.05 0"/>', limits),
+          joint("right", "revolute", "hand", "finger.r",
+                '<origin xyz="0 -0.05 0"/><mimic joint="left" multiplier="-0.5"/>', limits))
+    os.rename("two fingers.urdf", "arm.urdf")
+    write("arm.srdf", f'<robot name="two fingers">{disables("base", "class")}</robot>')
+    Path("parts").mkdir()
+    shutil.copy("meshes/ring.stl", "parts")
+    write("json", flashbvh(f"robot arm.urdf -o first {OPTIONS} --json --report page.html"))
+    flashbvh(f"robot arm.urdf -o image {OPTIONS} --format image")
+    # Used like in firmware.
+    write("bytes.cpp", """
+        #include "two_fingers.robot.h"
+        #include <cstdio>
+        #include "flashbvh/robot/guard.hpp"
+        #include "flashbvh/robot/motion.hpp"
+        int main() {
+          using GuardState = flashbvh::GuardStateOf<two_fingers_JOINT_COUNT, two_fingers_PAIR_COUNT,
+                                                    two_fingers_PAIR_JOINT_COUNT>;
+          using MotionState = flashbvh::MotionStateOf<two_fingers_VARIABLE_COUNT, two_fingers_JOINT_COUNT>;
+          std::printf("%zu %zu", sizeof(GuardState), sizeof(MotionState));
+        }""")
+    compiled("-std=c++17", "-Ifirst", "bytes.cpp", "-o", "bytes")
+    write("bytes_of_ram", run("./bytes"))

@@ -190,3 +190,9 @@ class OddMeshesTest(Case):
         if shutil.which("script"):
             said = run("script", "-qec", f"'{FLASHBVH}' bake box.obj -o bar --cell 1", "/dev/null")
             self.assertNotIn("%", said)
+
+    def test_one_triangle_is_a_tree_so_is_one_that_rounding_makes_a_point(self):
+        write("point.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3")
+        flashbvh("bake point.obj -o point --cell 1").err.contains("without area once rounded: 1 triangle (0); kept")
+        flashbvh("check point/point.fbvh --mesh point.obj")
+        flashbvh("bake point.obj -o point")

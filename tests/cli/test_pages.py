@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 from cli import Case, flashbvh, HERE, page_data, ROOT, run, text, TOOLS, write
-from inputs import box_of, joint, link, meshes, robot
+from inputs import box_of, images, joint, link, meshes, robot
 
 ARM = ROOT / "firmware_examples/robot_guard/cell_arm/cell_arm.urdf"
 

@@ -12,11 +12,9 @@ from inputs import box_of, joint, link, OPTIONS, robot, two_fingers
 
 @fixture
 def one_box():
-    write("box.urdf", """
-        <robot name="class"><link name="only"><collision><geometry><box size="1 1 1"/></geometry></collision></link>
-        <link name="lid"><collision><origin xyz="0 0 2"/><geometry><box size="1 1 1"/></geometry></collision></link>
-        <joint name="turn" type="continuous"><parent link="only"/><child link="lid"/><axis xyz="0 0 1"/></joint>
-        </robot>""")
+    robot("class", link("only", box_of("1 1 1")), link("lid", box_of("1 1 1", "0 0 2")),
+          joint("turn", "continuous", "only", "lid", '<axis xyz="0 0 1"/>'))
+    os.rename("class.urdf", "box.urdf")
 
 
 class RobotTest(Case):

@@ -1,4 +1,5 @@
-"""Formats read by assimp: nodes' transforms and units apply, and float coordinates are reported."""
+"""Meshes in formats other than STL: placements and units apply, and float coordinates are reported. What readers read and
+refuse: tests/mesh."""
 import base64
 import os
 import shutil
@@ -7,30 +8,8 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-from cli import Case, fixture, flashbvh, refuse, refuse_each, text, write
-from inputs import meshes, vertices
-
-
-# Collada: a triangle in millimetres; the result is in metres, turned by its nodes, not by its up axis.
-@fixture
-def collada():
-    write("arm.dae", """
-        <?xml version="1.0"?>
-        <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-        <asset><unit meter="0.001" name="millimeter"/><up_axis>Z_UP</up_axis></asset>
-        <library_geometries><geometry id="g" name="g"><mesh>
-        <source id="p"><float_array id="a" count="9">0 0 0 2 0 0 0 4 8</float_array><technique_common>
-        <accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
-        <param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-        <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
-        </mesh></geometry></library_geometries>
-        <library_visual_scenes><visual_scene id="s"><node id="upper" name="upper arm">
-        <translate>100 0 0</translate><rotate>0 0 1 90</rotate><instance_geometry url="#g"/>
-        <node id="lower" name="lower"><scale>2 2 2</scale><instance_geometry url="#g"/></node>
-        </node></visual_scene></library_visual_scenes>
-        <scene><instance_visual_scene url="#s"/></scene>
-        </COLLADA>""")
+from cli import Case, fixture, flashbvh, refuse, refuse_each, same, text, write
+from inputs import box, meshes, vertices
 
 
 @fixture
@@ -74,17 +53,24 @@ def lattice(mesh, cell):
     return vertices("lattice.obj")
 
 
-class ScenesTest(Case):
-    def test_collada_is_placed_by_its_nodes(self):
-        collada()
-        wanted = [(100, 0, 0), (100, 2, 0), (96, 0, 8), (100, 4, 0), (92, 0, 16)]
-        self.assertEqual(lattice("arm.dae", 0.001), wanted)
-        write("x_up.dae", text("arm.dae").replace("Z_UP", "X_UP"))
-        self.assertEqual(lattice("x_up.dae", 0.001), wanted)
-        flashbvh("bake arm.dae -o mm --cell 1 --unit mm --unit arm.dae=m --format image")
-        flashbvh("check mm/arm.fbvh --mesh arm.dae --unit mm --unit arm.dae=m")
-        Path("cut.dae").write_text(text("arm.dae")[:700])
-        refuse("bake cut.dae -o out", "cut.dae:10: is no XML")
+class FormatsTest(Case):
+    # Groups, materials, normals, colours and comments beside the mesh.
+    def test_an_obj_and_a_ply_of_a_box_are_one_mesh(self):
+        lines = box(size=2).splitlines()
+        corners, sides = [line[2:] for line in lines[:8]], [line[2:] for line in lines[8:]]
+        write("box.obj", "\n".join([
+            "# a box", "mtllib missing.mtl", "o first", *(f"v {corner}" for corner in corners[:6]),
+            f"v {corners[6]} 1.0", f"v {corners[7]} 0.5 0.5 0.5", "vn 0 0 1", "usemtl red", f"f {sides[0]}", "g one",
+            "f " + " ".join(f"{corner}//1" for corner in sides[1].split()), "o second",
+            *(f"  f {side}" for side in sides[2:])]))
+        write("box.ply", "\n".join([
+            "ply", "format ascii 1.0", "comment a box", "element vertex 8", "property float x", "property float y",
+            "property float z", "element face 6", "property list uchar int vertex_indices", "end_header", *corners,
+            *("4 " + " ".join(str(int(corner) - 1) for corner in side.split()) for side in sides)]))
+        flashbvh("bake box.obj -o obj --cell 0.25 --format image")
+        flashbvh("bake box.ply -o ply --cell 0.25 --format image")
+        same("obj", "ply")
+        flashbvh("check obj/box.fbvh --mesh box.ply").contains("12 triangles")
 
     # A triangle (0 0 0), (1 0 0), (0 1 0), a million away.
     def test_gltf_is_read_as_floats_which_is_said_where_they_are_coarser_than_half_a_cell(self):
@@ -150,19 +136,6 @@ class ScenesTest(Case):
         out = flashbvh("bake part.gltf b.obj -o both")
         out.err.contains("part.gltf: warning: carries the unit m, other files none; give the unit of the results, "
                          "such as --unit mm")
-
-    # Files on which assimp crashes or reads out of bounds: refused in one line. Limits: tests/mesh/limited_test.cpp.
-    def test_damaged_collada(self):
-        collada()
-        for old, new, wanted in (
-                ('count="9"', 'count="#"', "its reader crashed"),
-                ('stride="3"', 'stride="2147483647"', "its reader crashed"),
-                ('offset="0"', 'offset="99999999999"', "")):
-            with self.subTest(old):
-                self.assertIn(old, text("arm.dae"))
-                write("bad.dae", text("arm.dae").replace(old, new))
-                out = refuse("bake bad.dae -o out", f"bad.dae: can't be read: {wanted}")
-                out.err.contains("; export the mesh again")
 
     def test_damaged_3mf_a_checksum_in_its_local_header_and_in_the_directory_the_end_a_part_that_is_not_there(self):
         parts()
