@@ -183,16 +183,6 @@ class GuardTest(Case):
             "and 0.1 m; in millimetres? give metres: 0.002")
         out.matches("^ *2  *4  refused  *-")
 
-    def test_a_column_of_times_one_that_mimics_tabs(self):
-        rows = [line.split(", ") for line in text("free.csv").splitlines()]
-        timed = [["time", *rows[0][0].split(","), "other"],
-                 *([f"{i / 100:g}", *row, f"{-float(row[2]):g}"] for i, row in enumerate(rows[1:], 2))]
-        write("timed.csv", "\n".join("\t".join(row) for row in timed))
-        out = flashbvh("guard image/arm.robot timed.csv --json")
-        self.assertEqual(out.err, "")
-        self.assertEqual(out.each("time"), [i / 100 for i in range(2, len(out.lines) + 2)])
-        self.assertEqual(flashbvh("guard image/arm.robot free.csv --json"), re.sub('"time":[^,]*,', "", out))
-
     def test_stretches_from_and_to_a_line_and_its_time_printed_in_json_on_the_page(self):
         csv = text("folded.csv").splitlines()
         write("timed.csv", "\n".join([f"secs,{csv[0]}", *(f"{i / 8:g},{row}" for i, row in enumerate(csv[1:]))]))

@@ -1,6 +1,6 @@
 """info, check and export agree with the bake."""
 from cli import Case, fixture, flashbvh, search, size, text, write
-from inputs import any_poses, edit_vertices, faces, meshes, vertices
+from inputs import faces, meshes, vertices
 
 
 @fixture
@@ -16,21 +16,6 @@ def few():
         f 5 4 2""")
     write("table", flashbvh("bake mesh.obj -o baked --cell 0.5 --leaf-size 1"))
     flashbvh("export --cells baked/mesh.fbvh -o lattice.obj")
-    edit_vertices("lattice.obj", "distant.obj", lambda x, y, z: (int(x) + 30000, int(y) - 2000000, int(z) + 7))
-    flashbvh("bake distant.obj -o distant --cell 1")
-    flashbvh("export --cells distant/distant.fbvh -o distant_lattice.obj")
-
-
-def transformed_right(image, lattice, cell, slack, poses):
-    """Whether each exported vertex lies where the pose puts it, rounded, within `slack`, for each pose."""
-    before = vertices(lattice)
-    for pose in poses.splitlines():
-        flashbvh(f"export --cells {image} -o rotated.obj --pose", pose)
-        p = list(map(float, pose.split()))
-        for point, vertex in zip(vertices("rotated.obj"), before, strict=True):
-            for i in range(3):
-                off = sum(p[3 * i + j] * vertex[j] for j in range(3)) + p[9 + i] / cell - point[i]
-                assert abs(off) <= 0.5 + slack, f"misplaced by {off}: {vertex} at {pose}"
 
 
 class RoundTripTest(Case):
@@ -57,15 +42,6 @@ class RoundTripTest(Case):
         self.assertEqual([(x - 3, y + 2, z - 200) for x, y, z in vertices("translated.obj")], found)
         flashbvh('export --cells baked/mesh.fbvh -o rotated.obj --pose "0 -1 0 1 0 0 0 0 1 1.25 -1.25 100"')
         self.assertEqual([(y + 2, 3 - x, z - 200) for x, y, z in vertices("rotated.obj")], found)
-
-    # Within 1/100 cell, and the error of 22 bits of a rotation at that distance.
-    def test_rotated_any_way_near_or_a_kilometre_off_coordinates_are_the_poses(self):
-        for image, lattice, cell, slack, reach in (
-                ("baked/mesh.fbvh", "lattice.obj", 0.5, 0.01, 30),
-                ("baked/mesh.fbvh", "lattice.obj", 0.5, 0.01, 1e6),
-                ("distant/distant.fbvh", "distant_lattice.obj", 1, 1, 100)):
-            with self.subTest((image, reach)):
-                transformed_right(image, lattice, cell, slack, any_poses(20, 3, reach))
 
     def test_the_exported_mesh_bakes_to_itself(self):
         flashbvh("bake lattice.obj -o again --cell 1")

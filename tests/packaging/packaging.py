@@ -21,6 +21,16 @@ log = ""
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
         ("assimp", "CLI11", "nlohmann_json", "Catch2", "urdfdom")]
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
+# Macros of Arduino, Windows, newlib, POSIX, CMSIS, vendors' kits and compilers for 8 and 16 bits, some with what no code
+# compiles with.
+FUNCTION_MACROS = """abs barrier bit bitRead byte clamp close constrain connect container_of degrees index interrupts likely
+lowByte max min radians read round send sq swap unlikely word write BIT F MAX MIN""".split()
+MACROS = {name: "@" for name in "eeprom hyper interrupt persistent ram I".split()} | {
+    name: "" for name in "far near huge cdecl pascal IN OPTIONAL OUT".split()} | {
+    name: "1" for name in """linux unix A0 A1 B0 B1 CHANGE DEFAULT DELETE DISABLE DONE ENABLE ERROR EULER EXTERNAL FALSE HIGH
+INPUT INTERNAL LOW OPAQUE OUTPUT PI RELATIVE RESET SET SUCCESS TRUE""".split()} | {
+    "interface": "struct", "noinline": "__attribute__((noinline))", "rom": "const", "small": "char", "CONST": "const",
+    "VOID": "void"}
 # Flags of a machine that reach firmware by a target alone, like Zephyr's.
 MACHINE = "-mcpu=cortex-m4;-mthumb;-mfloat-abi=hard;-mfpu=fpv4-sp-d16"
 
@@ -74,6 +84,16 @@ def bakes(folder, baked, why):
 def answers(*programs):
     for program in programs:
         hold(run(f"./{program}"), f"wrong answers: {program}")
+
+
+def after_macros(*headers):
+    """A source that includes the standard's headers, as those macros' headers do, then defines the macros, then includes
+    these."""
+    standard = [f"#include <{name}.h>" for name in "ctype math stddef stdint stdlib string".split()]
+    return "\n".join([*standard, "#ifdef __cplusplus", "#include <new>", "#endif",
+                      *(f"#define {name}(...) @" for name in FUNCTION_MACROS),
+                      *(f"#define {name} {value}" for name, value in MACROS.items()),
+                      *(f"#include <{header}>" for header in headers), ""])
 
 
 def version():
@@ -164,11 +184,9 @@ def two_files():
     hold(re.fullmatch(re.escape((arm / "expected.txt").read_text()).replace(r"\#", r"\d*"), log), "the guard's answers")
     Path("c.c").write_text('#include "flashbvh.h"\nint main(void) { return FLASHBVH_STATUS_DONE; }\n')
     hold(run("cc", "-std=c99", "-pedantic", *warnings, "-Itwo", "-c", "c.c"), "C99")
-    # After Arduino.h, whose macros take these names; an older C++ is reported.
-    macros = [f"#define {name}(...) +\n" for name in "min max abs round radians degrees sq bit word constrain F".split()]
-    macros += [f"#define {name} +\n" for name in "PI B0 B1 A0 A1 HIGH LOW INPUT OUTPUT CHANGE DEFAULT EULER".split()]
-    Path("sketch.cpp").write_text("#include <stdlib.h>\n" + "".join(macros) + "#include <flashbvh.h>\n#include <flashbvh_robot.hpp>\n")
-    hold(run(*cxx, "-fsyntax-only", "sketch.cpp"), "Arduino's macros")
+    # After other vendors' macros; an older C++ is reported.
+    Path("sketch.cpp").write_text(after_macros("flashbvh.h", "flashbvh_robot.hpp"))
+    hold(run(*cxx, "-fsyntax-only", "sketch.cpp"), "macros")
     hold(not run(*cxx, "-std=c++14", "-fsyntax-only", "sketch.cpp") and "flashbvh is C++17: set" in log, "C++14")
 
 
@@ -242,10 +260,10 @@ def warnings():
     headers = sorted(str(header.relative_to(lib / "include")) for header in lib.glob("include/flashbvh/**/*.h*")
                      if "detail" not in header.parts)
     for suffix, found in (".cpp", headers), (".c", [name for name in headers if name.endswith(".h")]):
-        Path("all" + suffix).write_text('#include "vendor_macros.h"\n' + "".join(f'#include "{h}"\n' for h in found))
+        Path("all" + suffix).write_text(after_macros(*found))
     sources = [source for source in lib.glob("src/*/*.cpp")]
     hold(len(headers) > 40 and len(sources) > 60, "few files")
-    strictly = ["-std=c++17", "-fno-exceptions", "-fno-rtti", "-fsyntax-only", "-I", lib / "include", "-I", HERE,
+    strictly = ["-std=c++17", "-fno-exceptions", "-fno-rtti", "-fsyntax-only", "-I", lib / "include",
                 *("-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wundef -Wold-style-cast"
                   " -Wdouble-promotion -Weffc++ -Werror").split()]
     arm = "arm-none-eabi-g++", "-mthumb"
@@ -253,7 +271,7 @@ def warnings():
                      [*arm, "-mcpu=cortex-m4", "-mfloat-abi=hard"], [*arm, "-mcpu=cortex-m55", "-mfloat-abi=hard"]):
         if shutil.which(compiler[0]):
             hold(run(*compiler, *strictly, "all.cpp", *sources), f"warnings: {' '.join(compiler)}")
-    hold(run("gcc", "-std=c99", "-fsyntax-only", "-I", lib / "include", "-I", HERE, "-Wall", "-Wextra", "-Wpedantic",
+    hold(run("gcc", "-std=c99", "-fsyntax-only", "-I", lib / "include", "-Wall", "-Wextra", "-Wpedantic",
              "-Wconversion", "-Wsign-conversion", "-Wundef", "-Werror", "all.c"), "C")
 
 
