@@ -159,7 +159,7 @@ class AuditTest(Case):
         self.assertEqual(out.json["refuted"], 1)
         self.assertTrue(0.1 < out.json["lines"][0]["witness"]["lift"] <= 1)
         self.assertEqual(out.json["lines"][0]["triangles"][0]["source"], "meshes/many_triangles.stl")
-        refusal = "large.urdf, link 'base': 66000 triangles, but 16-bit indices reach 65535; with --simplify 0.001 "
+        refusal = "large.urdf, link 'base': 66000 triangles, but 16-bit indices reach 65535; use --simplify"
         # Refused before any decision, or the message would be the SRDF's.
         refuse("robot large.urdf -o out --srdf large.srdf", refusal)
         refuse("guard large.urdf at.csv", refusal)

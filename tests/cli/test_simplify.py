@@ -1,6 +1,6 @@
 """Simplified meshes and robots: within the requested length, or as near as fits the requested bytes."""
-from cli import Case, flashbvh, long, refuse, refuse_each, same, search, text, write
-from inputs import large_meshes, meshes, OPTIONS, two_fingers
+from cli import Case, flashbvh, refuse, refuse_each, same, search, text, write
+from inputs import meshes, OPTIONS, two_fingers
 
 
 class SimplifyTest(Case):
@@ -69,25 +69,6 @@ class SimplifyTest(Case):
             "--simplify 0.1 --deformable": "--deformable: keeps the file's vertices",
             "--simplify 0.01 --cell 0.1": "--simplify 0.01: is less than rounding moves a vertex of meshes/ring.stl",
         })
-
-    def test_a_mesh_of_more_triangles_than_16_bit_indices_reach_is_refused_with_a_length_that_makes_it_fit(self):
-        large_meshes()
-        out = refuse("bake meshes/many_triangles.stl -o out",
-                     "66000 triangles, but 16-bit indices reach 65535; with --simplify")
-        length = search("--simplify ([^ ]*) [0-9]* of them are left, in [0-9]* bytes", out.err)
-        left = search(" ([0-9]*) of them are left", out.err)
-        size = search("left, in ([0-9]*) bytes", out.err)
-        out = flashbvh(f"bake meshes/many_triangles.stl -o out --simplify {length} --json")
-        self.assertTrue(out.json["meshes"][0]["triangles"] == int(left) < 20000)
-        self.assertEqual(out.json["meshes"][0]["flash_bytes"], (int(size) + len("many_triangles") + 3) // 4 * 4)
-
-    @long
-    def test_a_mesh_that_no_such_length_makes_fit_is_refused_without_a_size(self):
-        write("loose.obj", "".join(f"v {x} {y} 0\nv {x + 1} {y} 0\nv {x} {y + 1} 0\nf -3 -2 -1\n"
-                                   for x in range(0, 1500, 5) for y in range(0, 1100, 5)))
-        refuse("bake loose.obj -o out",
-               "66000 triangles, but 16-bit indices reach 65535; not even --simplify 5 makes it fit: cut "
-               "it in parts; or use --index-bits 32")
 
     def test_a_robots_links_are_simplified_for_firmware_alone_verdicts_witnesses_and_zones_stay(self):
         two_fingers()

@@ -17,7 +17,7 @@ struct Recipe {
 };
 
 template <class Index, Layout layout>
-BakedImage baked(const char* mesh_name, const bake::LatticeMesh& mesh, const Recipe& recipe) {
+BakedImage baked_image(const char* mesh_name, const bake::LatticeMesh& mesh, const Recipe& recipe) {
   const bool median = recipe.builder == Builder::median;
   bake::BuildTree tree =
       median ? bake::build_median(mesh, recipe.leaf_size) : bake::build_sah(mesh, recipe.leaf_size);
@@ -29,7 +29,12 @@ BakedImage baked(const char* mesh_name, const bake::LatticeMesh& mesh, const Rec
                            std::to_string(8 * sizeof(Index)) + (median ? "-median-" : "-sah-") +
                            std::to_string(recipe.leaf_size) + "-" + std::to_string(recipe.arity) +
                            (recipe.levels ? "-levels" : "");
-  return {name, bake::image_of(bake::lay_out<Index, layout>(tree, mesh), recipe.levels)};
+  auto baked = bake::lay_out<Index, layout>(tree, mesh);
+  if (mesh_name == std::string("ring")) {
+    baked.unit = Unit::mm;
+    baked.name = mesh_name;
+  }
+  return {name, bake::image_of(baked, recipe.levels)};
 }
 
 /// A ring off its frame's origin, so that a rotation has to include the origin.
@@ -38,8 +43,6 @@ bake::LatticeMesh ring() {
   mesh.origin = {40, -25, 7};
   mesh.cell = 0.125;
   mesh.deviation = 0.0625;
-  mesh.unit = Unit::mm;
-  mesh.name = "ring";
   return mesh;
 }
 
@@ -65,13 +68,13 @@ std::vector<BakedImage> bake_golden_images() {
   constexpr Layout pre = Layout::pre_indexed;
   constexpr Layout post = Layout::post_indexed;
   return {
-      baked<Narrow, post>("ring", ring(), {Builder::sah, 1, 4}),  // bake's defaults
-      baked<Narrow, post>("knot", knot(), {Builder::median, 4, 2, true}),
-      baked<Narrow, post>("lone", lone(), {Builder::sah, 1, 4}),
-      baked<Narrow, pre>("ring", ring(), {Builder::median, 1, 2}),
-      baked<Narrow, pre>("knot", knot(), {Builder::sah, 4, 8}),
-      baked<Wide, post>("knot", knot(), {Builder::sah, 1, 8}),
-      baked<Wide, pre>("knot", knot(), {Builder::median, 4, 4}),
+      baked_image<Narrow, post>("ring", ring(), {Builder::sah, 1, 4}),  // bake's defaults
+      baked_image<Narrow, post>("knot", knot(), {Builder::median, 4, 2, true}),
+      baked_image<Narrow, post>("lone", lone(), {Builder::sah, 1, 4}),
+      baked_image<Narrow, pre>("ring", ring(), {Builder::median, 1, 2}),
+      baked_image<Narrow, pre>("knot", knot(), {Builder::sah, 4, 8}),
+      baked_image<Wide, post>("knot", knot(), {Builder::sah, 1, 8}),
+      baked_image<Wide, pre>("knot", knot(), {Builder::median, 4, 4}),
   };
 }
 

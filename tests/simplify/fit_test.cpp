@@ -67,23 +67,6 @@ TEST_CASE("meshes become as much coarser as it takes, and no more") {
   }
 }
 
-TEST_CASE("where a guess begins does not matter: far too coarse or far too fine") {
-  const Meshes meshes;
-  std::vector<double> lengths;
-  for (const double scale : {0.1, 1.0, 10.0}) {
-    CAPTURE(scale);
-    std::vector<Coarsening> all = meshes.all();
-    const auto scaled = [&](const std::vector<Coarsening>& coarse, std::uint32_t leaf_size) {
-      return scale * bytes_of(coarse, leaf_size);
-    };
-    const auto found = simplify::fit(all, 0.3 * scaled(all, 5), 20, {5}, scaled);
-    REQUIRE(found);
-    lengths.push_back(found->length);
-  }
-  CHECK(*std::max_element(lengths.begin(), lengths.end()) <=
-        1.25 * *std::min_element(lengths.begin(), lengths.end()));
-}
-
 TEST_CASE("a little longer a length is worth smaller leaves, much longer is not") {
   const Meshes meshes;
   for (const double large : {23.0, 12.0}) {

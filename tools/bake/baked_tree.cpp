@@ -165,8 +165,6 @@ BakedTree<Index, layout> lay_out(const BuildTree& tree, const LatticeMesh& mesh)
   baked.shell_vertices = narrowed<Index>(surface.shell_vertices);
   baked.longest_edge = surface.longest_edge;
   baked.is_closed = surface.is_closed;
-  baked.unit = mesh.unit;
-  baked.name = mesh.name.substr(0, kMaxNameSize);
   baked.build_nodes = std::move(order.build_nodes);
   return baked;
 }

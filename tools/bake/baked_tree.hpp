@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "bake/build_tree.hpp"
@@ -10,6 +11,9 @@
 #include "flashbvh/traversal/levels.hpp"
 
 namespace flashbvh::bake {
+
+/// The longest name of a mesh in an image, in bytes.
+constexpr std::size_t kMaxNameSize = 255;
 
 /// The arrays of BasicMeshWithLevels<Index, layout>, and what is known about them.
 template <class IndexType, Layout layout>
@@ -37,7 +41,7 @@ struct BakedTree {
   std::uint16_t longest_edge = 0;
   bool is_closed = false;
   Unit unit = Unit::none;
-  std::string name;
+  std::string name;  ///< at most kMaxNameSize bytes
 
   /// [array position]: the node of the BuildTree. Not written to any file.
   std::vector<std::uint32_t> build_nodes;

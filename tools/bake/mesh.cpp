@@ -32,7 +32,7 @@ SourceMesh part_of(const SourceMesh& mesh, const std::vector<std::uint32_t>& num
 }
 
 LatticeMesh part_of(const LatticeMesh& mesh, const std::vector<std::uint32_t>& numbers) {
-  LatticeMesh part = {mesh.cell, mesh.origin, {}, {}, mesh.deviation, mesh.unit, mesh.name};
+  LatticeMesh part = {mesh.cell, mesh.origin, {}, {}, mesh.deviation};
   add_part(mesh, numbers, part);
   return part;
 }

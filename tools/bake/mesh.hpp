@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "flashbvh/lattice.hpp"
@@ -21,9 +20,6 @@ struct SourceMesh {
 
 void append(const SourceMesh& more, SourceMesh& mesh);
 
-/// The longest name of a mesh in an image, in bytes.
-constexpr std::size_t kMaxNameSize = 255;
-
 /// A rounded mesh: vertex i lies at (origin + vertices[i]) * cell.
 struct LatticeMesh {
   double cell = 1;                         ///< in the mesh's unit
@@ -31,8 +27,6 @@ struct LatticeMesh {
   std::vector<Vertex> vertices;            ///< joined by position
   std::vector<TriangleCorners> triangles;  ///< in the source's order
   double deviation = 0;  ///< largest distance of a point from its source, in the mesh's unit
-  Unit unit = Unit::none;
-  std::string name;  ///< without folder and extension; at most kMaxNameSize bytes are kept
 };
 
 /// The mesh in its unit and frame.

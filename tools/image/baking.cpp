@@ -14,36 +14,22 @@ namespace {
 
 constexpr std::size_t kMost16 = bake::IndexLimits<std::uint16_t>::kMost;
 
-/// UserError if the mesh or its tree exceeds 16-bit indices.
-void check_16_bits(const InputMesh& input, const bake::LatticeMesh& mesh,
-                   const bake::BuildTree& tree, const TriangleIds& kept, bool offers_wide) {
-  const auto check = [&](std::size_t count, const char* what, std::size_t limit, const char* fix) {
-    if (count > limit) {
-      throw UserError(input.path, count, " ", what, ", but 16-bit indices reach ", limit, "; use ",
-                      fix);
-    }
-  };
-  const char* const fewer = offers_wide ? "--simplify, or --index-bits 32" : "--simplify";
-  const char* const larger = offers_wide ? "a larger --leaf-size, --simplify, or --index-bits 32"
-                                         : "a larger --leaf-size or --simplify";
-  check(mesh.triangles.size(), "triangles", kMost16, fewer);
-  check(mesh.vertices.size(), "vertices", kMost16, fewer);
-  check(tree.nodes.size(), "nodes", kMost16, larger);
-  const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
-                                    [](const bake::BuildNode& node) { return node.is_leaf(); });
-  check(static_cast<std::size_t>(leaves), "leaves", bake::IndexLimits<std::uint16_t>::kMostLeaves,
-        larger);
-  if (kept.back() > kMost16) {
-    throw UserError(input.path, "triangle ", kept.back(), " is kept, but 16-bit indices reach ",
-                    kMost16, "; use --index-bits 32");
+/// UserError if 16-bit indices do not reach so many. `fix` comes before others.
+void check_16_bits(const InputMesh& input, std::size_t count, const char* what, std::size_t most,
+                   const char* fix = "") {
+  if (count > most) {
+    throw UserError(input.path, count, " ", what, ", but 16-bit indices reach ", most, "; use ",
+                    fix, "--simplify, or --index-bits 32 of `flashbvh bake`");
   }
 }
 
-/// About a 500th of the mesh, to one digit: hardly visible, and makes a large mesh small.
-double offered_length(const InputMesh& input) {
-  const double length = input.finest_cell * 128;
-  const double power = std::pow(10, std::floor(std::log10(length)));
-  return std::floor(length / power) * power;
+void check_tree(const InputMesh& input, const bake::BuildTree& tree) {
+  constexpr const char* kFix = "a larger --leaf-size, ";
+  check_16_bits(input, tree.nodes.size(), "nodes", kMost16, kFix);
+  const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                                    [](const bake::BuildNode& node) { return node.is_leaf(); });
+  check_16_bits(input, static_cast<std::size_t>(leaves), "leaves",
+                bake::IndexLimits<std::uint16_t>::kMostLeaves, kFix);
 }
 
 /// Gives the triangles their numbers in the file.
@@ -72,13 +58,18 @@ BakeOptions without_limit(BakeOptions options) {
 AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
                         const BakeOptions& options) {
   const bake::LatticeMesh& lattice = rounded.lattice;
-  bake::BuildTree tree = options.builder == Builder::median
-                             ? bake::build_median(lattice, options.leaf_size)
-                             : bake::build_sah(lattice, options.leaf_size);
-  tree = bake::collapse(tree, options.arity);
   const bool narrow = options.index_width == IndexWidth::bits_16;
   if (narrow) {
-    check_16_bits(input, lattice, tree, rounded.kept, options.offers_wide_indices);
+    check_16_bits(input, lattice.triangles.size(), "triangles", kMost16);
+    check_16_bits(input, lattice.vertices.size(), "vertices", kMost16);
+    check_16_bits(input, rounded.kept.back(), "is the number of a triangle", kMost16);
+  }
+  const bake::BuildTree tree = bake::collapse(options.builder == Builder::median
+                                                  ? bake::build_median(lattice, options.leaf_size)
+                                                  : bake::build_sah(lattice, options.leaf_size),
+                                              options.arity);
+  if (narrow) {
+    check_tree(input, tree);
   }
   AnyBakedTree baked = narrow ? lay_out<std::uint16_t>(tree, lattice, options.layout)
                               : lay_out<std::uint32_t>(tree, lattice, options.layout);
@@ -86,28 +77,8 @@ AnyBakedTree build_tree(const InputMesh& input, const RoundedMesh& rounded,
   return baked;
 }
 
-std::string offer_of(const InputMesh& input, const BakeOptions& options, double length) {
-  const double cell = options.cell.value_or(input.finest_cell);
-  simplify::Coarsening coarsening(input.mesh, cell);
-  coarsening.coarsen(std::max(length, coarsening.rounding()));
-  BakeOptions own = options;
-  own.cell = cell;
-  const double bytes = coarse_bytes(input, coarsening, own, "");
-  if (!std::isfinite(bytes)) {
-    return concat("not even --simplify ", shortest(length), " makes it fit: cut it in parts");
-  }
-  return concat("with --simplify ", shortest(length), " ", coarsening.triangle_count(),
-                " of them are left, in ", fixed(bytes, 0), " bytes");
-}
-
 BakedMesh bake(const InputMesh& input, const BakeOptions& options) {
   RoundedMesh rounded = round_mesh(input, options);
-  const std::size_t count = rounded.lattice.triangles.size();
-  if (options.index_width == IndexWidth::bits_16 && count > kMost16) {
-    throw UserError(input.path, count, " triangles, but 16-bit indices reach ", kMost16, "; ",
-                    offer_of(input, options, offered_length(input)),
-                    options.offers_wide_indices ? "; or use --index-bits 32" : "");
-  }
   return {build_tree(input, rounded, options), std::move(rounded.defects), rounded.dropped};
 }
 

@@ -32,10 +32,6 @@ BakedMesh bake(const InputMesh& input, const BakeOptions& options);
 BakedMesh bake(const InputMesh& input, const BakeOptions& options,
                const simplify::Coarsening& coarse);
 
-/// For messages: the result of simplifying to `length`, "with --simplify 0.1 1200 of them are left,
-/// in 31000 bytes", or that it does not fit.
-std::string offer_of(const InputMesh& input, const BakeOptions& options, double length);
-
 /// The image's size in bytes for such a mesh of this name; infinite if it can't be baked. Does not
 /// certify its deviation.
 double coarse_bytes(const InputMesh& input, const simplify::Coarsening& coarse,

@@ -38,52 +38,34 @@ void check_deviation(const InputMesh& input, const RoundedMesh& rounded,
                       : "; the mesh is too large for so fine a cell: cut it in parts");
 }
 
-/// Triangles by their vertices, and their edges and corners, as edges without length.
-class Covered {
- public:
-  void add(const bake::TriangleCorners& corners) {
-    triangles_.insert(sorted(corners));
-    for (const std::uint32_t from : corners) {
-      for (const std::uint32_t to : corners) {
-        edges_.insert({from, to});
-      }
-    }
-  }
-
-  bool has(const bake::TriangleCorners& corners) const {
-    return triangles_.count(sorted(corners)) != 0;
-  }
-  /// True for a triangle without area if two of its edges are there: they contain the third.
-  bool has_line(const bake::TriangleCorners& corners) const {
-    const auto& [p, q, r] = corners;
-    return edges_.count({p, q}) + edges_.count({q, r}) + edges_.count({r, p}) >= 2;
-  }
-
- private:
-  static bake::TriangleCorners sorted(bake::TriangleCorners corners) {
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
-
-  std::set<bake::TriangleCorners> triangles_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
-};
+/// A triangle, an edge or a point, by its corners in any order: the same for the same corners.
+bake::TriangleCorners form_of(std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+  bake::TriangleCorners corners = {p, q, r};
+  std::sort(corners.begin(), corners.end());
+  corners[1] = corners[1] == corners[2] ? corners[0] : corners[1];
+  return corners;
+}
 
 /// RoundedMesh::dropped. A triangle without area in the file is a line there, once rounded too.
 double dropped_distance(const bake::LatticeMesh& mesh, const MeshDefects& defects,
                         const TriangleIds& kept, const TriangleIds& dropped) {
-  Covered covered;
+  std::set<bake::TriangleCorners> covered;
   for (const std::uint32_t triangle : kept) {
-    covered.add(mesh.triangles[triangle]);
+    const auto& [p, q, r] = mesh.triangles[triangle];
+    covered.insert({form_of(p, q, r), form_of(p, p, q), form_of(q, q, r), form_of(r, r, p),
+                    form_of(p, p, p), form_of(q, q, q), form_of(r, r, r)});
   }
   TriangleIds apart;
   for (const std::uint32_t triangle : dropped) {
-    const bake::TriangleCorners& corners = mesh.triangles[triangle];
+    const auto& [p, q, r] = mesh.triangles[triangle];
     const auto is_in = [&](const TriangleIds& ids) {
       return std::binary_search(ids.begin(), ids.end(), triangle);
     };
     const bool is_line = is_in(defects.degenerate) || is_in(defects.collapsed);
-    if (!covered.has(corners) && !(is_line && covered.has_line(corners))) {
+    // Two edges of a triangle without area contain the third.
+    const std::size_t edges = covered.count(form_of(p, p, q)) + covered.count(form_of(q, q, r)) +
+                              covered.count(form_of(r, r, p));
+    if (covered.count(form_of(p, q, r)) == 0 && !(is_line && edges >= 2)) {
       apart.push_back(triangle);
     }
   }

@@ -32,7 +32,6 @@ struct BakeOptions {
   std::uint32_t arity = bake::kDefaultArity;         ///< most children of a node
   std::optional<double> cell;                        ///< by default the finest that the mesh fits
   std::optional<double> max_deviation;               ///< of a point from the file's mesh
-  bool offers_wide_indices = true;                   ///< messages may suggest them
   bool drop_degenerate = false;                      ///< before or after rounding
   bool drop_duplicate = false;                       ///< on the lattice; the first of them stays
 };

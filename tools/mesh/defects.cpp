@@ -17,12 +17,7 @@ bool equal_products(double a, double b, double c, double d) {
   return left == right && std::fma(a, b, -left) == std::fma(c, d, -right);
 }
 
-bool equal_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
-  return a * b == c * d;
-}
-
-template <class Number>
-bool are_parallel(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
+bool are_parallel(const std::array<double, 3>& u, const std::array<double, 3>& v) {
   return equal_products(u[1], v[2], u[2], v[1]) && equal_products(u[2], v[0], u[0], v[2]) &&
          equal_products(u[0], v[1], u[1], v[0]);
 }
@@ -31,8 +26,8 @@ std::array<double, 3> difference(const std::array<double, 3>& p, const std::arra
   return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
 }
 
-std::array<std::int64_t, 3> difference(const Vertex& p, const Vertex& q) {
-  return {q.x - p.x, q.y - p.y, q.z - p.z};
+std::array<double, 3> difference(const Vertex& p, const Vertex& q) {
+  return {1.0 * q.x - p.x, 1.0 * q.y - p.y, 1.0 * q.z - p.z};
 }
 
 template <class Mesh>

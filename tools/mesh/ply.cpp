@@ -211,8 +211,9 @@ class PlyReader {
   FileMesh read() {
     check_header();
     for (const Element& element : header_.elements) {
-      for (long long i = 0; i < element.count; ++i) {
-        read(element, i);
+      element_ = &element;
+      for (number_ = 0; number_ < element.count; ++number_) {
+        read_element();
       }
     }
     if (!body_.at_end()) {
@@ -227,17 +228,19 @@ class PlyReader {
   bool is_text() const { return header_.encoding == Encoding::ascii; }
 
  private:
+  /// Names the element that is read.
   template <class... Parts>
-  [[noreturn]] void refuse(const Element& element, long long i, const Parts&... what) const {
-    throw UserError(file_, element.name, " ", i, " of ", element.count, ": ", what...,
+  [[noreturn]] void refuse(const Parts&... what) const {
+    throw UserError(file_, element_->name, " ", number_, " of ", element_->count, ": ", what...,
                     "; export the mesh again");
   }
 
   /// Finds the coordinates and the corners.
   void check_header() {
     for (const Element& element : header_.elements) {
+      element_ = &element;
       if (element.count != 0 && element.properties.empty()) {
-        refuse(element, 0, "no properties in the header");
+        refuse("no properties in the header");
       }
       if (element.name == "tristrips" && element.count != 0) {
         throw UserError(file_, "has triangle strips ('tristrips'); export the mesh as polygons");
@@ -274,66 +277,69 @@ class PlyReader {
   }
 
   /// Keeps corners to the end of the file: faces may come before vertices.
-  void read(const Element& element, long long i) {
+  void read_element() {
     Position point{};
-    for (const Property& property : element.properties) {
-      double length = 1;
-      if (property.length) {
-        length = number(*property.length, element, i);
-        if (length < (property.role == Property::corners ? 3 : 0)) {
-          refuse(element, i, property.role == Property::corners ? "a polygon of " : "a list of ",
-                 fixed(length, 0), property.role == Property::corners ? " corners" : "");
-        }
-      }
+    for (const Property& property : element_->properties) {
+      const double length = property.length ? length_of(property) : 1;
       if (property.role == Property::corners) {
         polygons_.emplace_back();
       }
       for (double at = 0; at < length; ++at) {
         if (property.role == Property::other) {
-          skip(property.value, element, i);
+          skip(property.value);
         } else if (property.role == Property::corners) {
-          polygons_.back().push_back(corner(number(property.value, element, i), element, i));
+          polygons_.back().push_back(corner(number(property.value)));
         } else {
-          point[property.role - Property::x] = coordinate(property.value, element, i);
+          point[property.role - Property::x] = coordinate(number(property.value));
         }
       }
     }
-    if (element.name == "vertex") {
+    if (element_->name == "vertex") {
       builder_.add_point(point);
     }
   }
 
-  double number(const Type& type, const Element& element, long long i) {
+  double length_of(const Property& property) {
+    const double length = number(*property.length);
+    if (property.role == Property::corners && length < 3) {
+      refuse("a polygon of ", fixed(length, 0), " corners");
+    }
+    if (length < 0) {
+      refuse("a list of ", fixed(length, 0));
+    }
+    return length;
+  }
+
+  double number(const Type& type) {
     const std::optional<double> value = body_.number(type);
     if (!value && body_.word().empty()) {
-      refuse(element, i, "the file ends here");
+      refuse("the file ends here");
     }
     if (!value) {
-      refuse(element, i, quoted(body_.word()), " is no ",
-             type.kind == Type::is_floating ? "finite " : "", type.name);
+      refuse(quoted(body_.word()), " is no ", type.kind == Type::is_floating ? "finite " : "",
+             type.name);
     }
     return *value;
   }
 
   /// A number that does not affect the shape may be any word.
-  void skip(const Type& type, const Element& element, long long i) {
+  void skip(const Type& type) {
     (void)body_.number(type);
     if (body_.word().empty()) {
-      refuse(element, i, "the file ends here");
+      refuse("the file ends here");
     }
   }
 
-  double coordinate(const Type& type, const Element& element, long long i) {
-    const double value = number(type, element, i);
-    if (!is_coordinate(value)) {
-      refuse(element, i, "no finite number of at most 3.4e38, which a coordinate must be");
+  double coordinate(double number) const {
+    if (!is_coordinate(number)) {
+      refuse("no finite number of at most 3.4e38, which a coordinate must be");
     }
-    return value;
+    return number;
   }
 
-  std::uint32_t corner(double number, const Element& element, long long i) const {
+  std::uint32_t corner(double number) const {
     if (number < 0 || number >= static_cast<double>(vertex_count_)) {
-      refuse(element, i, "a corner at vertex ", fixed(number, 0), " of ", vertex_count_);
+      refuse("a corner at vertex ", fixed(number, 0), " of ", vertex_count_);
     }
     return static_cast<std::uint32_t>(number);
   }
@@ -341,6 +347,8 @@ class PlyReader {
   const std::string& file_;
   Header header_;
   Body body_;
+  const Element* element_ = nullptr;  ///< being read
+  long long number_ = 0;              ///< likewise
   long long vertex_count_ = 0;
   std::vector<std::vector<std::uint32_t>> polygons_;
   MeshBuilder builder_;

@@ -35,20 +35,13 @@ bool looks_like_ascii(std::string_view bytes) {
 /// Bytes behind the last triangle of a binary file, as a warning. UserError if they are too few or
 /// may be triangles.
 std::string refuse_other_size(std::string_view bytes, const std::string& file) {
-  if (bytes.size() < kHeader) {
-    throw UserError(file, "is no STL file (too short); export the mesh again");
-  }
-  const std::size_t count = binary_count(bytes);
+  const std::size_t count = bytes.size() < kHeader ? 0 : binary_count(bytes);
   const std::uint64_t wanted = kHeader + kPerTriangle * count;
-  if (wanted > UINT32_MAX) {
-    throw UserError(file,
-                    "is no STL file: it is neither text that begins with 'solid', nor are its "
-                    "bytes 80 to 83 a count of triangles; export the mesh again");
-  }
   if (bytes.size() < wanted) {
-    throw UserError(file, "is truncated or no STL file: its header announces ", count,
-                    " triangles, which take ", wanted, " bytes, but it has ", bytes.size(),
-                    "; export the mesh again");
+    throw UserError(file,
+                    "is truncated or no STL file: it is no text that begins with 'solid', and ",
+                    count, " triangles, as its header announces, take ", wanted,
+                    " bytes, but it has ", bytes.size(), "; export the mesh again");
   }
   const std::uint64_t behind = bytes.size() - wanted;
   if (behind >= kPerTriangle &&

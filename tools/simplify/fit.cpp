@@ -9,7 +9,7 @@
 namespace flashbvh::simplify {
 namespace {
 
-/// The ratio of successive lengths.
+/// The ratio of lengths that are told apart.
 constexpr double kStep = 1.1;
 /// Smaller leaves, which answer faster, are worth a length up to this much longer.
 constexpr double kWorthwhile = 1.25;
@@ -17,7 +17,7 @@ constexpr double kWorthwhile = 1.25;
 constexpr double kTooLarge = 1.15;
 /// Of a triangle in large leaves: to guess the length that fits.
 constexpr double kBytesOfTriangle = 17;
-/// The part of the guess to begin at: a start that is too coarse restarts with all triangles.
+/// The part of the guess to begin at: a length that is too long begins again with all triangles.
 constexpr double kBegin = 0.6;
 /// Lengths below this multiple of the rounding leave a mesh unchanged.
 constexpr double kAboveRounding = 1.5;
@@ -74,47 +74,35 @@ struct Fitting {
     if (const std::uint32_t size = leaf_size(meshes)) {
       return Fit{0, size};
     }
-    const std::optional<Fit> found = climbed(begun());
+    const std::optional<Fit> found = bisected();
     return found && found->leaf_size > leaf_sizes.front() ? with_smaller_leaves(*found) : found;
   }
 
-  /// Coarsens the meshes, but not so far that they fit unless the length is the shortest. Returns
-  /// the length.
-  double begun() const {
-    const double shortest = kAboveRounding * most_rounding(meshes);
-    const std::vector<Coarsening> full = meshes;
-    double length = likely_length(meshes, most, longest);
-    do {
-      length = std::min(rounded_up(std::max(kBegin * length, shortest)), longest);
-      meshes = full;
-      coarsen_all(meshes, length);
-    } while (length > shortest * kStep && leaf_size(meshes) != 0);
-    return length;
-  }
-
-  /// Coarsens by two steps at a time, then tries one step less.
-  std::optional<Fit> climbed(double length) const {
-    std::uint32_t size = leaf_size(meshes);
-    std::vector<Coarsening> before = meshes;
-    while (size == 0) {
-      if (length >= longest) {
+  /// Finds two lengths, a step apart at most, with the longer of which alone the meshes fit.
+  std::optional<Fit> bisected() const {
+    const double shortest = std::min(kAboveRounding * most_rounding(meshes), longest);
+    std::vector<Coarsening> below = meshes;  // do not fit
+    double low = 0;                          // their length
+    std::optional<Fit> found;
+    double next = kBegin * likely_length(meshes, most, longest);
+    while (!found || found->length > std::max(low, shortest) * kStep) {
+      next = std::min(rounded_up(std::max(next, shortest)), longest);
+      std::vector<Coarsening> coarse = below;
+      coarsen_all(coarse, next);
+      if (const std::uint32_t size = leaf_size(coarse)) {
+        found = Fit{next, size};
+        meshes = std::move(coarse);
+      } else if (next >= longest) {
         return std::nullopt;
+      } else {
+        low = next;
+        below = std::move(coarse);
       }
-      before = meshes;
-      const double step = std::min(rounded_up(length * kStep), longest);
-      const double next = std::min(rounded_up(step * kStep), longest);
-      coarsen_all(meshes, next);
-      size = leaf_size(meshes);
-      if (size != 0) {
-        coarsen_all(before, step);
-        if (const std::uint32_t own = leaf_size(before)) {
-          meshes = std::move(before);
-          return Fit{step, own};
-        }
-      }
-      length = next;
+      next = !found     ? low * kStep * kStep
+             : low == 0 ? kBegin * found->length
+                        : std::sqrt(low * found->length);
     }
-    return Fit{length, size};
+    return found;
   }
 
   Fit with_smaller_leaves(const Fit& found) const {

@@ -29,9 +29,9 @@ void coarsen_all(std::vector<Coarsening>& meshes, double length);
 /// An estimate of the length with which original meshes fit; 0: unchanged. May be wrong.
 double likely_length(const std::vector<Coarsening>& meshes, double most, double longest);
 
-/// Coarsens original meshes until they take `most` bytes, with the least length of a ladder of
-/// kStep. Of `leaf_sizes`, ascending, takes the first one that costs no more than kWorthwhile times
-/// the least length of any. None if they do not fit with `longest`.
+/// Coarsens original meshes until they take `most` bytes, with the least length but for a tenth. Of
+/// `leaf_sizes`, ascending, takes the first one that costs no more than kWorthwhile times the least
+/// length of any. None if they do not fit with `longest`.
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
                        const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of);
 

@@ -6,10 +6,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/mesh/image_facts.hpp"
-#include "cli/mesh/subject.hpp"
 #include "cli/page.hpp"
 #include "evaluate/poses.hpp"
 #include "evaluate/queries.hpp"
+#include "image/mesh_warnings.hpp"
 #include "mesh/units.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
@@ -121,6 +121,66 @@ Headline headline_of(const QueriedPair& pair, const std::vector<std::string>& na
                                                                    pair.poses, " poses"))};
 }
 
+/// A mesh of a page: its odd triangles and edges.
+struct Subject {
+  /// Of each a colour of the page, and vertices, of which two make a line.
+  Json marks = Json::array();
+  std::vector<std::string> warnings;  ///< without the image's name
+};
+
+/// `places`: indices in `sources`; the warning lists the triangles' numbers in the source mesh.
+void mark_triangles(Subject& subject, const std::vector<SourceTriangle>& sources,
+                    TriangleIds places, const char* colour, const char* what) {
+  if (places.empty()) {
+    return;
+  }
+  Json marks = Json::array();
+  for (std::uint32_t& place : places) {
+    const auto& [p, q, r] = sources[place].vertices;
+    for (const std::uint32_t vertex : {p, q, q, r, r, p}) {
+      marks.push_back(vertex);
+    }
+    place = sources[place].number;
+  }
+  subject.marks.push_back({colour, std::move(marks)});
+  subject.warnings.push_back(triangle_list(places) + what);
+}
+
+void mark_edges(Subject& subject, const std::vector<OddEdge>& edges, EdgeDefect defect,
+                const char* colour) {
+  Json marks = Json::array();
+  for (const auto& [vertices, found] : edges) {
+    if (found == defect) {
+      marks.push_back(vertices[0]);
+      marks.push_back(vertices[1]);
+    }
+  }
+  if (!marks.empty()) {
+    subject.marks.push_back({colour, std::move(marks)});
+  }
+}
+
+Subject subject_of(const ImageFile& image) {
+  Subject subject;
+  const std::vector<SourceTriangle> sources = source_triangles(image);
+  const bake::LatticeMesh mesh = mesh_of(image, sources);
+  const MeshDefects defects = surface_defects(mesh);
+  mark_triangles(subject, sources, defects.duplicates, "--p1",
+                 " with the three vertices of an earlier one");
+  mark_triangles(subject, sources, degenerate_triangles(mesh), "--p4",
+                 " without area: a segment or a point");
+  const std::vector<OddEdge> edges = odd_edges(mesh.triangles, defects.duplicates);
+  mark_edges(subject, edges, EdgeDefect::boundary, "--p0");
+  mark_edges(subject, edges, EdgeDefect::non_manifold, "--p3");
+  mark_edges(subject, edges, EdgeDefect::twisted, "--p2");
+  Warnings of_surface;
+  warn_of_surface(defects, "", of_surface);
+  for (const PlacedWarning& warning : of_surface.all()) {
+    subject.warnings.push_back(warning.what);
+  }
+  return subject;
+}
+
 void write_page(const ReportArguments& arguments) {
   check_output(arguments.page, {arguments.poses});
   Images images;
@@ -141,7 +201,7 @@ void write_page(const ReportArguments& arguments) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const ImageFile& image = *images[i];
-    const Subject subject(image);
+    const Subject subject = subject_of(image);
     for (const std::string& warning : subject.warnings) {
       headlines.push_back({1, names[i] + ": " + warning});
     }

@@ -151,7 +151,6 @@ BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
   options.unit = "m";
   options.cell = cell;
   options.leaf_size = leaf_size;
-  options.offers_wide_indices = false;
   BakedMesh baked = coarse != nullptr ? bake(input, options, *coarse) : bake(input, options);
   BakedLink made;
   made.tree = std::get<bake::BakedTree<std::uint16_t, Layout::post_indexed>>(std::move(baked.tree));
