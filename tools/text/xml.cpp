@@ -57,6 +57,11 @@ bool begins_name(char c) {
   return byte >= 0x80 || std::isalpha(byte) != 0 || c == '_';
 }
 
+bool is_of_name(char c) {
+  return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 ||
+         std::string_view("-.:").find(c) != std::string_view::npos;
+}
+
 class TreeReader {
  public:
   TreeReader(std::string_view text, const std::string& path, const char* fix)
@@ -118,11 +123,12 @@ class TreeReader {
   void skip_blanks() { at_ = std::min(text_.find_first_not_of(kXmlBlanks, at_), text_.size()); }
 
   std::string_view take_name() {
-    const std::size_t end = std::min(text_.find_first_of("=<>/\"' \t\r\n", at_), text_.size());
-    const std::string_view name = text_.substr(at_, end - at_);
-    need(!name.empty() && begins_name(name[0]));
-    at_ = end;
-    return name;
+    const std::size_t begin = at_;
+    need(at_ < text_.size() && begins_name(text_[at_]));
+    while (at_ < text_.size() && is_of_name(text_[at_])) {
+      ++at_;
+    }
+    return text_.substr(begin, at_ - begin);
   }
 
   void add_text(std::string_view text) {
@@ -139,12 +145,18 @@ class TreeReader {
     } else if (take("<![CDATA[")) {
       add_text(take_to("]]>"));
     } else if (take("<?")) {
-      take_to("?>");
+      if (take_name() == "xml") {
+        attributes();
+        need(take("?>"));
+      } else {
+        take_to("?>");
+      }
     } else if (take("<!")) {
       take_to(">");
     } else if (take("</")) {
-      const std::string_view name = without_blanks(take_to(">"));
-      need(open_.size() > 1 && name == open_.back()->name);
+      need(take_name() == open_.back()->name);  // the document has none
+      skip_blanks();
+      need(take(">"));
       open_.pop_back();
     } else {
       ++at_;
@@ -160,11 +172,21 @@ class TreeReader {
     if (open_.size() > kMostLevels) {
       throw UserError(path_, "nests elements over ", kMostLevels, " deep; write it again");
     }
-    for (skip_blanks(); at_ < text_.size() && text_[at_] != '>' && text_[at_] != '/';
-         skip_blanks()) {
+    made.attributes = attributes();
+    const bool is_empty = take("/");
+    need(take(">"));
+    open_.back()->inside.push_back(std::move(made));
+    if (!is_empty) {
+      open_.push_back(&open_.back()->inside.back());
+    }
+  }
+
+  std::vector<std::pair<std::string_view, std::string>> attributes() {
+    XmlNode made;
+    for (skip_blanks(); at_ < text_.size() && begins_name(text_[at_]); skip_blanks()) {
       const std::string_view name = take_name();
       if (made.find(name) != nullptr) {
-        refuse(concat("<", made.name, "> has two ", name));
+        refuse(concat("has two ", name));
       }
       skip_blanks();
       need(take("="));
@@ -173,12 +195,7 @@ class TreeReader {
       need(take("\"") || take("'"));
       made.attributes.emplace_back(name, value_of(take_to(quote)));
     }
-    const bool is_empty = take("/");
-    need(take(">"));
-    open_.back()->inside.push_back(std::move(made));
-    if (!is_empty) {
-      open_.push_back(&open_.back()->inside.back());
-    }
+    return made.attributes;
   }
 
   /// Tabs and line ends become blanks, as XML demands (1.0, 3.3.3).

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robot/read/xml_file.hpp"
+#include "text/files.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -18,13 +19,13 @@ class SrdfReader {
   SrdfReader(const std::string& path, const Model& model, Warnings& warnings)
       : path_(path), model_(model), warnings_(warnings) {}
 
-  std::vector<DisabledPair> read(TiXmlElement& robot) {
-    for (const TiXmlElement* e : elements_in(robot, "enable_collisions")) {
+  std::vector<DisabledPair> read(const XmlNode& robot) {
+    for (const XmlNode* e : elements_in(robot, "enable_collisions")) {
       if (const auto pair = pair_of(*e)) {
         enabled_.insert(*pair);
       }
     }
-    for (const TiXmlElement* e : elements_in(robot, "disable_collisions")) {
+    for (const XmlNode* e : elements_in(robot, "disable_collisions")) {
       const auto pair = pair_of(*e);
       if (pair && enabled_.count(*pair) != 0) {
         warnings_.add(place_of(*e), concat("disables ", model_.links[pair->first].name, " - ",
@@ -35,25 +36,20 @@ class SrdfReader {
         disable(*pair, attribute(e, "reason"), *e);
       }
     }
-    for (const TiXmlElement* e : elements_in(robot, "disable_default_collisions")) {
+    for (const XmlNode* e : elements_in(robot, "disable_default_collisions")) {
       disable_all_of(*e);
     }
     return std::move(disabled_);
   }
 
  private:
-  static std::size_t line_of(const TiXmlElement& element) {
-    return static_cast<std::size_t>(element.Row());
-  }
-  std::string place_of(const TiXmlElement& element) const {
-    return at_line(path_, line_of(element));
-  }
+  std::string place_of(const XmlNode& element) const { return at_line(path_, element.line); }
 
   /// A link's number, or kNoLink if it has no geometry. UserError if it has no name.
-  std::size_t link_of(const TiXmlElement& element, const char* which) {
+  std::size_t link_of(const XmlNode& element, const char* which) {
     const std::string name = attribute(&element, which);
     if (name.empty()) {
-      throw UserError(place_of(element), "has a <", element.Value(), "> that does not name ",
+      throw UserError(place_of(element), "has a <", element.name, "> that does not name ",
                       std::string(which) == "link" ? "a link; give it link"
                                                    : "two links; give it link1 and link2");
     }
@@ -66,25 +62,25 @@ class SrdfReader {
   }
 
   /// The numbers of two links with geometry, the lower first.
-  std::optional<Pair> pair_of(const TiXmlElement& element) {
+  std::optional<Pair> pair_of(const XmlNode& element) {
     const std::size_t one = link_of(element, "link1");
     const std::size_t other = link_of(element, "link2");
     const auto [a, b] = std::minmax(one, other);
     return b != kNoLink && a != b ? std::optional<Pair>({a, b}) : std::nullopt;
   }
 
-  void disable(const Pair& pair, const std::string& reason, const TiXmlElement& element) {
+  void disable(const Pair& pair, const std::string& reason, const XmlNode& element) {
     if (known_.insert(pair).second) {
-      disabled_.push_back({pair.first, pair.second, reason, line_of(element)});
+      disabled_.push_back({pair.first, pair.second, reason, element.line});
     }
   }
 
-  void disable_all_of(const TiXmlElement& element) {
+  void disable_all_of(const XmlNode& element) {
     const std::size_t link = link_of(element, "link");
     for (std::size_t other = 0; other < model_.links.size(); ++other) {
       const Pair pair = std::minmax(link, other);
       if (link != kNoLink && other != link && enabled_.count(pair) == 0) {
-        disable(pair, element.Value(), element);
+        disable(pair, std::string(element.name), element);
       }
     }
   }
@@ -101,9 +97,8 @@ class SrdfReader {
 
 std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
                                     Warnings& warnings) {
-  TiXmlDocument document;
-  read_xml(path, "robot", document);
-  TiXmlElement& robot = *document.RootElement();
+  const std::string text = read_file(path);
+  const XmlNode robot = robot_xml(text, path);
   if (attribute(&robot, "name") != model.name) {
     warnings.add(path, concat("is of a robot ", tool::quoted(attribute(&robot, "name")),
                               ", not of ", tool::quoted(model.name)));

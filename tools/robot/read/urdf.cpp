@@ -7,7 +7,6 @@
 #include "robot/kinematics.hpp"
 #include "robot/read/urdf_document.hpp"
 #include "robot/read/xml_file.hpp"
-#include "text/files.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -264,22 +263,12 @@ void add_links(const UrdfRobot& robot, const std::string& path, const Packages& 
   }
 }
 
-/// UserError for a file of a form that has converters to URDF.
-UrdfRobot read_document(const std::string& path, bool visual_too, Warnings& warnings) {
-  check_no_mesh(path);
-  std::string text = read_file(path);
-  const std::string_view root = root_element(text);
-  if (root == "mujoco" || root == "sdf") {
-    throw UserError(path, "is ", root == "sdf" ? "SDF" : "MJCF", "; convert it to a URDF");
-  }
-  return read_urdf_document(path, std::move(text), visual_too, warnings);
-}
-
 }  // namespace
 
 Model read_urdf(const std::string& path, const Packages& packages, const std::string& srdf,
                 Warnings& warnings, bool visual_too) {
-  UrdfRobot robot = read_document(path, visual_too, warnings);
+  check_no_mesh(path);
+  const UrdfRobot robot = read_urdf_document(path, visual_too, warnings);
   Model model;
   model.name = robot.name;
   model.path = path;

@@ -188,9 +188,8 @@ void check_no_mesh(const std::string& path) {
   }
 }
 
-UrdfRobot read_urdf_document(const std::string& path, std::string text, bool visual_too,
-                             Warnings& warnings) {
-  TrimmedRobot trimmed = trimmed_urdf(path, std::move(text), visual_too, warnings);
+UrdfRobot read_urdf_document(const std::string& path, bool visual_too, Warnings& warnings) {
+  TrimmedRobot trimmed = trimmed_urdf(path, visual_too, warnings);
   const urdf::ModelInterfaceSharedPtr model = parse(doubled(trimmed.text), path);
   UrdfRobot robot;
   robot.name = halved(model->getName());

@@ -61,12 +61,11 @@ struct UrdfRobot {
   std::vector<UrdfJoint> joints;
 };
 
-/// Parses the URDF `text` of the file `path`. UserError, with the element and the remedy, if it is
-/// no URDF or exceeds firmware. Firmware has no planar joints, floating joints that hold no base,
-/// shapes that are not in URDF, or loops. Soft limits narrow limits. `visual_too`: a link without
-/// <collision> collides by its <visual>.
-UrdfRobot read_urdf_document(const std::string& path, std::string text, bool visual_too,
-                             Warnings& warnings);
+/// Reads a URDF. UserError, with the element and the remedy, if it is none or exceeds firmware.
+/// Firmware has no planar joints, floating joints that hold no base, shapes that are not in URDF,
+/// or loops. Soft limits narrow limits. `visual_too`: a link without <collision> collides by its
+/// <visual>.
+UrdfRobot read_urdf_document(const std::string& path, bool visual_too, Warnings& warnings);
 
 /// UserError if a file's name ends like that of a mesh or of a CAD model.
 void check_no_mesh(const std::string& path);

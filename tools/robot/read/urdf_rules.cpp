@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "robot/read/xml_file.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -85,73 +84,69 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return has(names, name);
 }
 
-bool is_foreign(const std::string& name) {
-  return name.find(':') != std::string::npos;
+bool is_foreign(std::string_view name) {
+  return name.find(':') != std::string_view::npos;
 }
 
-void check_element(const TiXmlElement& element, const std::string& place) {
-  const std::string& name = element.ValueStr();
+void check_element(const XmlNode& element, const std::string& place) {
+  const std::string_view name = element.name;
   const auto rule = std::find_if(std::begin(kRules), std::end(kRules),
                                  [&](const ElementRule& of) { return of.name == name; });
   if (rule == std::end(kRules)) {
     return;
   }
-  for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-    const std::string attribute = a->Name();
+  for (const auto& [attribute, value] : element.attributes) {
     // Some programs write rpy="0 0 0" into each <axis>.
-    const bool is_idle = name == "axis" && attribute == "rpy" && is_zero(a->ValueStr());
+    const bool is_idle = name == "axis" && attribute == "rpy" && is_zero(value);
     if (!has(rule->attributes, attribute) && !is_foreign(attribute) && !is_idle) {
-      throw UserError(place, "has <", name, " ", attribute, "=\"", one_line(a->ValueStr()),
+      throw UserError(place, "has <", name, " ", attribute, "=\"", one_line(value),
                       "\">, which URDF does not know; ",
                       rule->attributes.empty() ? "it has no attributes"
                                                : "its attributes are " + listed(rule->attributes));
     }
   }
-  std::set<std::string> seen;
-  for (const TiXmlNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (node->ToText() != nullptr && rule->inside.empty()) {
-      throw UserError(place, "has text in its <", name,
-                      ">, which URDF does not read; its numbers are ", listed(rule->attributes),
-                      ", as attributes");
-    }
-    const TiXmlElement* const inside = node->ToElement();
-    if (inside == nullptr || is_foreign(inside->ValueStr())) {
+  if (!element.text.empty() && rule->inside.empty()) {
+    throw UserError(place, "has text in its <", name,
+                    ">, which URDF does not read; its numbers are ", listed(rule->attributes),
+                    ", as attributes");
+  }
+  std::set<std::string_view> seen;
+  for (const XmlNode& inside : element.inside) {
+    if (is_foreign(inside.name)) {
       continue;
     }
-    if (!has(rule->inside, inside->ValueStr())) {
-      if (rule->inside.empty() || !has(kOtherPrograms, inside->ValueStr())) {
+    if (!has(rule->inside, inside.name)) {
+      if (rule->inside.empty() || !has(kOtherPrograms, inside.name)) {
         throw UserError(
-            place, "has <", inside->Value(), "> in <", name, ">, which URDF does not know; ",
+            place, "has <", inside.name, "> in <", name, ">, which URDF does not know; ",
             rule->inside.empty() ? "correct it or leave it out"
                                  : "correct it or leave it out: it reads " + listed(rule->inside));
       }
       continue;
     }
-    if (!seen.insert(inside->ValueStr()).second) {
-      throw UserError(place, "has two <", inside->Value(), "> in one <", name,
+    if (!seen.insert(inside.name).second) {
+      throw UserError(place, "has two <", inside.name, "> in one <", name,
                       ">; leave one of them out");
     }
-    check_element(*inside, place);
+    check_element(inside, place);
   }
 }
 
-void check_link(TiXmlElement& link, const std::string& place) {
-  for (const TiXmlElement* e : elements_in(link)) {
-    if (is_one_of(e->ValueStr(), {"collision", "visual", "inertial"}) ||
-        is_foreign(e->ValueStr())) {
+void check_link(const XmlNode& link, const std::string& place) {
+  for (const XmlNode& e : link.inside) {
+    if (is_one_of(e.name, {"collision", "visual", "inertial"}) || is_foreign(e.name)) {
       continue;
     }
-    if (e->FirstChildElement("geometry") != nullptr ||
-        is_one_of(e->ValueStr(), {"geometry", "box", "sphere", "cylinder", "mesh"})) {
-      throw UserError(place, "has a shape in <", e->Value(),
+    if (first_in(e, "geometry") != nullptr ||
+        is_one_of(e.name, {"geometry", "box", "sphere", "cylinder", "mesh"})) {
+      throw UserError(place, "has a shape in <", e.name,
                       ">, which URDF does not know; put it into a <collision>");
     }
-    for (const TiXmlAttribute* a = e->FirstAttribute(); a != nullptr; a = a->Next()) {
-      if (e->ValueStr() == "origin" && !is_zero(a->ValueStr())) {
-        throw UserError(place,
-                        "has an <origin> of its own, which moves nothing in URDF; put it into "
-                        "its <collision>, or into the joint above");
-      }
+    const auto moves = [](const auto& given) { return !is_zero(given.second); };
+    if (e.name == "origin" && std::any_of(e.attributes.begin(), e.attributes.end(), moves)) {
+      throw UserError(place,
+                      "has an <origin> of its own, which moves nothing in URDF; put it into "
+                      "its <collision>, or into the joint above");
     }
   }
 }

@@ -7,199 +7,179 @@
 #include <utility>
 
 #include "robot/read/urdf_rules.hpp"
-#include "robot/read/xml_file.hpp"
+#include "text/files.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-/// Removes the nodes inside `element` for which `is_removed` holds.
-template <class IsRemoved>
-void remove_nodes(TiXmlElement& element, const IsRemoved& is_removed) {
-  for (TiXmlNode* child = element.FirstChild(); child != nullptr;) {
-    TiXmlNode* const next = child->NextSibling();
-    if (is_removed(*child)) {
-      element.RemoveChild(child);
+using Names = std::initializer_list<std::string_view>;
+
+std::string escaped(const std::string& value) {
+  std::string text;
+  for (const char c : value) {
+    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  }
+  return text;
+}
+
+std::string tag_of(const XmlNode& element) {
+  std::string tag = concat("<", element.name);
+  // urdfdom demands forces and speeds; firmware ignores them.
+  const bool is_limit = element.name == "limit";
+  tag += is_limit ? R"( effort="0" velocity="0")" : "";
+  for (const auto& [name, value] : element.attributes) {
+    if (!is_limit || !is_one_of(name, {"effort", "velocity"})) {
+      tag += concat(" ", name, "=\"", escaped(value), "\"");
     }
-    child = next;
   }
+  return tag + ">";
 }
 
-/// Removes all that is inside `element` but elements of these names.
-void keep_only(TiXmlElement& element, std::initializer_list<std::string_view> names) {
-  remove_nodes(element, [&](const TiXmlNode& node) {
-    return node.ToElement() == nullptr || !is_one_of(node.ValueStr(), names);
-  });
-}
-
-/// Normalises attributes as XML demands (1.0, 3.3.3): tabs and line ends become blanks. Also trims
-/// blanks: urdfdom refuses "0.5 " as a number.
-void normalise_attributes(TiXmlElement& element) {
-  constexpr const char* kBlanks = " \t\r\n";
-  for (TiXmlAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-    std::string value = a->ValueStr();
-    std::replace_if(
-        value.begin(), value.end(), [](char c) { return c == '\t' || c == '\r' || c == '\n'; },
-        ' ');
-    value.erase(0, value.find_first_not_of(kBlanks));
-    value.erase(value.find_last_not_of(kBlanks) + 1);
-    a->SetValue(value);
+/// Appends an element, and those inside at any level that have one of these names.
+void print(const XmlNode& element, Names names, std::string& text) {
+  text += tag_of(element);
+  for (const XmlNode& inside : element.inside) {
+    if (is_one_of(inside.name, names)) {
+      print(inside, names, text);
+    }
   }
-  for (TiXmlElement* child : elements_in(element)) {
-    normalise_attributes(*child);
-  }
-}
-
-/// Removes other programs' elements, such as <drake:capsule>. UserError if nothing else is inside.
-void drop_foreign(TiXmlElement& element, const std::string& place) {
-  std::string dropped;
-  remove_nodes(element, [&](const TiXmlNode& node) {
-    const bool is_dropped = node.ToElement() != nullptr && is_foreign(node.ValueStr());
-    dropped = is_dropped ? node.ValueStr() : dropped;
-    return is_dropped;
-  });
-  if (!dropped.empty() && element.FirstChildElement() == nullptr) {
-    throw UserError(place, "has a <collision> whose only shape, <", dropped,
-                    ">, is no URDF; use <box>, <cylinder>, <sphere> or <mesh>");
-  }
+  text += concat("</", element.name, ">");
 }
 
 /// UserError for faults that urdfdom would skip.
-void check_geometry(TiXmlElement& collision, const std::string& place) {
-  TiXmlElement* const geometry = collision.FirstChildElement("geometry");
-  if (geometry != nullptr) {
-    drop_foreign(*geometry, place);
+void check_geometry(const XmlNode& collision, const std::string& place) {
+  std::vector<std::string_view> shapes;
+  std::string_view foreign;
+  if (const XmlNode* const geometry = first_in(collision, "geometry")) {
+    for (const XmlNode& e : geometry->inside) {
+      if (is_foreign(e.name)) {
+        foreign = e.name;
+      } else {
+        shapes.push_back(e.name);
+      }
+    }
   }
-  const TiXmlElement* const shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
-  if (shape == nullptr || shape->NextSiblingElement() != nullptr) {
+  if (shapes.empty() && !foreign.empty()) {
+    throw UserError(place, "has a <collision> whose only shape, <", foreign,
+                    ">, is no URDF; use <box>, <cylinder>, <sphere> or <mesh>");
+  }
+  if (shapes.size() != 1) {
     throw UserError(place,
                     "has a <collision> without one shape in its <geometry>; give each "
                     "shape a <collision> of its own");
   }
-  if (shape->ValueStr() == "capsule") {
+  if (shapes[0] == "capsule") {
     throw UserError(place,
                     "has a <capsule>, which URDF does not have; write a <collision> with a "
                     "<cylinder> and two with a <sphere>");
   }
-  if (!is_one_of(shape->ValueStr(), {"box", "cylinder", "sphere", "mesh"})) {
-    throw UserError(place, "has a shape <", shape->Value(),
+  if (!is_one_of(shapes[0], {"box", "cylinder", "sphere", "mesh"})) {
+    throw UserError(place, "has a shape <", shapes[0],
                     ">; use <box>, <cylinder>, <sphere> or <mesh>");
   }
 }
 
-UrdfLink trim_link(TiXmlElement& link, const std::string& path, bool visual_too) {
+/// Appends a link to `text`.
+UrdfLink trim_link(XmlNode link, const std::string& path, bool visual_too, std::string& text) {
   UrdfLink trimmed;
-  trimmed.name = attribute(&link, "name");
+  trimmed.name = link.attribute("name");
   const std::string place = at_element(path, "link", trimmed.name);
   check_link(link, place);
-  trimmed.has_visual = link.FirstChildElement("visual") != nullptr;
-  if (visual_too && link.FirstChildElement("collision") == nullptr) {
-    for (TiXmlElement* visual : elements_in(link, "visual")) {
-      visual->SetValue("collision");
+  trimmed.has_visual = first_in(link, "visual") != nullptr;
+  const bool by_visual = visual_too && first_in(link, "collision") == nullptr;
+  for (XmlNode& e : link.inside) {
+    e.name = by_visual && e.name == "visual" ? "collision" : e.name;
+    if (e.name == "collision") {
+      check_geometry(e, place);
+      check_element(e, place);
     }
   }
-  keep_only(link, {"collision"});
-  for (TiXmlElement* collision : elements_in(link)) {
-    check_geometry(*collision, place);
-    check_element(*collision, place);
-  }
+  print(link, {"collision", "origin", "geometry", "box", "cylinder", "sphere", "mesh"}, text);
   return trimmed;
 }
 
-void check_limits(TiXmlElement& joint, const std::string& type, const std::string& place,
+void check_limits(const XmlNode& joint, const std::string& type, const std::string& place,
                   Warnings& warnings) {
-  TiXmlElement* const limit = joint.FirstChildElement("limit");
-  const bool has_range = limit != nullptr && (limit->Attribute("lower") != nullptr ||
-                                              limit->Attribute("upper") != nullptr);
+  const XmlNode* const limit = first_in(joint, "limit");
+  const bool has_range =
+      limit != nullptr && (limit->find("lower") != nullptr || limit->find("upper") != nullptr);
   if (type != "continuous" && !has_range) {
     throw UserError(place, "is ", type, " without limits; give it <limit lower=\"...\" upper=\"...",
                     type == "revolute" ? "\">, or make it continuous" : "\">");
   }
   for (const char* const end : {"lower", "upper"}) {
-    if (type != "continuous" && joint.FirstChildElement("mimic") == nullptr &&
-        limit->Attribute(end) == nullptr) {
+    if (type != "continuous" && first_in(joint, "mimic") == nullptr &&
+        limit->find(end) == nullptr) {
       warnings.add(place, concat("has a <limit> without ", end, ", which URDF takes for 0; write ",
                                  end, "=\"0\" if that is meant"));
     }
   }
-  if (limit != nullptr) {  // urdfdom demands forces and speeds; firmware ignores them
-    limit->SetAttribute("effort", "0");
-    limit->SetAttribute("velocity", "0");
-  }
 }
 
-std::optional<double> soft_limit(const TiXmlElement& joint, const char* name,
-                                 const std::string& place) {
-  const TiXmlElement* const soft = joint.FirstChildElement("safety_controller");
+std::optional<double> soft_limit(const XmlNode& joint, const char* name, const std::string& place) {
+  const XmlNode* const soft = first_in(joint, "safety_controller");
   const std::string text = attribute(soft, name);
   const std::optional<double> limit = parse_number(text);
-  if (!limit && soft != nullptr && soft->Attribute(name) != nullptr) {
+  if (!limit && soft != nullptr && soft->find(name) != nullptr) {
     throw UserError(place, "has a ", name, " that is no number, ", tool::quoted(one_line(text)),
                     "; give radians or metres");
   }
   return limit;
 }
 
-SoftLimits trim_joint(TiXmlElement& joint, const std::string& path, Warnings& warnings) {
-  const std::string place = at_element(path, "joint", attribute(&joint, "name"));
-  const std::string type = attribute(&joint, "type");
+/// Appends a joint to `text`.
+SoftLimits trim_joint(XmlNode joint, const std::string& path, Warnings& warnings,
+                      std::string& text) {
+  const std::string place = at_element(path, "joint", joint.attribute("name"));
+  const std::string type = joint.attribute("type");
   if (is_one_of(type, {"floating", "planar"})) {
     throw UserError(place, "is ", type,
                     ", which firmware does not move; make it fixed, or write it as prismatic and "
                     "revolute joints with links without geometry between");
   }
-  if (type == "fixed") {  // it reads no axis and no limits, correct or not
-    remove_nodes(joint, [](const TiXmlNode& node) {
-      return is_one_of(node.ValueStr(), {"axis", "limit", "mimic", "safety_controller"});
-    });
-    check_element(joint, place);
-    keep_only(joint, {"origin", "parent", "child"});
-    return {};
-  }
-  if (!is_one_of(type, {"revolute", "continuous", "prismatic"})) {
+  if (!is_one_of(type, {"revolute", "continuous", "prismatic", "fixed"})) {
     throw UserError(place, "is of type ", tool::quoted(type),
                     "; use revolute, continuous, prismatic or fixed");
   }
+  if (type == "fixed") {  // it reads no axis and no limits, correct or not
+    const auto moves = [](const XmlNode& e) {
+      return is_one_of(e.name, {"axis", "limit", "mimic", "safety_controller"});
+    };
+    auto& inside = joint.inside;
+    inside.erase(std::remove_if(inside.begin(), inside.end(), moves), inside.end());
+  }
   check_element(joint, place);
+  print(joint, {"origin", "parent", "child", "axis", "limit", "mimic"}, text);
+  if (type == "fixed") {
+    return {};
+  }
   check_limits(joint, type, place, warnings);
-  const SoftLimits soft = {soft_limit(joint, "soft_lower_limit", place),
-                           soft_limit(joint, "soft_upper_limit", place)};
-  keep_only(joint, {"origin", "parent", "child", "axis", "limit", "mimic"});
-  return soft;
+  return {soft_limit(joint, "soft_lower_limit", place),
+          soft_limit(joint, "soft_upper_limit", place)};
 }
 
 /// The number of the link that <parent> or <child> names.
-std::size_t link_of(const TiXmlElement& joint, const char* which,
-                    const std::vector<UrdfLink>& links, const std::string& path) {
-  const std::string name = attribute(joint.FirstChildElement(which), "link");
+std::size_t link_of(const XmlNode& joint, const char* which, const std::vector<UrdfLink>& links,
+                    const std::string& path) {
+  const std::string name = attribute(first_in(joint, which), "link");
   const auto found = std::find_if(links.begin(), links.end(),
                                   [&](const UrdfLink& link) { return link.name == name; });
   if (found == links.end()) {
-    throw UserError(at_element(path, "joint", attribute(&joint, "name")), "has the ", which, " ",
+    throw UserError(at_element(path, "joint", joint.attribute("name")), "has the ", which, " ",
                     tool::quoted(name), ", which is no link of the robot; name one that is");
   }
   return static_cast<std::size_t>(found - links.begin());
 }
 
-void add_joints(TiXmlElement& robot, const std::string& path, TrimmedRobot& trimmed) {
-  for (const TiXmlElement* e : elements_in(robot, "joint")) {
-    UrdfJoint joint;
-    joint.name = attribute(e, "name");
-    joint.parent = link_of(*e, "parent", trimmed.links, path);
-    joint.child = link_of(*e, "child", trimmed.links, path);
-    trimmed.joints.push_back(std::move(joint));
-  }
-}
-
 /// The links below a joint: its child's, and those of all joints that follow.
-std::set<std::string> links_below(const TiXmlElement& joint,
-                                  const std::vector<TiXmlElement*>& joints) {
-  std::set<std::string> below = {attribute(joint.FirstChildElement("child"), "link")};
+std::set<std::string> links_below(const XmlNode& joint, const std::vector<const XmlNode*>& joints) {
+  std::set<std::string> below = {attribute(first_in(joint, "child"), "link")};
   for (std::size_t before = 0; before != below.size();) {
     before = below.size();
-    for (const TiXmlElement* e : joints) {
-      if (below.count(attribute(e->FirstChildElement("parent"), "link")) != 0) {
-        below.insert(attribute(e->FirstChildElement("child"), "link"));
+    for (const XmlNode* e : joints) {
+      if (below.count(attribute(first_in(*e, "parent"), "link")) != 0) {
+        below.insert(attribute(first_in(*e, "child"), "link"));
       }
     }
   }
@@ -207,18 +187,18 @@ std::set<std::string> links_below(const TiXmlElement& joint,
 }
 
 /// The robot's only floating joint if all shapes are below it, or null.
-TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
-  const std::vector<TiXmlElement*> joints = elements_in(robot, "joint");
-  const auto floats = [](const TiXmlElement* e) { return attribute(e, "type") == "floating"; };
+const XmlNode* floating_base(const XmlNode& robot, bool visual_too) {
+  const std::vector<const XmlNode*> joints = elements_in(robot, "joint");
+  const auto floats = [](const XmlNode* e) { return e->attribute("type") == "floating"; };
   const auto floating = std::find_if(joints.begin(), joints.end(), floats);
   if (std::count_if(joints.begin(), joints.end(), floats) != 1) {
     return nullptr;
   }
   const std::set<std::string> below = links_below(**floating, joints);
-  for (const TiXmlElement* e : elements_in(robot, "link")) {
-    const bool has_shapes = e->FirstChildElement("collision") != nullptr ||
-                            (visual_too && e->FirstChildElement("visual") != nullptr);
-    if (has_shapes && below.count(attribute(e, "name")) == 0) {
+  for (const XmlNode* e : elements_in(robot, "link")) {
+    const bool has_shapes =
+        first_in(*e, "collision") != nullptr || (visual_too && first_in(*e, "visual") != nullptr);
+    if (has_shapes && below.count(e->attribute("name")) == 0) {
       return nullptr;
     }
   }
@@ -226,39 +206,37 @@ TiXmlElement* floating_base(TiXmlElement& robot, bool visual_too) {
 }
 
 /// Collisions between a robot's links do not depend on the pose of its base.
-void fix_floating_base(TiXmlElement& robot, bool visual_too, const std::string& path,
-                       Warnings& warnings) {
-  if (TiXmlElement* const joint = floating_base(robot, visual_too)) {
-    joint->SetAttribute("type", "fixed");
-    warnings.add(at_element(path, "joint", attribute(joint, "name")),
-                 "floats and is taken for fixed: how the robot's links collide does not depend on "
-                 "where it is");
+XmlNode fixed_base(XmlNode joint, const std::string& path, Warnings& warnings) {
+  for (auto& [name, value] : joint.attributes) {
+    value = name == "type" ? "fixed" : value;
   }
+  warnings.add(at_element(path, "joint", joint.attribute("name")),
+               "floats and is taken for fixed: how the robot's links collide does not depend on "
+               "where it is");
+  return joint;
 }
 
 }  // namespace
 
-TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual_too,
-                          Warnings& warnings) {
-  TiXmlDocument document;
-  parse_xml(std::move(text), path, "robot", document);
-  TiXmlElement& robot = *document.RootElement();
+TrimmedRobot trimmed_urdf(const std::string& path, bool visual_too, Warnings& warnings) {
+  const std::string text = read_file(path);
+  const XmlNode robot = robot_xml(text, path);
+  const XmlNode* const base = floating_base(robot, visual_too);
   TrimmedRobot trimmed;
-  keep_only(robot, {"link", "joint"});
-  normalise_attributes(robot);
-  fix_floating_base(robot, visual_too, path, warnings);
-  for (TiXmlElement* e : elements_in(robot)) {
-    if (e->ValueStr() == "link") {
-      trimmed.links.push_back(trim_link(*e, path, visual_too));
-    } else {
-      trimmed.soft_limits.push_back(trim_joint(*e, path, warnings));
-    }
+  for (const XmlNode* e : elements_in(robot, "link")) {
+    trimmed.links.push_back(trim_link(*e, path, visual_too, trimmed.text));
   }
-  add_joints(robot, path, trimmed);
+  for (const XmlNode* e : elements_in(robot, "joint")) {
+    trimmed.soft_limits.push_back(
+        trim_joint(e == base ? fixed_base(*e, path, warnings) : *e, path, warnings, trimmed.text));
+    UrdfJoint joint;
+    joint.name = e->attribute("name");
+    joint.parent = link_of(*e, "parent", trimmed.links, path);
+    joint.child = link_of(*e, "child", trimmed.links, path);
+    trimmed.joints.push_back(std::move(joint));
+  }
   check_tree(trimmed.links, trimmed.joints, path);  // urdfdom never frees its model of a loop
-  TiXmlPrinter printer;
-  document.Accept(&printer);
-  trimmed.text = printer.Str();
+  trimmed.text = concat(tag_of(robot), trimmed.text, "</robot>");
   return trimmed;
 }
 

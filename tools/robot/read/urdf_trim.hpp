@@ -1,4 +1,5 @@
-// Prepares a URDF for urdfdom: removes unused elements, and finds faults that urdfdom would skip.
+// Prepares a URDF for urdfdom: leaves out unused elements, and finds faults that urdfdom would
+// skip.
 #pragma once
 
 #include <string>
@@ -23,8 +24,7 @@ struct TrimmedRobot {
   std::vector<SoftLimits> soft_limits;  ///< of each joint
 };
 
-/// Trims the URDF `text` of the file `path`. UserError like read_urdf_document().
-TrimmedRobot trimmed_urdf(const std::string& path, std::string text, bool visual_too,
-                          Warnings& warnings);
+/// Reads a URDF. UserError like read_urdf_document().
+TrimmedRobot trimmed_urdf(const std::string& path, bool visual_too, Warnings& warnings);
 
 }  // namespace flashbvh::tool
