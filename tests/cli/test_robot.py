@@ -91,7 +91,7 @@ class RobotTest(Case):
         whole = Path("image/two_fingers.robot").read_bytes()
         for content, wanted in (
                 (b"X" + whole[1:], "bad.robot: is no image of a robot; name one"),
-                (whole[:4] + b"\t" + whole[5:], "bad.robot: is written in version 9 of the robots' image format"),
+                (whole[:4] + b"\t" + whole[5:], "bad.robot: is written in version 9 of the image format"),
                 (whole[:60] + b"X" + whole[61:],
                  "bad.robot: is corrupt: a checksum does not match; copy or bake it again"),
                 (whole[:-9] + b"X" + whole[-8:], "bad.robot: is corrupt"),

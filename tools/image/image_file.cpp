@@ -12,24 +12,21 @@
 namespace flashbvh::tool {
 namespace {
 
-std::string refusal(Status status, const ImageHeader& header, std::size_t size) {
-  if (status == Status::image_truncated && header.magic != kImageMagic) {
-    status = Status::image_not_flashbvh;
-  }
+std::string refusal(Status status, std::size_t size, const HeaderFacts& header) {
   switch (status) {
     case Status::image_truncated:
       return concat("is truncated: it has ", size, " bytes",
-                    (size < sizeof header ? concat(" and needs a header of ", sizeof header)
-                                          : concat(" of ", header.byte_count)),
+                    size < header.size ? concat(" and needs a header of ", header.size)
+                                       : concat(" of ", header.byte_count),
                     "; copy or bake it again");
     case Status::image_not_flashbvh:
-      return "is no flashbvh image; name a .fbvh file";
+      return header.other;
     case Status::image_version:
       return concat("is written in version ", header.version,
-                    " of the image format, this program reads version ", kImageVersion,
+                    " of the image format, this program reads version ", header.newest,
                     "; bake it again");
     case Status::image_corrupt:
-      return "is corrupt: its checksum does not match; copy or bake it again";
+      return "is corrupt: a checksum does not match; copy or bake it again";
     case Status::image_kind:
       return "has a layout or index width that this program does not know; bake it again";
     default:
@@ -66,6 +63,17 @@ double double_of(const std::uint32_t (&words)[2]) {
 
 }  // namespace
 
+void check_opened(Status status, const std::string& path, std::size_t size,
+                  const HeaderFacts& header) {
+  if (status != Status::done) {
+    throw UserError(path, refusal(status, size, header));
+  }
+  if (size != header.byte_count) {
+    throw UserError(path, "has ", size - header.byte_count,
+                    " bytes after its end; copy or bake it again");
+  }
+}
+
 ImageFile::ImageFile(const std::string& path) : ImageFile(path, read_file(path)) {}
 
 ImageFile::ImageFile(const std::string& path, const std::string& bytes)
@@ -78,13 +86,12 @@ ImageFile::ImageFile(const std::string& path, const std::string& bytes)
   if (status == Status::done) {
     status = open_any(words_.data(), bytes.size(), header, tree_, levels_);
   }
-  if (status != Status::done) {
-    throw UserError(path, refusal(status, header_, bytes.size()));
+  if (status == Status::image_truncated && header_.magic != kImageMagic) {
+    status = Status::image_not_flashbvh;
   }
-  if (bytes.size() != header.byte_count) {
-    throw UserError(path, "has ", bytes.size() - header.byte_count,
-                    " bytes after its end; copy or bake it again");
-  }
+  check_opened(status, path, bytes.size(),
+               {sizeof header_, header_.byte_count, header_.version, kImageVersion,
+                "is no flashbvh image; name a .fbvh file"});
 }
 
 std::string ImageFile::name() const {

@@ -20,6 +20,20 @@ using AnyTree =
 /// The arrays of open_levelled().
 using LevelArrays = std::variant<std::vector<std::uint16_t>, std::vector<std::uint32_t>>;
 
+/// What messages say of the header of a mesh's or a robot's image.
+struct HeaderFacts {
+  std::size_t size;
+  std::uint32_t byte_count;
+  std::uint16_t version;
+  std::uint16_t newest;  ///< version that this program reads
+  const char* other;     ///< the message for other files
+};
+
+/// UserError, with the cause and the fix, if an image of `size` bytes did not open, or has more
+/// bytes than its own.
+void check_opened(Status status, const std::string& path, std::size_t size,
+                  const HeaderFacts& header);
+
 /// An image in memory, opened and validated by the library.
 class ImageFile {
  public:

@@ -18,10 +18,6 @@ double difference(const Transform& a, const Transform& b) {
   return most;
 }
 
-Transform frame_of(const std::vector<Transform>& frames, const ModelLink& link) {
-  return link.joint == kNoJoint ? Transform() : frames[link.joint];
-}
-
 }  // namespace
 
 TEST_CASE("a joint turns about the z of its frame, or slides along it") {
@@ -39,20 +35,4 @@ TEST_CASE("a joint turns about the z of its frame, or slides along it") {
   CHECK(difference(frames[mimic], composed(frames[sliding], turned(2, 0.5 - kPi))) < 1e-12);
   CHECK(range_of_joint(model, mimic).lower == Approx(0.5 - 4).margin(1e-5));
   CHECK(range_of_joint(model, mimic).upper == Approx(0.5 + 4).margin(1e-5));
-}
-
-TEST_CASE("links lie in each other's frames as in the base's") {
-  for_rounds(50, [&](Random& random, int) {
-    const Model model = any_arm(random, 1 + random.below(7));
-    const std::vector<double> variables = any_variables(random, model);
-    const std::vector<Transform> frames = frames_of(model, variables);
-    for (std::size_t a = 0; a < model.links.size(); ++a) {
-      for (std::size_t b = 0; b < model.links.size(); ++b) {
-        const Transform truth =
-            composed(inverse(frame_of(frames, model.links[a])), frame_of(frames, model.links[b]));
-        const JointsBetween joints = joints_between(model, a, b);
-        REQUIRE(difference(frame_between(model, joints, variables), truth) < 1e-12);
-      }
-    }
-  });
 }

@@ -4,35 +4,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/image_file.hpp"
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/kinematics.hpp"
 #include "text/files.hpp"
-#include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-std::string refusal(Status status, const RobotImageHeader& header, std::size_t size) {
-  switch (status) {
-    case Status::image_truncated:
-      return concat("is truncated: it has ", size, " bytes",
-                    size < sizeof header ? concat(" and needs a header of ", sizeof header)
-                                         : concat(" of ", header.byte_count),
-                    "; copy or bake it again");
-    case Status::image_not_flashbvh:
-      return "is no image of a robot; name one that `flashbvh robot --format image` wrote";
-    case Status::image_version:
-      return concat("is written in version ", header.version,
-                    " of the robots' image format or holds meshes of another version, this program "
-                    "reads version ",
-                    kRobotImageVersion, "; bake it again");
-    case Status::image_corrupt:
-      return "is corrupt: a checksum does not match; copy or bake it again";
-    default:
-      return "is invalid: its checksum matches, but its contents break a rule of the format; bake "
-             "it again";
-  }
-}
 
 ModelJoint model_joint(const RobotJoint& fixed, double cell) {
   const double unit = unit_of_coordinate(fixed.type, cell);
@@ -62,13 +40,9 @@ RobotFile::RobotFile(const std::string& path, const std::string& bytes)
   // Only for messages: the library validates.
   std::memcpy(&header_, bytes.data(), std::min(bytes.size(), sizeof header_));
   const Status status = open_robot(words_.data(), bytes.size(), meshes_.data(), kMaxLinks, robot_);
-  if (status != Status::done) {
-    throw UserError(path, refusal(status, header_, bytes.size()));
-  }
-  if (bytes.size() != header_.byte_count) {
-    throw UserError(path, "has ", bytes.size() - header_.byte_count,
-                    " bytes after its end; copy or bake it again");
-  }
+  check_opened(status, path, bytes.size(),
+               {sizeof header_, header_.byte_count, header_.version, kRobotImageVersion,
+                "is no image of a robot; name one that `flashbvh robot --format image` wrote"});
 }
 
 double RobotFile::cell() const {
