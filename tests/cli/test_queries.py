@@ -176,6 +176,16 @@ class QueriesTest(Case):
         flashbvh("clearance mm/there.fbvh mm/here.fbvh --poses poses --within 13 --pairs near")
         self.assertEqual({row[0] for row in numbers("near")}, {0, 1, 2, 3, 4})
 
+    def test_within_rounds_up_corners_sqrt_2_cells_apart(self):
+        write("a.obj", "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nf 1 2 3\n")
+        write("b.obj", "v 0 0 0\nv -1000 0 0\nv 0 -1000 0\nf 1 2 3\n")
+        write("poses", "1 0 0 0 1 0 0 0 1 -1 -1 0\n")
+        flashbvh("bake a.obj b.obj --cell 1 --unit mm -o mm")
+        for length, within in (("1.414", False), ("1.4143", True), ("1.4179", True)):
+            with self.subTest(length):
+                out = flashbvh(f"clearance mm/a.fbvh mm/b.fbvh --poses poses --within {length} --json")
+                self.assertIs(out.json["within"], within)
+
     # As far away as 400,000 cells, still exact; then so far that the answer is only "at least". The truth is 19,043.7,
     # from 18,992, 992 and 992; each reported bound holds.
     def test_distances_of_bodies_that_are_far_apart(self):
