@@ -94,11 +94,38 @@ std::string rule_of(const std::string& traversal) {
   return rule == "stackless" ? "alternating" : rule;
 }
 
-/// Checks the paper's five traversals and ours on one pair of trees.
-void check_all(const Trees& trees) {
+/// Gives the inner nodes any ranks that do not grow from a parent to its child.
+void set_any_ranks(Random& random, Baked<Layout::post_indexed>& baked) {
+  const Mesh tree = baked.view();
+  std::vector<std::int32_t> ranks(baked.nodes.size(), random.between(1, kMaxRank));
+  const auto set = [&](std::uint32_t node, std::int32_t of_parent) {
+    if (!baked.nodes[node].is_leaf()) {
+      baked.nodes[node].data = static_cast<std::uint16_t>(ranks[node] << 8 | of_parent);
+    }
+  };
+  set(0, kRootParentRank);
+  for (std::uint32_t parent = 0; parent < baked.nodes.size(); ++parent) {
+    if (!baked.nodes[parent].is_leaf()) {
+      std::uint32_t child = tree.first_child(parent);
+      for (bool is_last = false; !is_last; child = tree.next_sibling(child)) {
+        ranks[child] = random.between(random.below(3) == 0 ? ranks[parent] : 1, ranks[parent]);
+        set(child, ranks[parent]);
+        is_last = tree.is_last_child(parent, child);
+      }
+    }
+  }
+}
+
+/// Checks the paper's five traversals and ours on one pair of trees, with any ranks or those of
+/// baking.
+void check_all(const Trees& trees, Random* ranks = nullptr) {
   constexpr Layout pre = Layout::pre_indexed;
-  const std::tuple baked_a{baked<pre>(trees.a, trees.mesh_a), baked(trees.a, trees.mesh_a)};
-  const std::tuple baked_b{baked<pre>(trees.b, trees.mesh_b), baked(trees.b, trees.mesh_b)};
+  std::tuple baked_a{baked<pre>(trees.a, trees.mesh_a), baked(trees.a, trees.mesh_a)};
+  std::tuple baked_b{baked<pre>(trees.b, trees.mesh_b), baked(trees.b, trees.mesh_b)};
+  if (ranks != nullptr) {
+    set_any_ranks(*ranks, std::get<1>(baked_a));
+    set_any_ranks(*ranks, std::get<1>(baked_b));
+  }
   const auto& [x, y, z] = trees.translation;
   const TranslatedBoxTest bound(x, y, z);
   const Pairs truth = brute_force(trees);
@@ -152,6 +179,14 @@ TEST_CASE("all traversals agree on chains as deep as their triangles, and on une
     std::swap(trees.a, trees.b);
     std::swap(trees.mesh_a, trees.mesh_b);
     check_all(trees);
+  });
+}
+
+TEST_CASE("ranked follows its stack under any ranks") {
+  for_rounds(rounds(150, 600), 3, [&](Random& random, int) {
+    const std::uint32_t count_a = 1 + random.below(30);
+    const std::uint32_t count_b = 1 + random.below(30);
+    check_all(any_trees(random, count_a, count_b), &random);
   });
 }
 

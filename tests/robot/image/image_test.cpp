@@ -145,7 +145,14 @@ TEST_CASE("every flipped bit before the meshes, with checksum and hash that matc
   CHECK(opened > 100);  // a changed limit, distance or translation may be valid
 }
 
-TEST_CASE("links that no joint moves are no unguarded pair") {
+TEST_CASE("pairs that are not guarded are kept with the reason; one that no joint moves is none") {
+  const Words& words = arm_images()[0].words;
+  REQUIRE(unguarded_count(words.data()) == 2);
+  const RobotUnguarded* const kept = unguarded_pairs(words.data());
+  CHECK((kept[0].a == 0 && kept[0].b == 1 && kept[0].why == WhyUnguarded::zone));
+  CHECK((kept[0].joint == 0 && kept[0].radius == 12800));  // 50 cells
+  CHECK((kept[1].a == 2 && kept[1].b == 3 && kept[1].why == WhyUnguarded::believed));
+  CHECK((kept[1].joint == kBase && kept[1].radius == 0));
   Model model;
   add_joint(model, tool::kNoJoint, {}, JointType::revolute, -1, 1);
   add_link(model, 0, box({0, 0, 0}, {0.1, 0.1, 0.1}));

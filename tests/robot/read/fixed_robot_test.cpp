@@ -173,7 +173,7 @@ TEST_CASE("robots that firmware can't hold") {
       link_text("b", "") + joint_text("j", "continuous", "a", "b"));
   CHECK_THAT(refusal_of([&] { bake_robot(many); }),
              Catch::Matchers::StartsWith("arm.urdf, link 'a': 65536 triangles, but 16-bit indices "
-                                         "reach 65535; with --simplify "));
+                                         "reach 65535; use --simplify"));
 }
 
 TEST_CASE("the slack grows by what the reader of a link's file rounded, along three axes, twice") {

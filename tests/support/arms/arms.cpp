@@ -180,19 +180,23 @@ Model any_arm(Random& random, std::size_t joints) {
   return model;
 }
 
+using Baked = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
+
 BakedArm::BakedArm(const Model& model, double cell) : model_(model), cell_(cell) {
   for (const ModelLink& link : model.links) {
-    baked_.push_back(bake_link(link, cell, bake::kDefaultLeafSize, ""));
+    BakeOptions options;
+    options.cell = cell;
+    baked_.push_back(tool::bake(input_of(link.name, link.mesh), options));
+    Baked& tree = std::get<Baked>(baked_.back().tree);
+    tree.unit = Unit::m;
+    meshes_.push_back(tree.view());
     baked_wholes_.push_back(bake_part(link.mesh, cell));
-  }
-  for (const BakedLink& link : baked_) {
-    meshes_.push_back(link.mesh());
   }
   wholes_ = views_of(baked_wholes_);
 }
 
 std::vector<std::uint32_t> BakedArm::image(std::size_t link) const {
-  return bake::image_of(baked_[link].tree);
+  return bake::image_of(std::get<Baked>(baked_[link].tree));
 }
 
 bool BakedArm::intersect(std::size_t a, std::size_t b, const std::vector<double>& variables) const {

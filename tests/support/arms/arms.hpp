@@ -1,9 +1,10 @@
 // Arms made of boxes and prisms: fixed and random ones.
 #pragma once
 
+#include <deque>
 #include <vector>
 
-#include "robot/baked/bake_links.hpp"
+#include "image/baking.hpp"
 #include "robot/kinematics.hpp"
 #include "robot/matrix/matrix.hpp"
 #include "support/random.hpp"
@@ -66,7 +67,7 @@ class BakedArm {
  private:
   const Model& model_;
   double cell_;
-  std::vector<tool::BakedLink> baked_;
+  std::deque<tool::BakedMesh> baked_;
   std::vector<Mesh> meshes_;
   std::vector<tool::BakedPart> baked_wholes_;
   std::vector<tool::WholeMesh> wholes_;
