@@ -2,7 +2,7 @@
 // that the definitions of Code.v and Image.v give equal results.
 #include <cstdio>
 
-#include "flashbvh/detail/walk/level_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "proofs/walk/generated.hpp"
 
 using namespace flashbvh;
@@ -106,7 +106,7 @@ bool library_accepts(const std::vector<ModelNode>& nodes, uint32_t leaves) {
   static const Vertex vertex = {0, 0, 0};
   static const uint16_t shell = 0;
   const std::vector<Corners<uint16_t>> triangles(leaves, {{0, 0, 0}});
-  MeshWithLevels mesh = {};
+  Mesh mesh = {};
   mesh.nodes = nodes.data();
   mesh.node_count = static_cast<uint16_t>(nodes.size());
   mesh.leaf_count = mesh.triangle_count = static_cast<uint16_t>(leaves);
@@ -115,7 +115,7 @@ bool library_accepts(const std::vector<ModelNode>& nodes, uint32_t leaves) {
   mesh.vertex_count = mesh.shell_count = 1;
   mesh.shell_vertices = &shell;
   detail::TreeShape shape;
-  return detail::check_tree(mesh, shape) == Status::done;
+  return detail::check_tree(mesh, {}, shape) == Status::done;
 }
 
 bool write_check(Random& random) {

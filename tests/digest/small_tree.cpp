@@ -1,7 +1,7 @@
 #include "small_tree.hpp"
 
 #include "flashbvh/detail/lattice/box_packed.hpp"
-#include "flashbvh/detail/walk/level_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 
 namespace digest {
 
@@ -145,7 +145,7 @@ bool SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
     view_.parents = climb_;
   }
   TreeShape measured;
-  const bool good = check_tree(view_, measured) == Status::done;
+  const bool good = check_tree(view_, {levels_, climb_}, measured) == Status::done;
   view_.stack_need = static_cast<uint16_t>(measured.stack_need);
   view_.longest_edge = static_cast<uint16_t>(measured.longest_edge);
   return good;

@@ -3,7 +3,7 @@
 // sanitizer detects any other read.
 #include <set>
 
-#include "flashbvh/detail/walk/level_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 #include "flashbvh/image.hpp"
 #include "support/shapes.hpp"
 #include "support/test.hpp"
@@ -84,13 +84,10 @@ std::vector<Baked<layout>> all_trees(std::size_t count) {
 
 template <Layout layout>
 bool passes(const Baked<layout>& baked, bool levels = true) {
-  auto view = baked.view();
-  if constexpr (layout == Layout::post_indexed) {
-    view.levels = levels ? view.levels : nullptr;
-    view.right_child_levels = levels ? view.right_child_levels : nullptr;
-  }
+  const auto arrays = levels ? ImageLevels<std::uint16_t>{baked.levels.data(), baked.climb.data()}
+                             : ImageLevels<std::uint16_t>{};
   TreeShape shape;
-  return check_tree(view, shape) == Status::done;
+  return check_tree(baked.view(), arrays, shape) == Status::done;
 }
 
 /// The tree with other fields; numbers leaves and their triangles in order; ranks are 1.

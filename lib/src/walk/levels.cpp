@@ -1,10 +1,20 @@
 // Opens images with levels.
 #include "flashbvh/traversal/levels.hpp"
 
-#include "flashbvh/detail/walk/level_parts.hpp"
+#include "flashbvh/detail/lattice/image_parts.hpp"
 
 namespace flashbvh {
 namespace {
+
+/// The array by which a walk climbs: the second one of ImageLevels.
+template <class Index>
+const Index*& climb_of(BasicMeshWithLevels<Index, Layout::pre_indexed>& mesh) {
+  return mesh.parents;
+}
+template <class Index>
+const Index*& climb_of(BasicMeshWithLevels<Index, Layout::post_indexed>& mesh) {
+  return mesh.right_child_levels;
+}
 
 /// `opened`: of this image. Leaves `mesh` closed, and returns false, if the image has no levels.
 template <class Index, Layout layout>
@@ -16,7 +26,7 @@ bool set_levels(const void* image, const BasicMesh<Index, layout>& opened,
   }
   static_cast<BasicMesh<Index, layout>&>(mesh) = opened;
   mesh.levels = levels.levels;
-  detail::climb_of(mesh) = levels.climb;
+  climb_of(mesh) = levels.climb;
   return true;
 }
 
