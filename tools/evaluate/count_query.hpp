@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "flashbvh/query.hpp"
@@ -13,28 +12,21 @@ namespace flashbvh::scene {
 /// Initial cursors of one traversal over two trees, with the array that a stack needs.
 template <class Traversal>
 class WalkStart {
-  using Cursor = typename Traversal::Cursor;
-  using Entry = StackEntry<typename Traversal::Tree::Index>;
-
  public:
-  WalkStart(const typename Traversal::Tree& a, const typename Traversal::Tree& b) {
-    if constexpr (kStack) {
-      entries_.resize(stack_entries(a.stack_need, b.stack_need));
-    }
-  }
+  WalkStart(const typename Traversal::Tree& a, const typename Traversal::Tree& b)
+      : entries_(Traversal::kStackless ? 0 : stack_entries(a.stack_need, b.stack_need)) {}
 
   /// A cursor at the roots. All cursors share one array: run only one walk at a time.
-  Cursor cursor() {
-    if constexpr (kStack) {
-      return Cursor(entries_.data(), static_cast<std::uint32_t>(entries_.size()));
+  typename Traversal::Cursor cursor() {
+    if constexpr (Traversal::kStackless) {
+      return {};
     } else {
-      return Cursor();
+      return {entries_.data(), static_cast<std::uint32_t>(entries_.size())};
     }
   }
 
  private:
-  static constexpr bool kStack = !std::is_same_v<Cursor, Entry>;
-  std::vector<Entry> entries_;
+  std::vector<StackEntry<typename Traversal::Tree::Index>> entries_;
 };
 
 /// Runs the paper's query, with triangle tests, to its end. Returns zeros if it is refused, or if

@@ -61,21 +61,6 @@ double defect(const Matrix& r) {
                   shortest(kMaxTranslation * cell), " (", kMaxTranslation, " cells)");
 }
 
-/// Cells, and the remaining 1/65,536 of a cell.
-struct AxisTranslation {
-  std::int32_t cells;
-  std::int16_t fraction;
-};
-
-AxisTranslation axis_translation(double length, double cell, const std::string& place) {
-  const double fractions = std::round(length / cell * 65536);
-  const double cells = std::floor((fractions + 32768) / 65536);
-  if (!(std::fabs(cells) <= kMaxTranslation)) {
-    refuse_translation(length, cell, place);
-  }
-  return {static_cast<std::int32_t>(cells), static_cast<std::int16_t>(fractions - cells * 65536)};
-}
-
 using Words = std::vector<std::string_view>;
 
 std::int32_t cells_of(std::string_view word, double cell, const std::string& place) {
@@ -185,9 +170,13 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
       }
       rotation[i][j] = static_cast<std::int32_t>(std::round(entry * kRotationOne));
     }
-    const AxisTranslation along = axis_translation(pose.translation[i], cell, place);
-    cells[i] = along.cells;
-    fraction[i] = along.fraction;
+    const double parts = std::round(pose.translation[i] / cell * 65536);
+    const double whole = std::floor((parts + 32768) / 65536);
+    if (!(std::fabs(whole) <= kMaxTranslation)) {
+      refuse_translation(pose.translation[i], cell, place);
+    }
+    cells[i] = static_cast<std::int32_t>(whole);
+    fraction[i] = static_cast<std::int16_t>(parts - whole * 65536);
   }
   const Pose on_lattice = Pose::rigid(rotation, cells, fraction);
   if (on_lattice.status() != Status::done) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "bake/baked_tree.hpp"
 #include "evaluate/count_query.hpp"
@@ -15,20 +16,17 @@ namespace flashbvh::tool {
 /// One tree in both layouts.
 template <class Index>
 struct BothLayouts {
-  bake::BakedTree<Index, Layout::pre_indexed> pre;
-  bake::BakedTree<Index, Layout::post_indexed> post;
+  template <Layout layout>
+  using Baked = bake::BakedTree<Index, layout>;
+  std::tuple<Baked<Layout::pre_indexed>, Baked<Layout::post_indexed>> baked;
 
   BothLayouts(const bake::BuildTree& tree, const bake::LatticeMesh& mesh)
-      : pre(bake::lay_out<Index, Layout::pre_indexed>(tree, mesh)),
-        post(bake::lay_out<Index, Layout::post_indexed>(tree, mesh)) {}
+      : baked(bake::lay_out<Index, Layout::pre_indexed>(tree, mesh),
+              bake::lay_out<Index, Layout::post_indexed>(tree, mesh)) {}
 
   template <Layout layout>
   auto view() const {
-    if constexpr (layout == Layout::pre_indexed) {
-      return pre.view();
-    } else {
-      return post.view();
-    }
+    return std::get<Baked<layout>>(baked).view();
   }
 };
 
@@ -50,13 +48,10 @@ struct Trees {
   }
 };
 
-Objects::Objects() = default;
-Objects::~Objects() = default;
-
 const Trees& Objects::get(const scene::PaperObject& object) {
-  std::unique_ptr<Trees>& trees = trees_[name_of(object)];
+  std::shared_ptr<const Trees>& trees = trees_[name_of(object)];
   if (!trees) {
-    trees = std::make_unique<Trees>(make_mesh(object));
+    trees = std::make_shared<Trees>(make_mesh(object));
   }
   return *trees;
 }

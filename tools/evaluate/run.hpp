@@ -18,13 +18,11 @@ struct Trees;
 /// The trees of the setups' objects, each built once.
 class Objects {
  public:
-  Objects();
-  ~Objects();
   /// The reference stays valid as long as this object.
   const Trees& get(const scene::PaperObject& object);
 
  private:
-  std::map<std::string, std::unique_ptr<Trees>> trees_;
+  std::map<std::string, std::shared_ptr<const Trees>> trees_;
 };
 
 /// A traversal on one setup: a row of the tables. Leaves reject pairs by their boxes alone.
