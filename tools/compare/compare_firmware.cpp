@@ -52,11 +52,6 @@ struct Cost {
   }
 };
 
-Library& flashbvh_itself() {
-  static WithFlashbvh* const library = new WithFlashbvh;
-  return *library;
-}
-
 struct Named {
   const char* name;
   Library& library;
@@ -81,9 +76,9 @@ void query_class(PoseKey key, const Named& named) {
 }  // namespace compare
 
 int main() {
-  const compare::Named all[] = {{"flashbvh", compare::flashbvh_itself()},
-                                {"opcode", compare::opcode()},
-                                {"float", compare::float_tree()}};
+  compare::WithFlashbvh itself;
+  const compare::Named all[] = {
+      {"flashbvh", itself}, {"opcode", compare::opcode()}, {"float", compare::float_tree()}};
   for (uint32_t p = 0; p < kLinkPairs; ++p) {
     for (const compare::Named& named : all) {
       named.library.set_meshes(*kPairs[p].a, *kPairs[p].b);

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "flashbvh/lattice.hpp"
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/pose.hpp"
 
@@ -14,31 +13,15 @@ namespace compare {
 /// binary32, and large enough that products of five lengths and areas stay far from its limits.
 inline constexpr double kCellsOfUnit = 1024;
 
-/// A vertex in the mesh's frame, in units.
-template <class Number>
-void set_vertex(const flashbvh::Mesh& mesh, std::uint32_t vertex, Number (&point)[3]) {
-  const flashbvh::Vertex& v = mesh.vertices[vertex];
-  const std::int32_t cells[3] = {v.x, v.y, v.z};
-  for (int axis = 0; axis < 3; ++axis) {
-    point[axis] = static_cast<Number>((mesh.origin[axis] + cells[axis]) / kCellsOfUnit);
-  }
-}
-
-/// A point of binary32, in units.
+/// All vertices in the mesh's frame, in units and binary32.
 template <class Vector>
-Vector in_units(const flashbvh::Point& point) {
-  const auto units = [](std::int32_t cells) { return static_cast<float>(cells / kCellsOfUnit); };
-  return {units(point.x), units(point.y), units(point.z)};
-}
-
-/// All vertices in the mesh's frame, in units.
-template <class Number, class Vector>
 std::vector<Vector> vertices_of(const flashbvh::Mesh& mesh) {
+  const auto units = [](std::int32_t cells) { return static_cast<float>(cells / kCellsOfUnit); };
   std::vector<Vector> all;
   for (std::uint32_t i = 0; i < mesh.vertex_count; ++i) {
-    Number point[3];
-    set_vertex(mesh, i, point);
-    all.push_back({point[0], point[1], point[2]});
+    const flashbvh::Vertex& v = mesh.vertices[i];
+    all.push_back(
+        {units(mesh.origin[0] + v.x), units(mesh.origin[1] + v.y), units(mesh.origin[2] + v.z)});
   }
   return all;
 }

@@ -49,7 +49,7 @@ class Tree {
  public:
   void build(const Mesh& mesh) {
     triangles_.clear();
-    const std::vector<Vec> vertices = vertices_of<float, Vec>(mesh);
+    const std::vector<Vec> vertices = vertices_of<Vec>(mesh);
     for (uint32_t i = 0; i < mesh.triangle_count; ++i) {
       const auto& corner = mesh.triangles[i].corner;
       triangles_.push_back(flat_of(vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]));

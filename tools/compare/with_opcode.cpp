@@ -22,13 +22,16 @@ namespace {
 class OpcodeModel {
  public:
   explicit OpcodeModel(const Mesh& mesh)
-      : vertices_(vertices_of<float, IceMaths::Point>(mesh)),
+      : vertices_(vertices_of<IceMaths::Point>(mesh)),
         triangles_(corners_of<IceMaths::IndexedTriangle>(mesh)) {
     interface_.SetNbTriangles(mesh.triangle_count);
     interface_.SetNbVertices(mesh.vertex_count);
     interface_.SetPointers(triangles_.data(), vertices_.data());
     interface_.SetSingle(true);
-    if (!model_.Build(settings())) {
+    // The settings of ODE's dxTriMeshData: an optimised tree without leaves, not quantized.
+    const Opcode::BuildSettings rules(Opcode::SPLIT_BEST_AXIS | Opcode::SPLIT_SPLATTER_POINTS |
+                                      Opcode::SPLIT_GEOM_CENTER);
+    if (!model_.Build(Opcode::OPCODECREATE(&interface_, rules, true, false))) {
       std::abort();  // the tree could not be built
     }
   }
@@ -38,13 +41,6 @@ class OpcodeModel {
   const Opcode::Model& model() const { return model_; }
 
  private:
-  /// The settings of ODE's dxTriMeshData: an optimised tree without leaves, not quantized.
-  Opcode::OPCODECREATE settings() {
-    const Opcode::BuildSettings rules(Opcode::SPLIT_BEST_AXIS | Opcode::SPLIT_SPLATTER_POINTS |
-                                      Opcode::SPLIT_GEOM_CENTER);
-    return Opcode::OPCODECREATE(&interface_, rules, true, false);
-  }
-
   std::vector<IceMaths::Point> vertices_;
   std::vector<IceMaths::IndexedTriangle> triangles_;
   Opcode::MeshInterface interface_;
