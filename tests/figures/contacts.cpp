@@ -12,54 +12,43 @@ namespace {
 constexpr uint64_t kSeed = 20240607;
 constexpr uint32_t kPairs = 300;
 
-/// Changes a pair of random triangles into one of its kind.
-using AdaptPair = void (*)(Triangle& a, Triangle& b);
+constexpr int32_t kReach = 8000;  // differences below 2^15
 
-void set_boxes_disjoint(Triangle&, Triangle& b) {
-  for (Point& corner : b.corner) {
-    corner.z += 16001;
-  }
-}
-
-void set_general(Triangle&, Triangle&) {}
-
-void set_coplanar(Triangle& a, Triangle& b) {
-  for (int i = 0; i < 3; ++i) {
-    a.corner[i].z = a.corner[i].x + a.corner[i].y;
-    b.corner[i].z = b.corner[i].x + b.corner[i].y;
-  }
-}
-
-void set_segments(Triangle& a, Triangle& b) {
-  a.corner[2] = a.corner[1];
-  b.corner[2] = b.corner[1];
-}
-
+/// `adapt` changes a pair of random triangles into one of its kind.
 struct TriangleKind {
   const char* name;
-  AdaptPair adapt;
+  void (*adapt)(Triangle& a, Triangle& b);
 };
 
-constexpr TriangleKind kTriangleKinds[] = {{"boxes_disjoint", set_boxes_disjoint},
-                                           {"general", set_general},
-                                           {"coplanar", set_coplanar},
-                                           {"segments", set_segments}};
-
-void set_random_pair(test::Random& random, const TriangleKind& kind, Triangle& a, Triangle& b) {
-  constexpr int32_t kReach = 8000;  // differences below 2^15
-  for (int i = 0; i < 3; ++i) {
-    a.corner[i] = test::any_point(random, kReach);
-    b.corner[i] = test::any_point(random, kReach);
-  }
-  kind.adapt(a, b);
-}
+constexpr TriangleKind kTriangleKinds[] = {{"boxes_disjoint",
+                                            [](Triangle&, Triangle& b) {
+                                              for (Point& corner : b.corner) {
+                                                corner.z += 16001;
+                                              }
+                                            }},
+                                           {"general", [](Triangle&, Triangle&) {}},
+                                           {"coplanar",
+                                            [](Triangle& a, Triangle& b) {
+                                              for (int i = 0; i < 3; ++i) {
+                                                a.corner[i].z = a.corner[i].x + a.corner[i].y;
+                                                b.corner[i].z = b.corner[i].x + b.corner[i].y;
+                                              }
+                                            }},
+                                           {"segments", [](Triangle& a, Triangle& b) {
+                                              a.corner[2] = a.corner[1];
+                                              b.corner[2] = b.corner[1];
+                                            }}};
 
 void measure_kind(const TriangleKind& kind) {
   test::Random random(kSeed);
   for (uint32_t i = 0; i < kPairs; ++i) {
     Triangle a;
     Triangle b;
-    set_random_pair(random, kind, a, b);
+    for (int k = 0; k < 3; ++k) {
+      a.corner[k] = test::any_point(random, kReach);
+      b.corner[k] = test::any_point(random, kReach);
+    }
+    kind.adapt(a, b);
     bool yes = false;
     measure({{"part", "triangles", kind.name}}, [&] { yes = detail::triangles_intersect(a, b); });
     add_to_digest(yes ? 1 : 0);
