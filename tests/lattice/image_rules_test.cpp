@@ -8,27 +8,18 @@ using namespace flashbvh::detail;
 
 namespace {
 
-/// The status of a valid tree after one change.
-template <Layout layout, class Change>
-Status status_after(Baked<layout> baked, Change change) {
+/// The status of a valid tree's image after one change.
+template <class MeshType, class Change>
+Status status_after(Baked<MeshType::kLayout> baked, Change change) {
   change(baked);
-  return Image{image_of(baked, true)}.template open<BasicMeshWithLevels<std::uint16_t, layout>>();
+  const bool levels = !std::is_same_v<MeshType, Mesh>;
+  return Image{image_of(baked, levels)}.template open<MeshType>();
 }
 
-/// The status of an image without levels, after one change.
-template <class Change>
-Status status_without_levels(Baked<kPost> baked, Change change) {
-  change(baked);
-  return Image{image_of(baked)}.open<Mesh>();
-}
-
-/// Changes that each break one rule of the arrays; tree_check_test.cpp has links, leaves and
-/// levels.
+/// Changes that each break one rule of the arrays or of the header; tree_check_test.cpp has links,
+/// leaves and levels.
 template <Layout layout>
-std::vector<std::function<void(Baked<layout>&)>> broken_arrays() {
-  const auto stray = [](const Vertex& v) {
-    return [v](Baked<layout>& t) { t.vertices.push_back(v); };
-  };
+std::vector<std::function<void(Baked<layout>&)>> rule_breaks() {
   return {
       [](auto& t) { t.nodes[0].box.upper_xy -= 1; },
       [](auto& t) { t.nodes[0].box.z |= 0x8000; },
@@ -50,9 +41,15 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays() {
       [](auto& t) { t.shell_vertices.push_back(t.shell_vertices.back()); },
       [](auto& t) { t.shell_vertices[1] = 0; },
       // Vertices of no triangle, which no box covers.
-      stray({16384, 0, 0}),
-      stray({0, -16384, 0}),
-      stray({0, 0, INT16_MIN}),
+      [](auto& t) {
+        t.vertices.push_back({16384, 0, 0});
+      },
+      [](auto& t) {
+        t.vertices.push_back({0, -16384, 0});
+      },
+      [](auto& t) {
+        t.vertices.push_back({0, 0, INT16_MIN});
+      },
       // Counts beyond the index type, though what they are cut to would be sound.
       [](auto& t) { t.nodes.resize(t.nodes.size() + 0x10000); },
       [](auto& t) { t.vertices.resize(t.vertices.size() + 0x10000); },
@@ -65,13 +62,7 @@ std::vector<std::function<void(Baked<layout>&)>> broken_arrays() {
         t.leaf_count += 0x10000;
         t.leaf_offsets.resize(t.leaf_offsets.size() + 0x10000);
       },
-  };
-}
-
-/// Changes that each break one rule of the header.
-template <Layout layout>
-std::vector<std::function<void(Baked<layout>&)>> broken_headers() {
-  return {
+      // The header.
       [](auto& t) { t.stack_need -= 1; },
       [](auto& t) { t.stack_need += 1; },
       [](auto& t) { t.depth += 1; },
@@ -106,14 +97,13 @@ TEMPLATE_TEST_CASE("an image with a good checksum that breaks a rule is refused"
                    PreMeshWithLevels, MeshWithLevels) {
   constexpr Layout layout = TestType::kLayout;
   const Baked<layout> good = small_tree<layout>();
-  REQUIRE(status_after(good, [](auto&) {}) == Status::done);
-  for (const auto& changes : {broken_arrays<layout>(), broken_headers<layout>()}) {
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-      CAPTURE(i);
-      CHECK(status_after(good, changes[i]) == Status::image_invalid);
-      if constexpr (layout == kPost) {
-        CHECK(status_without_levels(good, changes[i]) == Status::image_invalid);
-      }
+  REQUIRE(status_after<TestType>(good, [](auto&) {}) == Status::done);
+  const auto changes = rule_breaks<layout>();
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    CAPTURE(i);
+    CHECK(status_after<TestType>(good, changes[i]) == Status::image_invalid);
+    if constexpr (layout == kPost) {
+      CHECK(status_after<Mesh>(good, changes[i]) == Status::image_invalid);
     }
   }
 }
@@ -130,6 +120,6 @@ TEST_CASE("the largest origins and the smallest and largest cells are good") {
       [](auto& t) { t.name.assign(bake::kMaxNameSize, '\xFF'); },
   };
   for (const auto& change : changes) {
-    CHECK(status_after(small_tree<kPost>(), change) == Status::done);
+    CHECK(status_after<MeshWithLevels>(small_tree<kPost>(), change) == Status::done);
   }
 }

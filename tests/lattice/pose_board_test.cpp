@@ -86,17 +86,16 @@ TEST_CASE("a matrix that is no rotation within the tolerance is refused, not rep
   for_rounds(300, 1, [&](Random& random, int) {
     const Rotation rotation = rotation_of(any_quaternion(random));
     // Scaling all entries changes a column's squared length by twice as much.
-    const std::int32_t tolerated = kOne + kRotationTolerance / 2 - (kOne >> 16);
-    const std::int32_t excessive = kOne + kRotationTolerance / 2 + (kOne >> 16);
-    REQUIRE(Pose::rigid(scaled(rotation, tolerated).entry, kNowhere).status() == Status::done);
-    REQUIRE(Pose::rigid(scaled(rotation, excessive).entry, kNowhere).status() ==
-            Status::not_a_rotation);
-    REQUIRE(Pose::rigid(scaled(rotation, kOne - (tolerated - kOne)).entry, kNowhere).status() ==
-            Status::done);
-    REQUIRE(Pose::rigid(scaled(rotation, kOne - (excessive - kOne)).entry, kNowhere).status() ==
-            Status::not_a_rotation);
-    REQUIRE(Pose::rigid(scaled(rotation, -kOne).entry, kNowhere).status() ==
-            Status::not_a_rotation);  // a mirror image
+    const std::int32_t tolerated = kRotationTolerance / 2 - (kOne >> 16);
+    const std::int32_t excessive = kRotationTolerance / 2 + (kOne >> 16);
+    const auto status_at = [&](std::int32_t scale) {
+      return Pose::rigid(scaled(rotation, scale).entry, kNowhere).status();
+    };
+    REQUIRE(status_at(kOne + tolerated) == Status::done);
+    REQUIRE(status_at(kOne - tolerated) == Status::done);
+    REQUIRE(status_at(kOne + excessive) == Status::not_a_rotation);
+    REQUIRE(status_at(kOne - excessive) == Status::not_a_rotation);
+    REQUIRE(status_at(-kOne) == Status::not_a_rotation);  // a mirror image
   });
   const std::int32_t zero[3][3] = {};
   CHECK(Pose::rigid(zero, kNowhere).status() == Status::not_a_rotation);
