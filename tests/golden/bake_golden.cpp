@@ -17,7 +17,8 @@ struct Recipe {
 };
 
 template <class Index, Layout layout>
-BakedImage baked_image(const char* mesh_name, const bake::LatticeMesh& mesh, const Recipe& recipe) {
+BakedImage baked_image(const char* mesh_name, bake::LatticeMesh mesh, const Recipe& recipe) {
+  mesh.cell = 0.125;
   const bool median = recipe.builder == Builder::median;
   bake::BuildTree tree =
       median ? bake::build_median(mesh, recipe.leaf_size) : bake::build_sah(mesh, recipe.leaf_size);
@@ -41,14 +42,7 @@ BakedImage baked_image(const char* mesh_name, const bake::LatticeMesh& mesh, con
 bake::LatticeMesh ring() {
   bake::LatticeMesh mesh = torus(6, 4, 700, 300);
   mesh.origin = {40, -25, 7};
-  mesh.cell = 0.125;
   mesh.deviation = 0.0625;
-  return mesh;
-}
-
-bake::LatticeMesh knot() {
-  bake::LatticeMesh mesh = torus(4, 3, 500, 260);
-  mesh.cell = 0.125;
   return mesh;
 }
 
@@ -56,7 +50,6 @@ bake::LatticeMesh lone() {
   bake::LatticeMesh mesh;
   mesh.vertices = {{-600, -500, -90}, {800, -300, 100}, {-100, 900, 5}};
   mesh.triangles = {{0, 1, 2}};
-  mesh.cell = 0.125;
   return mesh;
 }
 
@@ -67,14 +60,15 @@ std::vector<BakedImage> bake_golden_images() {
   using Wide = std::uint32_t;
   constexpr Layout pre = Layout::pre_indexed;
   constexpr Layout post = Layout::post_indexed;
+  const bake::LatticeMesh knot = torus(4, 3, 500, 260);
   return {
       baked_image<Narrow, post>("ring", ring(), {Builder::sah, 1, 4}),  // bake's defaults
-      baked_image<Narrow, post>("knot", knot(), {Builder::median, 4, 2, true}),
+      baked_image<Narrow, post>("knot", knot, {Builder::median, 4, 2, true}),
       baked_image<Narrow, post>("lone", lone(), {Builder::sah, 1, 4}),
       baked_image<Narrow, pre>("ring", ring(), {Builder::median, 1, 2}),
-      baked_image<Narrow, pre>("knot", knot(), {Builder::sah, 4, 8}),
-      baked_image<Wide, post>("knot", knot(), {Builder::sah, 1, 8}),
-      baked_image<Wide, pre>("knot", knot(), {Builder::median, 4, 4}),
+      baked_image<Narrow, pre>("knot", knot, {Builder::sah, 4, 8}),
+      baked_image<Wide, post>("knot", knot, {Builder::sah, 1, 8}),
+      baked_image<Wide, pre>("knot", knot, {Builder::median, 4, 4}),
   };
 }
 

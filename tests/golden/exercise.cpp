@@ -3,11 +3,11 @@
 #include <cstring>
 #include <memory>
 
+#include "bake/made_levels.hpp"
 #include "flashbvh/image.hpp"
 #include "golden/golden.hpp"
 #include "support/any_query.hpp"
 #include "support/most_work.hpp"
-#include "support/opened.hpp"
 #include "support/rotations.hpp"
 #include "support/same_view.hpp"
 
@@ -41,42 +41,48 @@ const char* exercise(const Tree& a, const Tree& b, const Pose& pose) {
   return wrong;
 }
 
+template <class Tree>
+using Levels = std::vector<typename Tree::Index>;
+
 /// Opens the smallest golden image of this kind; false if there is none.
 template <class Tree>
-bool open_partner(Opened<Tree>& partner) {
+bool open_partner(Tree& partner, Levels<Tree>& levels) {
+  const auto opens = [&](const KeptImage& image) {
+    return open_levelled(image.bytes, image.size, partner, levels) == Status::done;
+  };
   const KeptImage* smallest = nullptr;
   for (std::size_t i = 0; i < kKeptImageCount; ++i) {
     const KeptImage& image = kKeptImages[i];
-    if (partner.open(image.bytes, image.size) && partner.mesh.node_count > 1 &&
+    if (opens(image) && partner.node_count > 1 &&
         (smallest == nullptr || image.size < smallest->size)) {
       smallest = &image;
     }
   }
-  return smallest != nullptr && partner.open(smallest->bytes, smallest->size);
+  return smallest != nullptr && opens(*smallest);
 }
 
 template <class Tree>
 void open_and_exercise(const void* bytes, std::size_t size, const std::vector<Pose>& poses,
                        Verdict& verdict) {
-  Opened<Tree> opened;
-  if (!opened.open(bytes, size)) {
+  Tree tree;
+  Levels<Tree> levels;
+  if (open_levelled(bytes, size, tree, levels) != Status::done) {
     return;
   }
   verdict.opened = true;
   using Seen = BasicMesh<typename Tree::Index, Tree::kLayout>;
-  if (!same_view<typename Tree::Index, Tree::kLayout>(opened.mesh, view_unchecked<Seen>(bytes))) {
+  if (!same_view<typename Tree::Index, Tree::kLayout>(tree, view_unchecked<Seen>(bytes))) {
     verdict.wrong = "a view without a check is another one";
   }
   if (poses.empty()) {
     return;
   }
-  Opened<Tree> with;
-  if (!open_partner(with)) {
+  Tree partner;
+  Levels<Tree> partner_levels;
+  if (!open_partner(partner, partner_levels)) {
     verdict.wrong = "there is no golden image of this kind";
     return;
   }
-  const Tree& tree = opened.mesh;
-  Tree& partner = with.mesh;
   partner.cell_bits = tree.cell_bits;
   for (const Pose& pose : poses) {
     for (const char* wrong : {exercise(tree, tree, pose), exercise(tree, partner, pose),

@@ -5,24 +5,15 @@
 
 #include "support/test.hpp"
 
-namespace {
-
-const KeptImage* kept_image(const std::string& name) {
-  const auto* const end = kKeptImages + kKeptImageCount;
-  const auto* const found =
-      std::find_if(kKeptImages, end, [&](const KeptImage& kept) { return kept.name == name; });
-  return found == end ? nullptr : found;
-}
-
-}  // namespace
-
 TEST_CASE("golden images are baked again to the byte") {
   const std::vector<BakedImage> images = bake_golden_images();
   CHECK(images.size() == kKeptImageCount);
   for (const BakedImage& image : images) {
     CAPTURE(image.name);
-    const KeptImage* const kept = kept_image(image.name);
-    REQUIRE(kept != nullptr);
+    const KeptImage* const end = kKeptImages + kKeptImageCount;
+    const KeptImage* const kept =
+        std::find_if(kKeptImages, end, [&](const KeptImage& of) { return of.name == image.name; });
+    REQUIRE(kept != end);
     REQUIRE(kept->size == image.words.size() * sizeof image.words[0]);
     CHECK(std::memcmp(kept->bytes, image.words.data(), kept->size) == 0);
   }

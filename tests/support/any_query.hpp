@@ -10,12 +10,12 @@
 
 namespace flashbvh::test {
 
-template <class Traversal, class Predicate = detail::Intersection>
+template <class Traversal>
 struct AnyQuery {
   using Tree = typename Traversal::Tree;
   Tree a, b;
   std::vector<detail::PairCursor<typename Tree::Index>> entries;
-  Query<Traversal, Predicate> query;
+  Query<Traversal> query;
 
   AnyQuery(const Tree& tree_a, const Tree& tree_b, const Pose& pose)
       : a(tree_a),
@@ -23,9 +23,6 @@ struct AnyQuery {
         entries(stack_entries(a.stack_need, b.stack_need)),
         query(a, b, pose,
               at_roots<Traversal>(entries.data(), static_cast<std::uint32_t>(entries.size()))) {}
-  /// Scene: has trees a and b and a pose.
-  template <class Scene>
-  explicit AnyQuery(const Scene& scene) : AnyQuery(scene.a.view(), scene.b.view(), scene.pose) {}
 };
 
 /// Calls use(name, any.query) for each traversal that supports this layout.

@@ -4,26 +4,20 @@
 
 #include <stdint.h>
 
-#include "flashbvh/traversal/pair_stack.hpp"
 #include "flashbvh/traversal/traversals.hpp"
 #include "support/ranked_stack.hpp"
 
 namespace flashbvh::test {
-
-template <class Cursor>
-constexpr bool kIsStack = false;
-template <class Index>
-constexpr bool kIsStack<PairStack<Index>> = true;
 
 /// The start cursor of a walk; if it needs a stack, on these entries.
 template <class Traversal>
 typename Traversal::Cursor at_roots(
     [[maybe_unused]] detail::PairCursor<typename Traversal::Tree::Index>* entries,
     [[maybe_unused]] uint32_t count) {
-  if constexpr (kIsStack<typename Traversal::Cursor>) {
-    return {entries, count};
-  } else {
+  if constexpr (Traversal::kStackless) {
     return {};
+  } else {
+    return {entries, count};
   }
 }
 
@@ -58,7 +52,7 @@ void for_each_order(Use&& use) {
 template <class Index, class Use>
 void for_each_stackless_order(Use&& use) {
   for_each_order<Index>([&use](auto named) {
-    if constexpr (!kIsStack<typename decltype(named)::Traversal::Cursor>) {
+    if constexpr (decltype(named)::Traversal::kStackless) {
       use(named);
     }
   });

@@ -7,7 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "digest/digest.hpp"
 #include "digest/small_mesh.hpp"
 #include "digest/small_tree.hpp"
 #include "flashbvh/query.hpp"
@@ -96,23 +95,6 @@ struct SmallQuery {
       : query(scene.a.view(), scene.b.view(), scene.pose,
               at_roots<Traversal>(
                   entries, stack_entries(scene.a.view().stack_need, scene.b.view().stack_need))) {}
-};
-
-/// The reported pairs in their order, hashed into one number.
-class Report {
- public:
-  void add(const Pair& pair) {
-    hash_.add(pair.a | static_cast<uint32_t>(pair.b) << 16);
-    ++count_;
-  }
-  uint32_t count() const { return count_; }
-  friend bool operator==(const Report& p, const Report& q) {
-    return p.count_ == q.count_ && p.hash_.value() == q.hash_.value();
-  }
-
- private:
-  digest::Hash hash_;
-  uint32_t count_ = 0;
 };
 
 }  // namespace flashbvh::test
