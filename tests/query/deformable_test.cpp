@@ -65,8 +65,7 @@ void check_refits(Random& random, int rounds) {
     const Mesh& mesh = bent.mesh.mesh();
     for (int frame = 0; frame < 8; ++frame) {
       CAPTURE(frame);
-      move_some(random, frame < 6 ? 20 : kMaxCoordinate, bent.vertices.data(),
-                bent.vertices.size());
+      move_some(random, frame < 6 ? 20 : kMaxCoordinate, bent.vertices);
       const RefitResult step =
           frame % 2 == 0 ? bent.mesh.refit() : refit_in_slices(random, bent.mesh, 9);
       REQUIRE(step.status == Status::done);
@@ -93,15 +92,6 @@ void check_refits(Random& random, int rounds) {
   }
 }
 
-/// Tests every traversal that supports these meshes.
-template <class Mesh>
-void check_pairs(const Mesh& a, const Mesh& b, const Pose& pose, const Pairs& expected) {
-  for_each_query(a, b, pose, [&](const char* name, auto& query) {
-    CAPTURE(name);
-    REQUIRE(sorted(run_to_end(query)) == expected);
-  });
-}
-
 template <class Mesh>
 void check_queries(Random& random, int rounds) {
   for (int round = 0; round < rounds; ++round) {
@@ -111,7 +101,7 @@ void check_queries(Random& random, int rounds) {
     const bake::LatticeMesh other = any_bendable(random);
     Bending<Mesh> rigid(any_tree(random, other), other);
     for (int frame = 0; frame < 2; ++frame) {
-      move_some(random, 30, bent.vertices.data(), bent.vertices.size());
+      move_some(random, 30, bent.vertices);
       REQUIRE(refit_in_slices(random, bent.mesh, 30).status == Status::done);
       const Pose pose = any_pose(random, 20);
       const Mesh& mesh = bent.mesh.mesh();
@@ -143,7 +133,7 @@ TEST_CASE("distances, rays and insides are those of the same mesh baked as it is
   const bake::LatticeMesh ring = torus(6, 4, 60, 20);
   for_rounds(40, 2, [&](Random& random, int) {
     Bending<Mesh> bent(any_tree(random, ring), ring);
-    move_some(random, 8, bent.vertices.data(), bent.vertices.size());
+    move_some(random, 8, bent.vertices);
     bent.mesh.set_origin({random.between(-50, 50), 7, -3});
     REQUIRE(bent.mesh.refit().status == Status::done);
     bake::LatticeMesh now = bent.now();

@@ -1,8 +1,8 @@
 // Distances of meshes, and pairs within a distance, against brute force over all pairs of
 // triangles, near and far.
 #include "flashbvh/clearance.hpp"
+#include "flashbvh/detail/predicates/triangle_distance.hpp"
 #include "flashbvh/detail/query/within_along.hpp"
-#include "support/all_distances.hpp"
 #include "support/any_mesh.hpp"
 #include "support/oracles/float_distance.hpp"
 #include "support/test.hpp"
@@ -103,6 +103,49 @@ Vertex above(const Vertex& p, const Vertex& q, const Vertex& r, double height) {
     return rounded(std::clamp<double>(point[axis], -kMaxCoordinate, kMaxCoordinate));
   };
   return vertex_of({at(0), at(1), at(2)});
+}
+
+struct Pairwise {
+  Fraction squared;
+  std::uint16_t of_a;  ///< slots
+  std::uint16_t of_b;
+  std::uint32_t id_a;
+  std::uint32_t id_b;
+};
+
+/// The distances of all pairs of triangles, by slot in A, then in B.
+std::vector<Pairwise> all_distances(const Mesh& a, const Mesh& b, const Pose& pose) {
+  std::vector<Pairwise> all;
+  for_all_pairs(
+      a, a.triangle_count, b, b.triangle_count, pose,
+      [&](std::uint32_t i, std::uint32_t j, const Triangle& of_a, const Triangle& of_b) {
+        Fraction squared = kInfinite;
+        Features features{};
+        REQUIRE(is_nearer(of_a, of_b, squared, features));
+        all.push_back({squared, static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j),
+                       a.triangle_ids[i], b.triangle_ids[j]});
+      });
+  return all;
+}
+
+const Pairwise& least_of(const std::vector<Pairwise>& all) {
+  return *std::min_element(all.begin(), all.end(), [](const Pairwise& p, const Pairwise& q) {
+    return compare(p.squared, q.squared) < 0;
+  });
+}
+
+/// In 1/256 cell, rounded down.
+std::uint32_t lower_of(const Fraction& squared) {
+  return static_cast<std::uint32_t>(
+      square_root(quotient(shifted_up(squared.above, 16), squared.below)));
+}
+
+/// In cells, to the last bits of a double.
+double root_of(const Fraction& squared) {
+  const auto number = [](const Int128& u) {
+    return std::ldexp(static_cast<double>(u.high), 64) + static_cast<double>(u.low);
+  };
+  return std::sqrt(number(squared.above) / number(squared.below));
 }
 
 /// Two meshes, and the distances of all pairs of their triangles.
@@ -238,9 +281,9 @@ void check_tolerance(const Pairing& of, const Hint& hint, unsigned tolerance) {
     return pair.of_a == found.witness.a && pair.of_b == found.witness.b;
   });
   REQUIRE(reported != of.all.end());
-  const double truth = length_of(least_of(of.all).squared);
+  const double truth = root_of(least_of(of.all).squared);
   const double longer = (1 + tolerance / 65536.0) * (1 + kExact);
-  const double distance = length_of(reported->squared);
+  const double distance = root_of(reported->squared);
   CAPTURE(tolerance, truth, distance, found.lower, found.upper);
   REQUIRE(distance <= truth * longer);
   REQUIRE(found.lower <= 256 * truth * (1 + kExact));
@@ -365,10 +408,11 @@ TEST_CASE("beyond the range both bounds of a distance hold") {
                            vector_of<double>(t.corner[2])};
     };
     double truth = 1e18;
-    for_all_pairs(
-        a, b, pose, [&](std::uint32_t, std::uint32_t, const Triangle& t, const Triangle& u) {
-          truth = std::min(truth, 256 * std::sqrt(squared_distance(floats(t), floats(u))));
-        });
+    for_all_pairs<Mesh>(a, a.triangle_count, b, b.triangle_count, pose,
+                        [&](std::uint32_t, std::uint32_t, const Triangle& t, const Triangle& u) {
+                          truth = std::min(truth,
+                                           256 * std::sqrt(squared_distance(floats(t), floats(u))));
+                        });
     ClearanceQuery cut(a, b, pose, random.below(2) == 0 ? Hint{} : Hint{0, 0});
     while (cut.run(1 + random.below(20)).status == Status::suspended) {
       const Found known = cut.result();

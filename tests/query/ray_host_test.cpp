@@ -47,11 +47,7 @@ struct TrueHit {
 std::vector<TrueHit> true_hits(const Mesh& mesh, const Segment& segment) {
   std::vector<TrueHit> hits;
   for (std::uint16_t i = 0; i < mesh.triangle_count; ++i) {
-    Triangle t;
-    for (int k = 0; k < 3; ++k) {
-      const Vertex& v = mesh.vertices[mesh.triangles[i].corner[k]];
-      t.corner[k] = moved({v.x, v.y, v.z}, mesh.origin);
-    }
+    const Triangle t = transformed(mesh, i, Pose::translated(0, 0, 0));
     const SegmentOracle oracle(segment, t);
     if (oracle.meets()) {
       hits.push_back({i, mesh.triangle_ids[i], oracle.first(), side_met(segment, t)});
@@ -172,14 +168,11 @@ TEST_CASE("a ray hits what exact rationals say, of several in one place the leas
     const std::int32_t reach = random.one_of(reaches);
     const Point from = moved(any_point(random, reach), mesh.origin);
     const Point to = moved(any_point(random, reach), mesh.origin);
-    const auto& corners = mesh.triangles[random.below(mesh.triangle_count)].corner;
-    const auto at = [&](std::uint32_t i) {
-      const Vertex& v = mesh.vertices[corners[i]];
-      return moved({v.x, v.y, v.z}, mesh.origin);
-    };
-    const Point u = at(random.below(3));
-    const Point v = at(random.below(3));
-    const Point w = at(random.below(3));
+    const std::uint32_t triangle = random.below(mesh.triangle_count);
+    const Triangle t = transformed<Mesh>(mesh, triangle, Pose::translated(0, 0, 0));
+    const Point u = random.one_of(t.corner);
+    const Point v = random.one_of(t.corner);
+    const Point w = random.one_of(t.corner);
     const Segment segments[] = {
         {from, to},
         {from, from},

@@ -47,8 +47,9 @@ Pairs near_pairs(const bake::LatticeMesh& mesh, std::uint32_t distance) {
 }
 
 /// Runs in new queries, each resumed from the previous one's cursor.
-template <class Query, class Make>
+template <class Make>
 Pairs run_by_cursors(Random& random, const Make& make, std::uint32_t& visits) {
+  using Query = decltype(make());
   QueryCursor<typename Query::Index> position{};
   Pairs pairs;
   for (Status status = Status::suspended; status != Status::done;) {
@@ -68,47 +69,19 @@ Pairs run_by_cursors(Random& random, const Make& make, std::uint32_t& visits) {
   return pairs;
 }
 
-template <class Query, class Make>
+template <class Make>
 void check(Random& random, const Make& make, const Pairs& expected) {
-  Query whole = make();
+  auto whole = make();
   const Pairs in_order = run_to_end(whole);
   REQUIRE(unordered(in_order) == expected);
-  Query cut = make();
+  auto cut = make();
   const std::uint32_t work = 1 + random.below(200);
   REQUIRE(run_to_end(cut, work, 1 + random.below(9)) == in_order);
   REQUIRE(cut.stats().visits == whole.stats().visits);
   REQUIRE(cut.stats().leaf_pairs == whole.stats().leaf_pairs);
   std::uint32_t visits = 0;
-  REQUIRE(run_by_cursors<Query>(random, make, visits) == in_order);
+  REQUIRE(run_by_cursors(random, make, visits) == in_order);
   REQUIRE(visits == whole.stats().visits);
-}
-
-template <class Mesh>
-void check_frames(Random& random, int rounds, int frames, std::uint32_t& answers) {
-  for (int round = 0; round < rounds; ++round) {
-    CAPTURE(round);
-    const bake::LatticeMesh lattice = any_bendable(random);
-    Bending<Mesh> bent(any_tree(random, lattice), lattice);
-    for (int frame = 0; frame < frames; ++frame) {
-      CAPTURE(frame);
-      move_some(random, 12, bent.vertices.data(), bent.vertices.size());
-      REQUIRE(bent.mesh.refit().status == Status::done);
-      const Mesh& mesh = bent.mesh.mesh();
-      const bake::LatticeMesh now = bent.now();
-      const Pairs expected = intersecting(now);
-      answers += static_cast<std::uint32_t>(expected.size());
-      using Self = BasicSelfQuery<Mesh, detail::Intersection>;
-      check<Self>(
-          random, [&] { return Self(mesh); }, expected);
-      REQUIRE(intersects_itself(mesh).yes == !expected.empty());
-      if (frame % 4 == 0) {
-        const std::uint32_t d = random.below(6 * 256);
-        using Near = BasicSelfQuery<Mesh, Within>;
-        check<Near>(
-            random, [&] { return Near(mesh, within({d})); }, near_pairs(now, d));
-      }
-    }
-  }
 }
 
 std::uint32_t mixed(std::uint32_t sum, std::uint32_t value) {
@@ -118,9 +91,28 @@ std::uint32_t mixed(std::uint32_t sum, std::uint32_t value) {
 }  // namespace
 
 TEST_CASE("a soup's, a sheet's or a tube's triangles that intersect are found once each") {
-  Random random = test_random();
-  std::uint32_t answers = 0;
-  check_frames<Mesh>(random, 60, 6, answers);
+  std::size_t answers = 0;
+  for_rounds(60, [&](Random& random, int) {
+    const bake::LatticeMesh lattice = any_bendable(random);
+    Bending<Mesh> bent(any_tree(random, lattice), lattice);
+    const Mesh& mesh = bent.mesh.mesh();
+    for (int frame = 0; frame < 6; ++frame) {
+      CAPTURE(frame);
+      move_some(random, 12, bent.vertices);
+      REQUIRE(bent.mesh.refit().status == Status::done);
+      const bake::LatticeMesh now = bent.now();
+      const Pairs expected = intersecting(now);
+      answers += expected.size();
+      check(
+          random, [&] { return SelfQuery(mesh); }, expected);
+      REQUIRE(intersects_itself(mesh).yes == !expected.empty());
+      if (frame % 4 == 0) {
+        const std::uint32_t d = random.below(6 * 256);
+        check(
+            random, [&] { return SelfWithinQuery(mesh, within({d})); }, near_pairs(now, d));
+      }
+    }
+  });
   CHECK(answers > 2000);
 }
 
@@ -161,10 +153,10 @@ TEST_CASE("a bending tube's digest is the same on every core") {
   Random random(7);
   const bake::LatticeMesh lattice = grid(12, 10, true);
   Bending<Mesh> bent(bake::build_default(lattice), lattice);
-  lay(random, 12, 60, 40, 25, bent.vertices.data(), bent.vertices.size());
+  lay(random, 12, 60, 40, 25, bent.vertices);
   std::uint32_t sum = 2166136261u;
   for (int frame = 0; frame < 12; ++frame) {
-    move_some(random, 50, bent.vertices.data(), bent.vertices.size());
+    move_some(random, 50, bent.vertices);
     REQUIRE(bent.mesh.refit().status == Status::done);
     for (const Node<std::uint16_t>& node : bent.nodes) {
       sum = mixed(mixed(mixed(sum, node.box.upper_xy), node.box.lower_xy), node.box.z);

@@ -109,10 +109,7 @@ TEST_CASE("bodies have points in common if triangles intersect or one lies insid
     bool truth = intersects(a, b, pose).yes;
     const bool touch = truth;
     for (std::uint32_t i = 0; i < b.vertex_count && !truth; ++i) {
-      const Vertex& v = b.vertices[i];
-      const Point t = transform.is_rotated() ? Point{} : transform.translated().offset;
-      const Point p = transform.is_rotated() ? transform.rotated().transform(v)
-                                             : Point{v.x + t.x, v.y + t.y, v.z + t.z};
+      const Point p = transformed<Mesh>(b, b.vertices[i], pose);
       truth = truth_of(a, nullptr, p) != PointSide::outside;
     }
     for (std::uint32_t i = 0; i < a.vertex_count && !truth; ++i) {

@@ -28,8 +28,8 @@ inline bake::LatticeMesh grid(std::uint32_t columns, std::uint32_t rows, bool ro
 /// Lays out the vertices of a grid in rows of `width`, `pitch` cells apart, in folds 2 * `fold`
 /// cells high, and moves each by up to `noise`.
 inline void lay(Random& random, std::uint32_t width, std::int32_t pitch, std::int32_t fold,
-                std::int32_t noise, Vertex* vertices, std::size_t count) {
-  for (std::size_t v = 0; v < count; ++v) {
+                std::int32_t noise, std::vector<Vertex>& vertices) {
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
     const auto i = static_cast<std::int32_t>(v % width);
     const auto j = static_cast<std::int32_t>(v / width);
     const std::int32_t up = i % 4 < 2 ? i % 4 : 4 - i % 4;
@@ -40,12 +40,11 @@ inline void lay(Random& random, std::uint32_t width, std::int32_t pitch, std::in
 }
 
 /// Moves a random subset of the vertices by up to `by`, or all of it into one point or plane.
-inline void move_some(Random& random, std::int32_t by, Vertex* vertices, std::size_t count) {
+inline void move_some(Random& random, std::int32_t by, std::vector<Vertex>& vertices) {
   const std::uint32_t one_in = 1 + random.below(4);
   const std::uint32_t kind = random.below(16);
-  for (std::size_t v = 0; v < count; ++v) {
+  for (Vertex& at : vertices) {
     if (random.below(one_in) == 0) {
-      Vertex& at = vertices[v];
       at = {coordinate_near(random, at.x, by), coordinate_near(random, at.y, by),
             kind == 0 ? std::int16_t{0} : coordinate_near(random, at.z, by)};
       at = kind == 1 ? vertices[0] : at;
@@ -63,7 +62,7 @@ inline bake::LatticeMesh any_bendable(Random& random) {
   bake::LatticeMesh mesh = grid(columns, 1 + random.below(4), kind == 1);
   const std::uint32_t width = 3 + random.below(3);
   const auto noise = static_cast<std::int32_t>(random.below(12));
-  lay(random, width, 10, 5, noise, mesh.vertices.data(), mesh.vertices.size());
+  lay(random, width, 10, 5, noise, mesh.vertices);
   return mesh;
 }
 

@@ -1,9 +1,8 @@
-// Triangles under a pose: the pairs that intersect, by brute force, and distances.
+// Triangles under a pose, and the pairs that intersect, by brute force.
 #pragma once
 
 #include <stdint.h>
 
-#include "flashbvh/detail/predicates/fraction.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/lattice.hpp"
 #include "flashbvh/mesh.hpp"
@@ -59,37 +58,30 @@ Triangle transformed(const Mesh& mesh, uint32_t triangle, const Pose& pose) {
   return {{at(0), at(1), at(2)}};
 }
 
-/// Calls found(i, j) for each intersecting pair of the first `count_a` and `count_b` triangles.
-template <class Mesh, class Found>
-void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_b, const Pose& pose,
-                 const Found& found) {
+/// Calls visit(i, j, of_a, of_b) for each pair of the first `count_a` and `count_b` triangles, in
+/// A's frame.
+template <class Mesh, class Visit>
+void for_all_pairs(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_b,
+                   const Pose& pose, const Visit& visit) {
   const Pose here = Pose::translated(0, 0, 0);
   for (uint32_t i = 0; i < count_a; ++i) {
     const Triangle of_a = transformed(a, i, here);
     for (uint32_t j = 0; j < count_b; ++j) {
-      if (detail::triangles_intersect(of_a, transformed(b, j, pose))) {
-        found(i, j);
-      }
-    }
-  }
-}
-
-/// A distance in 1/256 cell, rounded down.
-inline uint32_t lower_of(const detail::Fraction& squared) {
-  return static_cast<uint32_t>(
-      detail::square_root(detail::quotient(detail::shifted_up(squared.above, 16), squared.below)));
-}
-
-/// Calls visit(slot_a, slot_b, of_a, of_b) for each pair of triangles, in A's frame.
-template <class Mesh, class Visit>
-void for_all_pairs(const Mesh& a, const Mesh& b, const Pose& pose, const Visit& visit) {
-  const Pose here = Pose::translated(0, 0, 0);
-  for (uint32_t i = 0; i < a.triangle_count; ++i) {
-    const Triangle of_a = transformed(a, i, here);
-    for (uint32_t j = 0; j < b.triangle_count; ++j) {
       visit(i, j, of_a, transformed(b, j, pose));
     }
   }
+}
+
+/// Calls found(i, j) for each of these pairs that intersects.
+template <class Mesh, class Found>
+void brute_force(const Mesh& a, uint32_t count_a, const Mesh& b, uint32_t count_b, const Pose& pose,
+                 const Found& found) {
+  for_all_pairs(a, count_a, b, count_b, pose,
+                [&](uint32_t i, uint32_t j, const Triangle& of_a, const Triangle& of_b) {
+                  if (detail::triangles_intersect(of_a, of_b)) {
+                    found(i, j);
+                  }
+                });
 }
 
 }  // namespace flashbvh::test
