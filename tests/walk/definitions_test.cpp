@@ -5,27 +5,14 @@
 
 namespace {
 
-/// A mesh of `count` triangles; the definitions do not depend on their coordinates.
-bake::LatticeMesh any_mesh(std::uint32_t count) {
-  Random random(1);
-  return random_mesh(random, count, 100, 10);
-}
-
-/// The array index of each node of the BuildTree.
-template <Layout layout>
-std::vector<std::uint32_t> positions(const Baked<layout>& baked) {
-  std::vector<std::uint32_t> position(baked.build_nodes.size());
-  for (std::uint32_t i = 0; i < position.size(); ++i) {
-    position[baked.build_nodes[i]] = i;
-  }
-  return position;
-}
-
 /// Checks every definition node by node, by the BuildTree's parents and children.
 template <Layout layout>
 void check_definitions(const bake::BuildTree& build, const Baked<layout>& baked) {
   const auto tree = baked.view();
-  const auto position = positions(baked);
+  std::vector<std::uint32_t> position(build.nodes.size());  // of each node in the array
+  for (std::uint32_t i = 0; i < position.size(); ++i) {
+    position[baked.build_nodes[i]] = i;
+  }
   REQUIRE(tree.escape(0) == tree.node_count);  // definition 3.3
   REQUIRE(tree.level(0) == 0);
   REQUIRE(tree.rcl(0) == 0);
@@ -56,11 +43,6 @@ void check_definitions(const bake::BuildTree& build, const Baked<layout>& baked)
   }
 }
 
-void check_both_layouts(const bake::BuildTree& build, const bake::LatticeMesh& mesh) {
-  check_definitions(build, baked<Layout::pre_indexed>(build, mesh));
-  check_definitions(build, baked<Layout::post_indexed>(build, mesh));
-}
-
 // Figure 1's tree, pre-indexed:
 //
 //                      0
@@ -68,12 +50,6 @@ void check_both_layouts(const bake::BuildTree& build, const bake::LatticeMesh& m
 //        2       5           9       12       level 2
 //      3   4   6   7       10 11   13  14     level 3
 constexpr std::uint32_t kEnd = 15;
-
-template <Layout layout>
-Baked<layout> figure_1() {
-  const auto mesh = any_mesh(8);
-  return baked<layout>(bake::build_median(mesh, 1), mesh);
-}
 
 /// The values of a function of the nodes, in the order of the array.
 template <class Function>
@@ -89,9 +65,12 @@ std::vector<std::uint32_t> values(Function function) {
 
 TEST_CASE("figures 1, 3, 22 and 26: levels, right child levels and escape indices") {
   using List = std::vector<std::uint32_t>;
-  const auto of_pre = figure_1<Layout::pre_indexed>();
+  Random random(1);
+  const auto mesh = random_mesh(random, 8, 100, 10);
+  const auto build = bake::build_median(mesh, 1);
+  const auto of_pre = baked<Layout::pre_indexed>(build, mesh);
   const auto pre = of_pre.view();
-  const auto of_post = figure_1<Layout::post_indexed>();
+  const auto of_post = baked(build, mesh);
   const auto post = of_post.view();
   REQUIRE((pre.node_count == kEnd && post.node_count == kEnd));
   CHECK(values([&](std::uint32_t node) { return pre.escape(node); }) ==
@@ -109,6 +88,8 @@ TEST_CASE("figures 1, 3, 22 and 26: levels, right child levels and escape indice
 TEST_CASE("the definitions hold on random trees of every shape") {
   for_rounds(300, [&](Random& random, int) {
     const auto mesh = random_mesh(random, 1 + random.below(24), 100, 20);
-    check_both_layouts(any_tree(random, mesh), mesh);
+    const auto build = any_tree(random, mesh);
+    check_definitions(build, baked<Layout::pre_indexed>(build, mesh));
+    check_definitions(build, baked(build, mesh));
   });
 }
