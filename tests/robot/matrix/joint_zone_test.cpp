@@ -93,27 +93,25 @@ Neighbours gantry(double reach) {
   return joined_by(JointType::prismatic, 0, reach, table, bridge);
 }
 
-/// True if a corner of the link lies outside the zone, about which its joint turns or shifts it.
-bool reaches_out(const Model& model, std::size_t link, const JointZone& zone) {
+/// True if a point of the link lies outside the zone, about which its joint turns or shifts it.
+bool is_outside(const Model& model, std::size_t link, const JointZone& zone, const Vector3& point) {
   const Transform frame =
       model.links[link].joint == zone.joint ? Transform() : model.joints[zone.joint].fixed;
-  const auto& corners = model.links[link].mesh.vertices;
-  return std::any_of(corners.begin(), corners.end(), [&](const Vector3& corner) {
-    return zone.shape.distance_of(placed(inverse(frame), corner)) > zone.shape.radius;
-  });
+  return zone.shape.distance_of(placed(inverse(frame), point)) > zone.shape.radius;
 }
 
 /// Checks that the bodies contain all of the first link's surface outside the zone, which nothing
 /// touches if the second link lies inside.
 void check_surface(Random& random, const Model& model, const JointZone& zone) {
-  if (!reaches_out(model, zone.b, zone)) {
+  const auto& corners = model.links[zone.b].mesh.vertices;
+  if (std::none_of(corners.begin(), corners.end(), [&](const Vector3& corner) {
+        return is_outside(model, zone.b, zone, corner);
+      })) {
     return;
   }
-  const Transform frame =
-      model.links[zone.a].joint == zone.joint ? Transform() : model.joints[zone.joint].fixed;
   for (int i = 0; i < 300; ++i) {
     const Vector3 point = any_point_of(random, model.links[zone.a].mesh);
-    const bool is_far = zone.shape.distance_of(placed(inverse(frame), point)) > zone.shape.radius;
+    const bool is_far = is_outside(model, zone.a, zone, point);
     const bool is_kept = std::any_of(zone.bodies.begin(), zone.bodies.end(), [&](const auto& of) {
       return distance_by_force(point, of.mesh_a) < 1e-9;
     });
