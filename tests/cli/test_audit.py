@@ -126,7 +126,7 @@ class AuditTest(Case):
               'link1="arm" link2="hook"/>\n<xacro:include filename="more.srdf"/></robot>')
         write("cut.srdf", '<robot name="crane">\n<disable_collisions link1="base"\n')
         refuse_each("audit crane.urdf", {
-            "cut.srdf": "cut.srdf:3: is no XML",
+            "cut.srdf": "cut.srdf:2: is no XML: unclosed token in <'robot'>; correct it there",
             "macro.srdf": "macro.srdf:3: is a xacro (it has <xacro:include>), not yet expanded; write `xacro "
                 "macro.srdf > OUT.srdf` and name OUT.srdf",
             "gone.srdf": "gone.srdf",

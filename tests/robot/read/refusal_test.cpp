@@ -51,8 +51,8 @@ void check_said(const std::string& said, const std::string& wanted) {
 TEST_CASE("files that are no URDF") {
   const auto [text, wanted] = GENERATE(table<std::string, const char*>({
       {"<robot name=\"r\">\n<link name=\"a\"></lin></robot>",
-       "x.urdf:2: is no XML: is damaged or cut off in <'link'>; correct it there"},
-      {"hello", "x.urdf:1: is no XML: has text outside of elements"},
+       "x.urdf:2: is no XML: mismatched tag in <'link'>; correct it there"},
+      {"hello", "x.urdf:1: is no XML: syntax error; correct it there"},
       {"<arm/>", "begins with <arm>, not with <robot>; name another file"},
       {std::string("<robot\0>", 8), "is no text"},
       {"<robot name=\"r\"><xacro:arm/></robot>", "is a xacro (it has <xacro:arm>)"},

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "robot/read/xml_file.hpp"
-#include "text/files.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -97,8 +96,7 @@ class SrdfReader {
 
 std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
                                     Warnings& warnings) {
-  const std::string text = read_file(path);
-  const XmlNode robot = robot_xml(text, path);
+  const XmlNode robot = robot_xml(path);
   if (attribute(&robot, "name") != model.name) {
     warnings.add(path, concat("is of a robot ", tool::quoted(attribute(&robot, "name")),
                               ", not of ", tool::quoted(model.name)));

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "robot/read/urdf_rules.hpp"
-#include "text/files.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
@@ -219,8 +218,7 @@ XmlNode fixed_base(XmlNode joint, const std::string& path, Warnings& warnings) {
 }  // namespace
 
 TrimmedRobot trimmed_urdf(const std::string& path, bool visual_too, Warnings& warnings) {
-  const std::string text = read_file(path);
-  const XmlNode robot = robot_xml(text, path);
+  const XmlNode robot = robot_xml(path);
   const XmlNode* const base = floating_base(robot, visual_too);
   TrimmedRobot trimmed;
   for (const XmlNode* e : elements_in(robot, "link")) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "text/messages.hpp"
+#include "text/files.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -30,8 +30,8 @@ void refuse_xacro(const XmlNode& element, const std::string& path, bool is_top) 
 
 }  // namespace
 
-XmlNode robot_xml(std::string_view text, const std::string& path) {
-  XmlNode root = read_xml(text, path, "correct it there");
+XmlNode robot_xml(const std::string& path) {
+  XmlNode root = read_xml(read_file(path), path, "correct it there");
   if (root.name == "mujoco" || root.name == "sdf") {
     throw UserError(path, "is ", root.name == "sdf" ? "SDF" : "MJCF", "; convert it to a URDF");
   }

@@ -10,8 +10,8 @@
 namespace flashbvh::tool {
 
 /// The contents of a file, whose outermost element is <robot>. UserError if it is malformed, a
-/// xacro that is not expanded, or has another root. Views lead into `text`.
-XmlNode robot_xml(std::string_view text, const std::string& path);
+/// xacro that is not expanded, or has another root.
+XmlNode robot_xml(const std::string& path);
 
 /// The first element of this name directly inside, or null.
 const XmlNode* first_in(const XmlNode& element, std::string_view name);
