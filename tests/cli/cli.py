@@ -129,7 +129,7 @@ def refuse(command, wanted):
     hold(out.err.count("\n") == 1, f"not one line: {command} ({out.err})")
     hold(not out, f"output on stdout: {command}")
     hold(out.err.startswith("flashbvh: "), out.err)
-    hold(wanted in out.err, f"no '{wanted}' in: {out.err}")
+    hold(wanted in out.err, f"no '{wanted}' in: {out.err} ({command})")
     hold(not any(Path(".").rglob("out*")), f"something written: {command}")
     return out
 

@@ -8,6 +8,9 @@ from pathlib import Path
 from cli import compiled, fixture, flashbvh, run, text, write
 from meshes import write_large_meshes, write_meshes
 
+# Of images baked with --layout post and pre, all traversals.
+ALGORITHMS = [*(("post", name) for name in ("ranked", "stackless-post", "volume-stack", "alternating-stack", "leaf")),
+              *(("pre", name) for name in ("stackless", "volume-stack", "alternating-stack", "leaf"))]
 HOME = "1 0 0 0 1 0 0 0 1"  # not rotated
 
 

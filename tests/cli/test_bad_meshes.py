@@ -3,7 +3,7 @@ import os
 import shutil
 from pathlib import Path
 
-from cli import Case, flashbvh, long, refuse, search, write
+from cli import Case, flashbvh, long, refuse, refuse_each, search, write
 from inputs import large_meshes, meshes
 
 
@@ -25,19 +25,17 @@ class BadMeshesTest(Case):
                 ("endless.ply", "ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n",
                  "endless.ply: vertex 0 of 9000000000000000000: no properties"),
                 ("part.gltf", "{}", "part.gltf: can't be read:")):
-            with self.subTest(name):
-                write(name, content)
-                refuse(f"bake meshes/tetrahedron.stl {name} -o out", wanted)
+            write(name, content)
+            refuse(f"bake meshes/tetrahedron.stl {name} -o out", wanted)
 
     def test_of_these_meshes_too_nothing_is_baked(self):
-        for mesh, wanted in (
-                ("missing.stl", "missing.stl: can't be opened"),
-                ("meshes", "is a folder"),
-                ("meshes/no_triangles.stl", "triangle"),
-                ("meshes/nan.stl", "nan.stl: polygon 2"),
-                ("meshes/infinite.stl", "infinite.stl: polygon 2")):
-            with self.subTest(mesh):
-                refuse(f"bake meshes/tetrahedron.stl {mesh} -o out", wanted)
+        refuse_each("bake -o out meshes/tetrahedron.stl", {
+            "missing.stl": "missing.stl: can't be opened",
+            "meshes": "is a folder",
+            "meshes/no_triangles.stl": "triangle",
+            "meshes/nan.stl": "nan.stl: polygon 2",
+            "meshes/infinite.stl": "infinite.stl: polygon 2",
+        })
 
     def test_too_large_for_the_cell_the_message_names_one_that_fits(self):
         out = refuse("bake meshes/ring.stl -o out --cell 0.0001", "too large for a cell of 1e-04")
@@ -47,14 +45,14 @@ class BadMeshesTest(Case):
     @long
     def test_too_many_for_16_bits_the_message_names_the_fix_and_the_fix_works(self):
         large_meshes()
-        for mesh, options, wanted in (
-                ("nodes", "--leaf-size 1 --builder median",
-                 "79999 nodes, but 16-bit indices reach 65535; use a larger --leaf-size"),
-                ("nodes", "--leaf-size 1", "40000 leaves, but 16-bit indices reach 32768; use a larger --leaf-size"),
-                ("vertices", "--cell 0.25 --builder median", "66000 vertices, but"),
-                ("triangles", "--builder median", "66000 triangles, but")):
-            with self.subTest(options):
-                refuse(f"bake meshes/many_{mesh}.stl -o out {options}", f"many_{mesh}.stl: {wanted}")
+        refuse_each("bake -o out", {
+            "meshes/many_nodes.stl --leaf-size 1 --builder median":
+                "many_nodes.stl: 79999 nodes, but 16-bit indices reach 65535; use a larger --leaf-size",
+            "meshes/many_nodes.stl --leaf-size 1":
+                "many_nodes.stl: 40000 leaves, but 16-bit indices reach 32768; use a larger --leaf-size",
+            "meshes/many_vertices.stl --cell 0.25 --builder median": "many_vertices.stl: 66000 vertices, but",
+            "meshes/many_triangles.stl --builder median": "many_triangles.stl: 66000 triangles, but",
+        })
         flashbvh("bake meshes/many_nodes.stl -o many")
 
     def test_two_meshes_that_would_be_written_to_one_file(self):
@@ -73,14 +71,11 @@ class BadMeshesTest(Case):
         for kind in ("stl", "robot", "fbvh"):
             Path(f"folder.{kind}").mkdir()
         os.symlink("/dev/null", "null.stl")
-        for command, file, wanted in (
-                ("info", "meshes/ring.stl", "is no flashbvh image; name a .fbvh file"),
-                ("check", "few.fbvh", "is no flashbvh image; name a .fbvh file"),
-                ("info", "few", "is no flashbvh image; name a .fbvh file"),
-                ("check", "few.robot", "is no image of a robot; name one that"),
-                ("info", "folder.stl", "is a folder; name a file"),
-                ("info", "folder.robot", "is a folder; name a file"),
-                ("info", "folder.fbvh", "is a folder; name a file"),
-                ("info", "null.stl", "is a device; name a file or a pipe")):
-            with self.subTest(file):
-                refuse(f"{command} {file}", f"{file}: {wanted}")
+        refuse_each("", {
+            "info meshes/ring.stl": "meshes/ring.stl: is no flashbvh image; name a .fbvh file",
+            "check few.fbvh": "few.fbvh: is no flashbvh image; name a .fbvh file",
+            "info few": "few: is no flashbvh image; name a .fbvh file",
+            "check few.robot": "few.robot: is no image of a robot; name one that",
+            **{f"info folder.{kind}": f"folder.{kind}: is a folder; name a file" for kind in ("stl", "robot", "fbvh")},
+            "info null.stl": "null.stl: is a device; name a file or a pipe",
+        })

@@ -2,7 +2,7 @@
 from pathlib import Path
 
 from cli import Case, fixture, flashbvh, text, write
-from inputs import any_poses, images, numbers
+from inputs import ALGORITHMS, any_poses, images, numbers
 
 
 @fixture
@@ -33,10 +33,7 @@ class CollideTest(Case):
         wanted = numbers("wanted")
         counts = [sum(pair[0] == pose for pair in wanted) for pose in range(22)]
         self.assertGreaterEqual(sum(count > 0 for count in counts), 10)
-        for folder, algorithm in (
-                ("post", "ranked"), ("post", "stackless-post"), ("post", "volume-stack"), ("post", "alternating-stack"),
-                ("post", "leaf"), ("pre", "stackless"), ("pre", "volume-stack"), ("pre", "alternating-stack"),
-                ("pre", "leaf")):
+        for folder, algorithm in ALGORITHMS:
             with self.subTest((folder, algorithm)):
                 out = flashbvh(f"collide {folder}/ring.fbvh {folder}/coarse.fbvh --poses poses --pairs found --json "
                                f"--algorithm {algorithm}")

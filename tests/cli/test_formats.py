@@ -154,9 +154,8 @@ class FormatsTest(Case):
         os.mkfifo("pipe.bin")
         os.symlink("/dev/zero", "zero.bin")
         for buffer in ("pipe.bin", "zero.bin", "missing.bin"):
-            with self.subTest(buffer):
-                write("refers.gltf", gltf(0, buffer))
-                refuse("bake refers.gltf -o out", "refers.gltf: can't be read")
+            write("refers.gltf", gltf(0, buffer))
+            refuse("bake refers.gltf -o out", "refers.gltf: can't be read")
 
     def test_pipes_and_devices(self):
         meshes()

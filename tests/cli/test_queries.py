@@ -3,7 +3,7 @@ import math
 import re
 
 from cli import Case, fixture, flashbvh, HERE, long, refuse, refuse_each, run, same, size, text, TOOLS, write
-from inputs import any_poses, box, edit_vertices, HOME, images, meshes, numbers, vertices
+from inputs import ALGORITHMS, any_poses, box, edit_vertices, HOME, images, meshes, numbers, vertices
 
 
 # Two boxes of 8 mm, the second one's lower corner at (0, 0, 0) of its own frame, a metre off the first one's; face to
@@ -229,10 +229,7 @@ class QueriesTest(Case):
     def test_no_pose_takes_more_visits_or_work_than_collide_bound_prints_by_any_traversal(self):
         images()
         write("poses", any_poses(40, 5, 20))
-        for folder, algorithm in (
-                ("post", "ranked"), ("post", "volume-stack"), ("post", "alternating-stack"), ("post", "stackless-post"),
-                ("post", "leaf"), ("pre", "stackless"), ("pre", "volume-stack"), ("pre", "alternating-stack"),
-                ("pre", "leaf")):
+        for folder, algorithm in ALGORITHMS:
             with self.subTest((folder, algorithm)):
                 collide = f"collide {folder}/ring.fbvh {folder}/coarse.fbvh --json --algorithm {algorithm}"
                 visits = flashbvh(f"{collide} --poses poses").each("visits")

@@ -80,10 +80,9 @@ class RefusalsTest(Case):
                 (whole[:-1], "bad.fbvh: is truncated"),
                 (whole[:20], "bad.fbvh: is truncated"),
                 (whole * 2, f"bad.fbvh: has {len(whole)} bytes after its end")):
-            with self.subTest(wanted):
-                Path("bad.fbvh").write_bytes(content)
-                refuse("check bad.fbvh", wanted)
-                refuse("info bad.fbvh", wanted)
+            Path("bad.fbvh").write_bytes(content)
+            refuse("check bad.fbvh", wanted)
+            refuse("info bad.fbvh", wanted)
         # `check` detects a wrong deviation and a wrong shell of a vertex; the library does not.
         damaged(68, b"\7\0", "deviation.fbvh")
         flashbvh("info deviation.fbvh")
@@ -113,15 +112,13 @@ class RefusalsTest(Case):
         shutil.copy("post/ring.fbvh", "kept.fbvh")
         os.symlink("post/ring.fbvh", "link.obj")
         os.link("home", "same_poses")
-        for mesh in ("post/ring.fbvh", "kept.fbvh", "link.obj"):
-            with self.subTest(mesh):
-                refuse(f"export post/ring.fbvh -o {mesh}",
-                       f"{mesh}: is an image, which would be replaced; write elsewhere")
-        for pairs in ("home", "./home", "same_poses"):
-            with self.subTest(pairs):
-                refuse(f"collide post/ring.fbvh post/ring.fbvh --poses home --pairs {pairs}",
-                       f"{pairs}: would replace home, which is read; write elsewhere")
-        refuse("collide post/ring.fbvh post/ring.fbvh --poses home --pairs kept.fbvh", "kept.fbvh: is an image")
+        refuse_each("export post/ring.fbvh -o", {
+            mesh: f"{mesh}: is an image, which would be replaced; write elsewhere"
+            for mesh in ("post/ring.fbvh", "kept.fbvh", "link.obj")})
+        refuse_each("collide post/ring.fbvh post/ring.fbvh --poses home --pairs", {
+            **{pairs: f"{pairs}: would replace home, which is read; write elsewhere"
+               for pairs in ("home", "./home", "same_poses")},
+            "kept.fbvh": "kept.fbvh: is an image"})
         same("post/ring.fbvh", "kept.fbvh")
 
     def test_no_command_replaces_a_file_that_it_reads_every_output_with_every_input(self):
@@ -216,7 +213,5 @@ class RefusalsTest(Case):
             "post/ring.fbvh post/coarse.fbvh": "required",
             "post/ring.fbvh --poses home": "required",
         })
-        for algorithm in ("ranked", "stackless-post"):
-            with self.subTest(algorithm):
-                refuse(f"collide pre/ring.fbvh pre/coarse.fbvh --poses home --pairs out --algorithm {algorithm}",
-                       f"{algorithm} can't walk; bake it with --layout post")
+        refuse_each("collide pre/ring.fbvh pre/coarse.fbvh --poses home --pairs out --algorithm", {
+            name: f"{name} can't walk; bake it with --layout post" for name in ("ranked", "stackless-post")})

@@ -4,7 +4,7 @@ import os
 import shutil
 from pathlib import Path
 
-from cli import Case, elsewhere, flashbvh, headlines, page_data, refuse, refuse_each, same, self_contained, text, write
+from cli import Case, elsewhere, flashbvh, headlines, page_data, refuse_each, same, self_contained, text, write
 from inputs import images, meshes
 
 
@@ -100,8 +100,7 @@ class ReportTest(Case):
         })
         shutil.copy("post/ring.fbvh", "before")
         os.symlink("post/ring.fbvh", "link")
-        for page in ("post/ring.fbvh", "link", "before"):
-            with self.subTest(page):
-                refuse(f"report post/ring.fbvh -o {page}",
-                       f"{page}: is an image, which would be replaced; write elsewhere")
+        refuse_each("report post/ring.fbvh -o", {
+            page: f"{page}: is an image, which would be replaced; write elsewhere"
+            for page in ("post/ring.fbvh", "link", "before")})
         same("before", "post/ring.fbvh")

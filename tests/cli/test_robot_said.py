@@ -1,5 +1,7 @@
 """The beliefs and messages of `flashbvh robot`: unguarded pairs, pairs that an SRDF disables, sizes and cells, and
 invalid robots."""
+import re
+
 from cli import Case, fixture, flashbvh, headlines, page_data, refuse, refuse_each, search, text, write
 from inputs import box_of, disables, joint, link, robot, shape
 
@@ -53,7 +55,11 @@ class RobotSaidTest(Case):
         flashbvh("info baked/gantry.robot --json").contains(listed)
         out = flashbvh("guard baked/gantry.robot drive.csv", code=1)
         out.err.contains(f"baked/gantry.robot: {unguarded}")
-        out.matches("^stop  *[1-9].*table - bridge$")
+        out.matches(r"\Anot guarded: table - bridge within 0[.][0-9]* m about x$",
+                    "^51 periods, [0-9]* pairs of links guarded$", "^stop  *[1-9].*table - bridge$")
+        out = flashbvh("guard baked/gantry.robot drive.csv --json", code=1)
+        out.matches(r"\A.*" + re.escape(listed) + r'[0-9]*}\],"stretches":')
+        self.assertEqual(out.count("not_guarded"), 1)
         flashbvh("guard gantry.urdf drive.csv --stop 0.003", code=1).err.contains(f"gantry.urdf: {unguarded}")
         # With the post as a separate link.
         out = flashbvh("guard post.urdf drive.csv --stop 0.003", code=1)
@@ -209,12 +215,11 @@ class RobotSaidTest(Case):
               *(joint(f"{name}{i}", "fixed", "base", f"{name}{i}") for i in range(1, 254)))
         robot("narrow", *pair, joint("j", "prismatic", "base", "arm", '<axis xyz="0 1 0"/>', (0.3333337, 0.3333337)))
         write("at.csv", "j\n0.5\n")
-        for name, wanted in (
-                ("many", "many.urdf: has 256 links, an image holds 255; leave out those without a shape and a tool"),
-                ("long", "bytes together, an image holds 65,535; shorten them"),
-                ("narrow", "narrow.urdf, joint 'j': has limits so narrow that no value keeps them; make it fixed")):
-            with self.subTest(name):
-                refuse(f"robot {name}.urdf -o out --cell 0.01", wanted)
+        refuse_each("robot -o out --cell 0.01", {
+            "many.urdf": "many.urdf: has 256 links, an image holds 255; leave out those without a shape and a tool",
+            "long.urdf": "bytes together, an image holds 65,535; shorten them",
+            "narrow.urdf": "narrow.urdf, joint 'j': has limits so narrow that no value keeps them; make it fixed",
+        })
         refuse("guard many.urdf at.csv", "many.urdf: has 256 links, an image holds 255")
         # A guard's slack holds twice the links' deviations.
         robot("pair", *pair, joint("j", "revolute", "base", "arm", "", (-1, 1)))
