@@ -74,7 +74,7 @@ void read(const std::string& kind, const std::string& path) {
   } else {
     const Trajectory values = read_trajectory(path, arm(), warnings);
     for (std::size_t period = 0; period < values.size(); ++period) {
-      for (std::size_t i = 0; i < values.variables(); ++i) {
+      for (std::size_t i = 0; i < values.variables; ++i) {
         require(std::isfinite(values.values(period)[i]), "a value that is no number");
       }
     }

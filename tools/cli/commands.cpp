@@ -5,10 +5,16 @@
 #include <fstream>
 
 #include "flashbvh/image.hpp"
+#include "flashbvh/version.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
+
+std::string version_text() {
+  return concat("flashbvh ", FLASHBVH_VERSION_MAJOR, ".", FLASHBVH_VERSION_MINOR, ".",
+                FLASHBVH_VERSION_PATCH);
+}
 
 void add_example(CLI::App& command, const std::string& line, const std::string& what) {
   command.footer(concat("Example:\n  flashbvh ", line, "  # ", what));

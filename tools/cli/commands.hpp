@@ -13,6 +13,9 @@
 
 namespace flashbvh::tool {
 
+/// "flashbvh 1.2.3".
+std::string version_text();
+
 /// For commands that write no image: UserError if the file `output` is one of `inputs`, under any
 /// name, or if it is an image. An empty `output` means no file.
 void check_output(const std::string& output, const std::vector<std::string>& inputs);
@@ -53,35 +56,13 @@ inline CLI::Option* repeated(CLI::Option* option) {
       CLI::MultiOptionPolicy::TakeAll);
 }
 
-/// Declares IMAGE. `to`: one path or several.
-template <class Paths>
-void add_image(CLI::App& command, Paths& to, const char* type = "FILE.fbvh",
-               const char* what = "Image (.fbvh)") {
-  add_option(command, "IMAGE", to, type, what)->required();
-}
-
-inline void add_json(CLI::App& command, bool& to, const char* what) {
-  command.add_flag("--json", to, what);
-}
-
 /// The program's exit code; 2 is for UserError.
 enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2, kRefusedValues = 3 };
 
 /// Parsing runs the command; CLI::RuntimeError has its exit code unless that is kSuccess.
-void add_bake(CLI::App& app);
-void add_info(CLI::App& app);
-void add_check(CLI::App& app);
-void add_export(CLI::App& app);
-void add_report(CLI::App& app);
-void add_collide(CLI::App& app);
-void add_clearance(CLI::App& app);
-void add_motion(CLI::App& app);
-void add_inside(CLI::App& app);
-void add_ray(CLI::App& app);
-void add_bench(CLI::App& app);
-void add_robot(CLI::App& app);
-void add_guard(CLI::App& app);
-void add_audit(CLI::App& app);
+using AddCommand = void(CLI::App& app);
+AddCommand add_bake, add_info, add_check, add_export, add_report, add_collide, add_clearance,
+    add_motion, add_inside, add_ray, add_bench, add_robot, add_guard, add_audit;
 
 /// Declares a command that calls run(arguments), which returns an ExitCode or nothing; the options
 /// fill the arguments.

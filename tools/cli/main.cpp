@@ -5,17 +5,10 @@
 #include <string>
 
 #include "cli/commands.hpp"
-#include "flashbvh/version.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-#define FLASHBVH_TEXT_OF(value) #value
-#define FLASHBVH_TEXT(value) FLASHBVH_TEXT_OF(value)
-constexpr const char* kVersion =
-    "flashbvh " FLASHBVH_TEXT(FLASHBVH_VERSION_MAJOR) "." FLASHBVH_TEXT(
-        FLASHBVH_VERSION_MINOR) "." FLASHBVH_TEXT(FLASHBVH_VERSION_PATCH);
 
 int fail(const std::string& message) {
   std::cerr << "flashbvh: " << one_line(message) << "\n";
@@ -34,21 +27,12 @@ int run(int argc, char** argv) {
                "flashbvh");
   app.require_subcommand(0, 1);            // after a command, the name of another is an argument
   app.allow_windows_style_options(false);  // "/part.stl" is a file on every system
-  app.set_version_flag("--version", kVersion);
-  add_bake(app);
-  add_info(app);
-  add_check(app);
-  add_export(app);
-  add_report(app);
-  add_collide(app);
-  add_clearance(app);
-  add_motion(app);
-  add_inside(app);
-  add_ray(app);
-  add_bench(app);
-  add_robot(app);
-  add_guard(app);
-  add_audit(app);
+  app.set_version_flag("--version", version_text());
+  for (AddCommand* const add :
+       {add_bake, add_info, add_check, add_export, add_report, add_collide, add_clearance,
+        add_motion, add_inside, add_ray, add_bench, add_robot, add_guard, add_audit}) {
+    add(app);
+  }
   add_example(app, "bake --help", "prints the options of bake, and an example");
   try {
     app.parse(argc, argv);

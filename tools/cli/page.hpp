@@ -2,36 +2,29 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "cli/json.hpp"
-#include "flashbvh/version.hpp"
+#include "cli/commands.hpp"
+#include "cli/table.hpp"
 #include "viewer/page.hpp"
 
 namespace flashbvh::tool {
 
-/// A line at the top of a page, in the colour of a guard's verdict: 0 free, 1 warn, 3 stop.
-struct Headline {
-  int verdict;
-  std::string text;
-};
+/// A line at the top of a page: a guard's verdict, which colours it (0 free, 1 warn, 3 stop), and a
+/// text.
+using Headline = std::pair<int, std::string>;
 
 /// A self-contained HTML file, the same bytes for the same facts. `facts`: an array of objects;
 /// `drawing`: as robot.js or scene.js takes it.
 inline std::string page_text(const char* command, const std::string& title,
                              const std::vector<Headline>& headlines, const Json& facts,
                              const Json& drawing) {
-  Json lines = Json::array();
-  for (const Headline& line : headlines) {
-    lines.push_back({line.verdict, line.text});
-  }
-  const std::string version = concat("flashbvh ", FLASHBVH_VERSION_MAJOR, ".",
-                                     FLASHBVH_VERSION_MINOR, ".", FLASHBVH_VERSION_PATCH);
   Json data = {{"command", command},
                {"title", title},
-               {"headlines", lines},
+               {"headlines", headlines},
                {"facts", facts},
-               {"version", version}};
+               {"version", version_text()}};
   data["drawing"] = *kPageLibrary != '\0' ? drawing : Json();
   return page_of(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

@@ -211,10 +211,11 @@ void refuse_to_replace_inputs(const std::string& output, const std::vector<std::
 void FileSet::add(fs::path path, std::string bytes) {
   refuse_to_replace_inputs(path.string(), inputs_);
   path = without_links(path);
-  if (!is_special(path) && !places_.insert(fs::absolute(path).lexically_normal()).second) {
+  const bool is_file = !is_special(path);
+  if (is_file && !places_.insert(fs::absolute(path).lexically_normal()).second) {
     throw UserError(path.string(), "would be written twice; give each output a name of its own");
   }
-  files_.push_back({std::move(path), std::move(bytes)});
+  (is_file ? files_ : special_).push_back({std::move(path), std::move(bytes)});
 }
 
 void FileSet::write(const std::function<void()>& report) const {
@@ -222,34 +223,31 @@ void FileSet::write(const std::function<void()>& report) const {
   const HeldSignals signals;
   Rollback rollback;
   for (const File& file : files_) {
-    if (!is_special(file.path)) {
-      HeldSignals::stop_if_any();
-      make_folder(file.path.parent_path(), rollback);
-      const fs::path temporary = temporary_name(file.path);
-      rollback.made(temporary);
-      write_bytes(temporary, file.path, file.bytes);
-    }
+    HeldSignals::stop_if_any();
+    make_folder(file.path.parent_path(), rollback);
+    const fs::path temporary = temporary_name(file.path);
+    rollback.made(temporary);
+    write_bytes(temporary, file.path, file.bytes);
   }
   report();
+  flush_output();
   HeldSignals::stop_if_any();
   for (const File& file : files_) {
-    if (!is_special(file.path)) {
-      put_in_place(file.path, rollback);
-    }
+    put_in_place(file.path, rollback);
   }
   rollback.keep();
 }
 
 /// Comes before files that could be left behind, and while signals arrive: a pipe may be full.
 void FileSet::write_special() const {
-  for (const File& file : files_) {
+  for (const File& file : special_) {
     std::error_code error;
     if (fs::is_directory(file.path, error)) {
       throw UserError(file.path.string(), "is a folder; move it away or write elsewhere");
     }
     if (is_standard_output(file.path)) {
       write_to_standard_output(file.path, file.bytes);
-    } else if (is_special(file.path)) {
+    } else {
       write_bytes(file.path, file.path, file.bytes);
     }
   }

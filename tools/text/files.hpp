@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <set>
@@ -31,9 +32,9 @@ class FileSet {
   /// replace an input, the path was added before, or a link leads to no file.
   void add(std::filesystem::path path, std::string bytes);
 
-  /// Writes every file under a temporary name next to its own, calls `report`, then renames all.
-  /// Makes missing folders. UserError on failure. On failure, or if `report` throws, it removes all
-  /// new files, unless a rename failed after another had replaced an older file. Files that are not
+  /// Writes every file under a temporary name next to its own, calls `report`, flushes standard
+  /// output, then renames all. Makes missing folders. On failure it throws and removes all new
+  /// files, unless a rename failed after another had replaced an older file. Files that are not
   /// regular, and standard output, get their bytes first.
   void write(const std::function<void()>& report = [] {}) const;
 
@@ -46,8 +47,14 @@ class FileSet {
 
   std::vector<std::string> inputs_;
   std::vector<File> files_;
+  std::vector<File> special_;               ///< standard output, devices, pipes
   std::set<std::filesystem::path> places_;  ///< normalized paths of files_, to find duplicates
 };
+
+/// The bytes of an image's words.
+inline std::string as_bytes(const std::vector<std::uint32_t>& words) {
+  return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]};
+}
 
 /// Writes a single file.
 void write_file(const std::string& path, std::string bytes);

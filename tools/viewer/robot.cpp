@@ -69,12 +69,16 @@ double unit_of(uint32_t variable) {
   return slides(variable) ? cell() / kFrameCells : kTurn / kFullTurn;
 }
 
+struct Ends {
+  JointCoordinate lower;
+  JointCoordinate upper;
+};
+
 /// The coordinates between which a value lies; half a turn each way for a joint without limits.
-void set_ends(uint32_t variable, JointCoordinate& lower, JointCoordinate& upper) {
+Ends ends_of(uint32_t variable) {
   const RobotJoint& joint = robot.joints[joint_of(variable)];
-  const bool is_continuous = joint.type == JointType::continuous;
-  lower = is_continuous ? -kFullTurn / 2 : joint.lower;
-  upper = is_continuous ? kFullTurn / 2 : joint.upper;
+  return joint.type == JointType::continuous ? Ends{-kFullTurn / 2, kFullTurn / 2}
+                                             : Ends{joint.lower, joint.upper};
 }
 
 /// Converts a point of A's frame to the base's.
@@ -141,14 +145,10 @@ EXPORT bool is_slide(uint32_t variable) {
   return slides(variable);
 }
 EXPORT double lower(uint32_t variable) {
-  JointCoordinate ends[2];
-  set_ends(variable, ends[0], ends[1]);
-  return unit_of(variable) * ends[0];
+  return unit_of(variable) * ends_of(variable).lower;
 }
 EXPORT double upper(uint32_t variable) {
-  JointCoordinate ends[2];
-  set_ends(variable, ends[0], ends[1]);
-  return unit_of(variable) * ends[1];
+  return unit_of(variable) * ends_of(variable).upper;
 }
 
 /// The last variable that moves a link, or kNoVariable.
@@ -164,11 +164,8 @@ EXPORT uint32_t variable_of_link(uint32_t link) {
 EXPORT int32_t set_value(uint32_t variable, double value) {
   const double steps = value / unit_of(variable);
   const auto coordinate = static_cast<JointCoordinate>(steps + (steps < 0 ? -0.5 : 0.5));
-  JointCoordinate ends[2];
-  set_ends(variable, ends[0], ends[1]);
-  return values[variable] = coordinate < ends[0]   ? ends[0]
-                            : coordinate > ends[1] ? ends[1]
-                                                   : coordinate;
+  const auto [lower, upper] = ends_of(variable);
+  return values[variable] = coordinate < lower ? lower : coordinate > upper ? upper : coordinate;
 }
 EXPORT void set_coordinate(uint32_t variable, int32_t coordinate) {
   values[variable] = coordinate;

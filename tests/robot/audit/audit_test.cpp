@@ -32,7 +32,9 @@ TEST_CASE("a collision that may lie in a zone that there was no time for refutes
   for (const ModelLink& link : robot.model.links) {
     robot.wholes.push_back(bake_part(link.mesh, robot.cell));
   }
-  Decided decided = decide(robot, {}, 0, [](const std::string&, double) {});
+  Warnings warnings;
+  Decided decided = decide(
+      robot, {}, 0, "", [](const std::string&, double) {}, warnings);
   REQUIRE(decided.pairs[0].verdict == MatrixVerdict::can);
   const std::vector<DisabledPair> disabled = {{0, 1, "", 0}};
   CHECK(audit_of(robot, decided, disabled).lines[0].verdict == LineVerdict::refuted);

@@ -38,10 +38,10 @@ TEST_CASE("columns in any order, comments, blanks and line ends") {
   const tool::Trajectory way =
       given.read("\xEF\xBB\xBF# to the left\r\n b ,a# names\r\n\r\n +1.5e-1,\t-2\r# nothing\n3,4");
   REQUIRE(way.size() == 2);
-  CHECK(way.line(0) == 4);
+  CHECK(way.lines[0] == 4);
   CHECK(way.values(0)[0] == -2.0f);
   CHECK(way.values(0)[1] == 0.15f);
-  CHECK(way.line(1) == 6);
+  CHECK(way.lines[1] == 6);
   CHECK(way.values(1)[0] == 4.0f);
   CHECK(way.values(1)[1] == 3.0f);
 }
@@ -92,9 +92,9 @@ TEST_CASE("the first column of times names the lines") {
     INFO(timed.text);
     Given given;
     const tool::Trajectory way = given.read(timed.text);
-    REQUIRE(way.has_times() == !timed.times.empty());
+    REQUIRE(way.times.size() == timed.times.size());
     for (std::size_t i = 0; i < timed.times.size(); ++i) {
-      CHECK(way.time(i) == timed.times[i]);
+      CHECK(way.times[i] == timed.times[i]);
     }
     REQUIRE(given.warnings.all().size() == timed.warnings.size());
     for (std::size_t i = 0; i < timed.warnings.size(); ++i) {

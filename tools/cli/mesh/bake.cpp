@@ -7,7 +7,6 @@
 #include "bake/image_bytes.hpp"
 #include "cli/commands.hpp"
 #include "cli/mesh/bake_options.hpp"
-#include "cli/mesh/bake_simplified.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
 #include "image/c_writer.hpp"
@@ -35,8 +34,7 @@ void add_files(const Baked& baked, const BakeOrder& order, const OutputName& nam
   const std::string stem = (std::filesystem::path(order.folder) / name.stem).string();
   const std::vector<std::uint32_t> words = image_of(baked, order.levels);
   if (order.writes_images) {
-    files.add(stem + ".fbvh",
-              {reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]});
+    files.add(stem + ".fbvh", as_bytes(words));
   }
   if (order.writes_c) {
     SourceFiles c = mesh_in_c(words, name, order.units.common());
@@ -238,7 +236,6 @@ void bake_all(const BakeOrder& order) {
   files.write([&] {
     warnings.print();
     print_outcome(order, options, outcome, warnings);
-    flush_output();
   });
 }
 

@@ -118,17 +118,11 @@ void add_mesh_options(CLI::App& command, Arguments& a) {
           "Simplify as little as it takes for all the images together, and choose --leaf-size")
       ->type_name("BYTES");
   add_unit_option(command, a.units);
-  command
-      .add_option("--drop", a.drop,
-                  "Leave out triangles without area (`degenerate`) or with the three vertices of "
-                  "an\nearlier one (`duplicate`), or both, with a comma between. The others keep "
-                  "their numbers")
-      ->check(CLI::IsMember({"degenerate", "duplicate"}))
-      ->type_size(1)
-      ->expected(1)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* const drop = command.add_option(
+      "--drop", a.drop,
+      "Leave out triangles without area (`degenerate`) or with the three vertices of an\nearlier "
+      "one (`duplicate`), or both, with a comma between. The others keep their numbers");
+  repeated(drop)->check(CLI::IsMember({"degenerate", "duplicate"}))->delimiter(',');
 }
 
 }  // namespace
@@ -151,7 +145,7 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
              "Folder for the results; made if there is none");
   command.add_flag("--dry-run", a.order.dry_run,
                    "Print the table and what is wrong, and write no image");
-  add_json(command, a.order.json, "Print the table as one JSON object");
+  command.add_flag("--json", a.order.json, "Print the table as one JSON object");
   add_choice(command, "--format", a.format, {"c", "image", "both"},
              "What to write: the image as an array of C and C++ (c), as a binary file (image),\nor "
              "both");

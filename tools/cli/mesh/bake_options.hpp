@@ -1,4 +1,5 @@
-// The options of `flashbvh bake`, typed. All checks that need no file happen here.
+// The options of `flashbvh bake`, typed, and what it makes of --simplify and --fit. All checks that
+// need no file happen as options are read.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 
 #include "image/baking.hpp"
 #include "image/output_name.hpp"
+#include "simplify/fit.hpp"
 
 namespace flashbvh::tool {
 
@@ -31,5 +33,16 @@ struct BakeOrder {
 
 /// Declares the options; passes their values to `run`. UserError if they contradict each other.
 void add_bake_options(CLI::App& command, const std::function<void(const BakeOrder&)>& run);
+
+struct Simplified {
+  std::vector<simplify::Coarsening> meshes;  ///< empty: the meshes are baked unchanged
+  double length = 0;                         ///< the deviation that they keep
+};
+
+/// Simplifies as the order requests; for --fit, sets the leaf size of `options`. UserError if the
+/// length is smaller than rounding errors, or the images do not fit. `meshes` must outlive the
+/// result.
+Simplified simplified_meshes(const BakeOrder& order, const std::vector<InputMesh>& meshes,
+                             BakeOptions& options);
 
 }  // namespace flashbvh::tool

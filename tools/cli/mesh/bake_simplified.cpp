@@ -1,4 +1,4 @@
-#include "cli/mesh/bake_simplified.hpp"
+#include "cli/mesh/bake_options.hpp"
 
 #include <algorithm>
 #include <cmath>

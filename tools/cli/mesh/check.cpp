@@ -10,7 +10,7 @@
 #include "bake/quantise.hpp"
 #include "bake/surface.hpp"
 #include "cli/commands.hpp"
-#include "cli/json.hpp"
+#include "cli/table.hpp"
 #include "image/image_file.hpp"
 #include "image/mesh_warnings.hpp"
 #include "mesh/defects.hpp"
@@ -246,10 +246,11 @@ void add_check(CLI::App& app) {
       "Prove that an image of a mesh or a robot is well-formed and, with --mesh, that it is this "
       "mesh.\nPrints what it holds; exits with 1 if it is another mesh.",
       check);
-  add_image(command, a.image, "FILE", "Image (.fbvh, .robot)");
+  add_option(command, "IMAGE", a.image, "FILE", "Image (.fbvh, .robot)")->required();
   add_option(command, "--mesh", a.mesh, "FILE", "The mesh file that it was baked from");
   add_unit_option(command, a.units);
-  add_json(command, a.json, "Print one JSON object, of an image that is not well-formed, too");
+  command.add_flag("--json", a.json,
+                   "Print one JSON object, of an image that is not well-formed, too");
   add_example(command, "check baked/plate.fbvh --mesh plate.obj",
               "prints whether the image is plate.obj");
 }

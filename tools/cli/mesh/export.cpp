@@ -74,7 +74,7 @@ void add_export(CLI::App& app) {
       "Write the lattice mesh of an image as OBJ, in its unit, triangles in the "
       "order of the\nsource mesh.",
       write_obj);
-  add_image(command, a.image);
+  add_option(command, "IMAGE", a.image, "FILE.fbvh", "Image (.fbvh)")->required();
   add_option(command, "-o,--output", a.mesh, "MESH.obj", "File to write")->required();
   command.add_option("--pose", a.pose,
                      "A pose of 12 numbers, as in `collide --poses`: write the mesh where a query "

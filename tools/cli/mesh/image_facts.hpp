@@ -1,7 +1,7 @@
 // What is in a mesh's image, as `info` and pages show it.
 #pragma once
 
-#include "cli/json.hpp"
+#include "cli/table.hpp"
 #include "image/image_file.hpp"
 
 namespace flashbvh::tool {

@@ -4,9 +4,9 @@
 
 #include "bake/bending.hpp"
 #include "cli/commands.hpp"
-#include "cli/json.hpp"
 #include "cli/mesh/image_facts.hpp"
 #include "cli/robot/robot_output.hpp"
+#include "cli/table.hpp"
 #include "image/image_file.hpp"
 #include "image/mesh_warnings.hpp"
 #include "mesh/units.hpp"
@@ -143,8 +143,8 @@ Json image_facts(const ImageFile& image) {
 void add_info(CLI::App& app) {
   auto [command, a] = add_command<InfoArguments>(
       app, "info", "Print what is in an image of a mesh or a robot.", info);
-  add_image(command, a.image, "FILE", "Image (.fbvh, .robot)");
-  add_json(command, a.json, "As one JSON object");
+  add_option(command, "IMAGE", a.image, "FILE", "Image (.fbvh, .robot)")->required();
+  command.add_flag("--json", a.json, "As one JSON object");
   add_example(command, "info baked/plate.fbvh", "prints triangles, nodes, box and bytes");
 }
 

@@ -195,7 +195,7 @@ void write_page(const ReportArguments& arguments) {
     headlines.push_back(headline_of(pair, names, arguments.poses.empty()));
   }
   std::stable_sort(headlines.begin(), headlines.end(),
-                   [](const Headline& p, const Headline& q) { return p.verdict > q.verdict; });
+                   [](const Headline& p, const Headline& q) { return p.first > q.first; });
   Json meshes = Json::array();
   Json facts = Json::array();
   std::vector<std::size_t> places;
@@ -243,7 +243,7 @@ void add_report(CLI::App& app) {
                                    "they touch, and how far apart "
                                    "they are.",
                                    write_page);
-  add_image(command, a.images, "FILE.fbvh", "Images (.fbvh)");
+  add_option(command, "IMAGE", a.images, "FILE.fbvh", "Images (.fbvh)")->required();
   add_option(command, "-o,--output", a.page, "PAGE.html", "Page to write")->required();
   add_option(command, "--poses", a.poses, "FILE",
              "Poses of the second image in the first one's frame, as `collide` takes them")

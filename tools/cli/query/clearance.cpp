@@ -104,7 +104,6 @@ void query_distances(const ClearanceArguments& arguments) {
                    {"triangles", triangles_text, true},
                    number_column("visits", "visits"),
                    number_column("triangle pairs", "triangle_pairs")});
-    flush_output();
   });
 }
 
@@ -125,7 +124,7 @@ void add_clearance(CLI::App& app) {
              "Write `pose a b` for each pair of triangles within that distance, sorted")
       ->needs(within);
   add_float_flag(command, a);
-  add_json(command, a.json, "One JSON object a pose");
+  command.add_flag("--json", a.json, "One JSON object a pose");
   add_example(command, "clearance baked/plate.fbvh baked/peg.fbvh --poses poses.txt",
               "prints a distance for each pose");
 }

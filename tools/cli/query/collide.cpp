@@ -218,10 +218,7 @@ void collide_all(const CollideArguments& arguments) {
   if (!arguments.contacts.empty()) {
     files.add(arguments.contacts, pair_lines(found, scene.a.cell()));
   }
-  files.write([&] {
-    print_collisions(arguments, scene, algorithm, found);
-    flush_output();
-  });
+  files.write([&] { print_collisions(arguments, scene, algorithm, found); });
 }
 
 }  // namespace
@@ -249,7 +246,7 @@ void add_collide(CLI::App& app) {
                  "Write `pose a b x y z x y z` for each pair, sorted: both ends of the part that "
                  "the triangles\nhave in common, in the images' unit, in A's frame");
   add_float_flag(command, a);
-  add_json(command, a.json, "One JSON object a pose");
+  command.add_flag("--json", a.json, "One JSON object a pose");
   command
       .add_flag("--bound", a.bound,
                 "Print the work that no pose exceeds, instead, and what the given poses needed")

@@ -34,7 +34,6 @@ void query_points(const InsideArguments& arguments) {
   print_answers(arguments.json, lines, image.name(),
                 {number_column("point", "point"), word_column("where", "where"),
                  number_column("visits", "visits")});
-  flush_output();
 }
 
 }  // namespace
@@ -45,12 +44,12 @@ void add_inside(CLI::App& app) {
       "Print which points lie inside a closed mesh, outside, or on its surface, by the firmware's "
       "own code.",
       query_points);
-  add_image(command, a.image);
+  add_option(command, "IMAGE", a.image, "FILE.fbvh", "Image (.fbvh)")->required();
   add_option(command, "--points", a.points, "FILE",
              "A point a line, in the mesh's frame and unit, taken to the nearest cell; 3 "
              "numbers")
       ->required();
-  add_json(command, a.json, "One JSON object a point");
+  command.add_flag("--json", a.json, "One JSON object a point");
   add_example(command, "inside baked/plate.fbvh --points points.txt",
               "prints inside, outside or surface for each point");
 }

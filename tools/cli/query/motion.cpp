@@ -125,7 +125,8 @@ void add_motion(CLI::App& app) {
   add_option(command, "--within", a.within, "LENGTH",
              "How near counts as touching, in the images' unit; default: 0, meshes that intersect");
   command.add_flag("--all", a.all, "Go on behind each place where they are close");
-  add_json(command, a.json, "One JSON object; with --all one for each place, and how it ends");
+  command.add_flag("--json", a.json,
+                   "One JSON object; with --all one for each place, and how it ends");
   add_example(command, "motion baked/plate.fbvh baked/peg.fbvh --from \"0 0 5\" --to \"20 0 5\"",
               "prints free, or where they first touch");
 }

@@ -119,7 +119,6 @@ void query_rays(const RayArguments& arguments) {
                 image.name() + (unit.empty() ? "" : ", distances in " + unit),
                 {number_column("ray", "ray"), number_column("distance", "distance"),
                  number_column("triangle", "triangle"), number_column("visits", "visits")});
-  flush_output();
 }
 
 }  // namespace
@@ -130,13 +129,13 @@ void add_ray(CLI::App& app) {
       "Print what rays hit first, how far off, and how often they go out of a closed mesh and in, "
       "by the\nfirmware's own code.",
       query_rays);
-  add_image(command, a.image);
+  add_option(command, "IMAGE", a.image, "FILE.fbvh", "Image (.fbvh)")->required();
   add_option(command, "--rays", a.rays, "FILE",
              "A ray a line, in the mesh's frame and unit: 6 numbers, from and to, each to the "
              "nearest cell; or 7: origin, direction, reach")
       ->required();
   command.add_flag("--all", a.all, "All hits of each ray, nearest first");
-  add_json(command, a.json, "One JSON object a ray");
+  command.add_flag("--json", a.json, "One JSON object a ray");
   add_example(command, "ray baked/plate.fbvh --rays rays.txt", "prints the first hit of each ray");
 }
 

@@ -6,7 +6,6 @@
 #include "cli/robot/robot_output.hpp"
 #include "cli/table.hpp"
 #include "robot/audit/audit.hpp"
-#include "robot/pipeline/warnings.hpp"
 #include "text/files.hpp"
 
 namespace flashbvh::tool {
@@ -91,8 +90,7 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   const std::vector<DisabledPair> disabled = std::exchange(model.disabled, {});
   Progress progress(steps_of(model));
   const Prepared robot = prepare(std::move(model), arguments, shown_by(progress), warnings);
-  const Decided decided = decide(robot, arguments, 0, shown_by(progress));
-  warn_of_late_zones(robot.model, decided, arguments.urdf, "undecided", warnings);
+  const Decided decided = decide(robot, arguments, 0, "undecided", shown_by(progress), warnings);
   const Audit audit = audit_of(robot, decided, disabled);
   FileSet files(files_read(arguments, robot.model));
   if (!arguments.written.empty()) {
@@ -106,7 +104,6 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
     } else {
       print_audit(json, arguments.srdf.empty() ? arguments.urdf : arguments.srdf);
     }
-    flush_output();
   });
   return audit.count(LineVerdict::refuted) == 0 ? kSuccess : kCheckFailed;
 }
@@ -124,7 +121,7 @@ void add_audit(CLI::App& app) {
   add_time(command, a, "What is not decided by then is undecided");
   add_option(command, "--write", a.written, "FIXED.srdf",
              "Write an SRDF of all pairs that no planner has to check, and of nothing else");
-  add_json(command, a.json, "One JSON object");
+  command.add_flag("--json", a.json, "One JSON object");
   add_example(command, "audit arm.urdf --write arm.srdf",
               "writes arm.srdf, and prints what it disables");
 }

@@ -1,15 +1,12 @@
 // flashbvh guard: runs a trajectory through firmware's guard on the desktop.
 #include <algorithm>
 #include <iostream>
-#include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/robot/guard_output.hpp"
 #include "cli/robot/robot_options.hpp"
 #include "cli/table.hpp"
-#include "robot/baked/robot_file.hpp"
 #include "robot/pipeline/baked_robot.hpp"
-#include "robot/pipeline/warnings.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
 
@@ -24,14 +21,14 @@ constexpr double kRounded = 2;
 
 /// Prints which pairs are guarded, and the deviation of simplified links.
 void print_head(const GuardedTrajectory& guarded) {
-  for (const UnguardedPair& pair : guarded.unguarded) {
+  for (const UnguardedPair& pair : guarded.file->unguarded()) {
     std::cout << "not guarded: " << names_of(guarded.model, {pair}) << "\n";
   }
   std::cout << guarded.answers.size() << (guarded.answers.size() == 1 ? " period, " : " periods, ")
-            << guarded.robot.pair_count << (guarded.robot.pair_count == 1 ? " pair" : " pairs")
+            << guarded.robot().pair_count << (guarded.robot().pair_count == 1 ? " pair" : " pairs")
             << " of links guarded\n";
-  const double deviation = links_deviation(guarded.robot);
-  if (deviation > kRounded * cell_of(guarded.robot)) {
+  const double deviation = links_deviation(guarded.robot());
+  if (deviation > kRounded * cell_of(guarded.robot())) {
     std::cout << "simplified: firmware's links and the URDF's lie within "
               << significant(deviation, 3) << " m of each other, so the guard stops up to "
               << significant(kEarlyByDeviation * deviation, 3) << " m earlier\n";
@@ -39,13 +36,8 @@ void print_head(const GuardedTrajectory& guarded) {
   std::cout << "\n";
 }
 
-std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
-  const RobotPair& links = guarded.robot.pairs[pair];
-  return link_name(guarded, links.a) + " - " + link_name(guarded, links.b);
-}
-
 std::string metres_text(const GuardedTrajectory& guarded, std::uint32_t fine) {
-  return significant(unit_length(fine, cell_of(guarded.robot)), 4);
+  return significant(unit_length(fine, cell_of(guarded.robot())), 4);
 }
 
 /// "first at line 3, upper - fore, at least 0.01 m apart".
@@ -77,7 +69,7 @@ void print_counts(const GuardedTrajectory& guarded) {
 /// Prints the stretches that are not free.
 void print_stretches(const GuardedTrajectory& guarded) {
   const std::vector<Stretch> stretches =
-      stretches_of(guarded.robot, guarded.trajectory, guarded.answers);
+      stretches_of(guarded.robot(), guarded.trajectory, guarded.answers);
   if (stretches.empty()) {
     return;
   }
@@ -88,8 +80,8 @@ void print_stretches(const GuardedTrajectory& guarded) {
       number_column("known m", "distance", 4),
       number_column("closest m", "closest", 4),
       {"links", [](const Json& row) { return row["a"].is_null() ? "-" : pair_text(row); }}};
-  if (guarded.trajectory.has_times()) {
-    columns.push_back({guarded.trajectory.time_name(), [](const Json& row) {
+  if (!guarded.trajectory.times.empty()) {
+    columns.push_back({guarded.trajectory.time_name, [](const Json& row) {
                          return shortest(row["from_time"]) + " to " + shortest(row["to_time"]);
                        }});
   }
@@ -101,12 +93,12 @@ void print_stretches(const GuardedTrajectory& guarded) {
 }
 
 void print_closest(const GuardedTrajectory& guarded) {
-  const auto closest = closest_moment(guarded.robot, guarded.trajectory);
+  const auto closest = closest_moment(guarded.robot(), guarded.trajectory);
   if (!closest) {
     return;
   }
-  const double distance = unit_length(closest->clearance.lower, cell_of(guarded.robot));
-  std::cout << "\nclosest: line " << guarded.trajectory.line(closest->period) << ", "
+  const double distance = unit_length(closest->lower, cell_of(guarded.robot()));
+  std::cout << "\nclosest: line " << guarded.trajectory.lines[closest->period] << ", "
             << links_of(guarded, closest->pair)
             << (distance == 0 ? " intersect" : ", " + significant(distance, 4) + " m") << "\n";
 }
@@ -151,7 +143,7 @@ void print_refused(const GuardedTrajectory& guarded) {
   for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
     if (guarded.answers[i].status != Status::done && ++refused <= kShownLines) {
       std::cerr << "flashbvh: "
-                << one_line(at_line(guarded.path, guarded.trajectory.line(i)) + ": " +
+                << one_line(at_line(guarded.path, guarded.trajectory.lines[i]) + ": " +
                             why_refused(guarded, i))
                 << "\n";
     }
@@ -196,16 +188,9 @@ struct GuardArguments : RobotRequest {
   bool json = false;
 };
 
-/// The image of a robot, and what was read for it.
-struct Guarded {
-  Model model;  ///< of the URDF, or of the image
-  std::unique_ptr<RobotFile> file;
-  Trajectory trajectory;
-  std::vector<std::string> inputs;
-};
-
 /// Opens an image. UserError if it is none, or if options for baking were given.
-Guarded opened(const GuardArguments& arguments, const CLI::App& command, Warnings& warnings) {
+GuardedTrajectory opened(const GuardArguments& arguments, const CLI::App& command,
+                         Warnings& warnings) {
   const std::string& path = arguments.urdf;
   for (const char* const option : {"--package", "--stop", "--warn"}) {
     if (command.count(option) != 0) {
@@ -217,42 +202,37 @@ Guarded opened(const GuardArguments& arguments, const CLI::App& command, Warning
   Model model = file->model();
   warn_of_unguarded(model, file->unguarded(), path, warnings);
   Trajectory trajectory = read_trajectory(arguments.trajectory, model, warnings);
-  return {std::move(model), std::move(file), std::move(trajectory), {path, arguments.trajectory}};
+  return {std::move(model),
+          std::move(file),
+          arguments.trajectory,
+          std::move(trajectory),
+          {path, arguments.trajectory}};
 }
 
 /// Bakes a URDF, once the trajectory is read.
-Guarded baked(const GuardArguments& arguments, Warnings& warnings) {
+GuardedTrajectory baked(const GuardArguments& arguments, Warnings& warnings) {
   Model model = described_robot(arguments, warnings);
   Trajectory trajectory = read_trajectory(arguments.trajectory, model, warnings);
   std::vector<std::string> inputs = files_read(arguments, model);
   inputs.push_back(arguments.trajectory);
   Progress progress(steps_of(model));
   BakedRobot robot = baked_robot(std::move(model), arguments, shown_by(progress), warnings);
-  const std::vector<std::uint32_t> words = image_of(robot, robot.model.name);
-  const std::string bytes(reinterpret_cast<const char*>(words.data()),
-                          words.size() * sizeof words[0]);
+  const std::string bytes = as_bytes(image_of(robot, robot.model.name));
   return {std::move(robot.model), std::make_unique<RobotFile>(arguments.urdf, bytes),
-          std::move(trajectory), std::move(inputs)};
+          arguments.trajectory, std::move(trajectory), std::move(inputs)};
 }
 
 ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& command) {
   Warnings warnings;
-  const Guarded given = is_robot_file_name(arguments.urdf) ? opened(arguments, command, warnings)
-                                                           : baked(arguments, warnings);
-  const Robot& robot = given.file->robot();
-  const std::vector<GuardAnswer> answers = replay(robot, given.trajectory, arguments.work);
-  const auto motions =
-      arguments.motion ? certify(robot, given.trajectory) : std::vector<CertifiedMotion>();
-  const GuardedTrajectory guarded = {given.model,
-                                     robot,
-                                     given.file->words(),
-                                     arguments.trajectory,
-                                     given.trajectory,
-                                     answers,
-                                     arguments.motion,
-                                     motions,
-                                     given.file->unguarded()};
-  FileSet files(given.inputs);
+  GuardedTrajectory guarded = is_robot_file_name(arguments.urdf)
+                                  ? opened(arguments, command, warnings)
+                                  : baked(arguments, warnings);
+  guarded.answers = replay(guarded.robot(), guarded.trajectory, arguments.work);
+  guarded.has_motions = arguments.motion;
+  if (arguments.motion) {
+    guarded.motions = certify(guarded.robot(), guarded.trajectory);
+  }
+  FileSet files(guarded.inputs);
   if (!arguments.page.empty()) {
     files.add(arguments.page, guard_page(guarded));
   }
@@ -260,7 +240,6 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
     warnings.print();
     print_refused(guarded);
     (arguments.json ? print_guarded_json : print_guarded)(guarded);
-    flush_output();
   });
   return exit_code_of(guarded);
 }
@@ -292,7 +271,7 @@ void add_guard(CLI::App& app) {
                    "Certify the straight motion of all joints from each line to the next, too");
   add_option(command, "--report", a.page, "PAGE.html",
              "Write a page: the robot on its way, distances and work over time, motions");
-  add_json(command, a.json, "One JSON object a line");
+  command.add_flag("--json", a.json, "One JSON object a line");
   add_example(command, "guard arm.urdf motion.csv --stop 0.005 --warn 0.03",
               "prints how many periods are free, warned, stopped");
 }

@@ -3,8 +3,8 @@
 #include <iterator>
 
 #include "cli/commands.hpp"
-#include "cli/json.hpp"
 #include "cli/robot/guard_output.hpp"
+#include "cli/table.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -14,9 +14,9 @@ constexpr const char* kVerdictNames[kPeriodKinds] = {"free", "warn", "not_yet_kn
 
 void add_pair(const GuardedTrajectory& guarded, std::uint16_t pair, Json& json) {
   const bool is_none = pair == kNoPair;
-  const RobotPair links = is_none ? RobotPair{} : guarded.robot.pairs[pair];
-  json["a"] = is_none ? Json() : Json(link_name(guarded, links.a));
-  json["b"] = is_none ? Json() : Json(link_name(guarded, links.b));
+  const RobotPair links = is_none ? RobotPair{} : guarded.robot().pairs[pair];
+  json["a"] = is_none ? Json() : Json(guarded.model.links[links.a].name);
+  json["b"] = is_none ? Json() : Json(guarded.model.links[links.b].name);
 }
 
 Json motion_json(const GuardedTrajectory& guarded, const CertifiedMotion& motion) {
@@ -34,27 +34,26 @@ Json motion_json(const GuardedTrajectory& guarded, const CertifiedMotion& motion
     json["triangles"] = {answer.triangles.a, answer.triangles.b};
   }
   for (std::size_t i = 0; i < motion.values.size(); ++i) {
-    json["values"][variable_name(guarded, i)] = motion.values[i];
+    json["values"][guarded.model.joints[guarded.model.variables[i]].name] = motion.values[i];
   }
   return json;
 }
 
 Json metres_json(const GuardedTrajectory& guarded, std::optional<std::uint32_t> fine) {
-  return fine ? Json(unit_length(*fine, cell_of(guarded.robot))) : Json();
+  return fine ? Json(unit_length(*fine, cell_of(guarded.robot()))) : Json();
 }
 
 Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
   const GuardAnswer& answer = guarded.answers[i];
-  Json json = {{"line", guarded.trajectory.line(i)}};
-  if (guarded.trajectory.has_times()) {
-    json["time"] = guarded.trajectory.time(i);
+  Json json = {{"line", guarded.trajectory.lines[i]}};
+  if (!guarded.trajectory.times.empty()) {
+    json["time"] = guarded.trajectory.times[i];
   }
   json["verdict"] = kVerdictNames[kind_of(answer)];
   add_pair(guarded, answer.pair, json);
-  json["distance"] =
-      answer.pair == kNoPair ? Json() : Json(unit_length(answer.distance, cell_of(guarded.robot)));
+  json["distance"] = answer.pair == kNoPair ? Json() : metres_json(guarded, answer.distance);
   json["work"] = answer.work;
-  json["status"] = name_of(answer.status);
+  json["status"] = answer.status == Status::done ? "ok" : status_name(answer.status);
   if (i != 0 && guarded.has_motions) {
     json["motion"] = motion_json(guarded, guarded.motions[i - 1]);
   }
@@ -63,16 +62,9 @@ Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
 
 }  // namespace
 
-std::string name_of(Status status) {
-  return status == Status::done ? "ok" : status_name(status);
-}
-
-const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link) {
-  return guarded.model.links[link].name;
-}
-
-const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t variable) {
-  return guarded.model.joints[guarded.model.variables[variable]].name;
+std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
+  const RobotPair& links = guarded.robot().pairs[pair];
+  return guarded.model.links[links.a].name + " - " + guarded.model.links[links.b].name;
 }
 
 double links_deviation(const Robot& robot) {
@@ -86,27 +78,23 @@ double links_deviation(const Robot& robot) {
 std::string first_of(const GuardedTrajectory& guarded, const ReplaySummary& summary,
                      std::size_t kind) {
   const GuardAnswer& answer = guarded.answers[summary.first[kind]];
-  std::string text = concat("first at line ", guarded.trajectory.line(summary.first[kind]));
-  if (kind == kRefusedKind || answer.pair == kNoPair) {
-    return text;
-  }
-  const RobotPair& links = guarded.robot.pairs[answer.pair];
-  return concat(text, ", ", link_name(guarded, links.a), " - ", link_name(guarded, links.b));
+  const bool has_links = kind != kRefusedKind && answer.pair != kNoPair;
+  return concat("first at line ", guarded.trajectory.lines[summary.first[kind]],
+                has_links ? ", " + links_of(guarded, answer.pair) : "");
 }
 
 Json stretches_json(const GuardedTrajectory& guarded, const std::vector<Stretch>& stretches) {
   Json all = Json::array();
   for (const Stretch& stretch : stretches) {
-    Json json = {{"from", guarded.trajectory.line(stretch.first)},
-                 {"to", guarded.trajectory.line(stretch.last)}};
-    if (guarded.trajectory.has_times()) {
-      json["from_time"] = guarded.trajectory.time(stretch.first);
-      json["to_time"] = guarded.trajectory.time(stretch.last);
+    Json json = {{"from", guarded.trajectory.lines[stretch.first]},
+                 {"to", guarded.trajectory.lines[stretch.last]}};
+    if (!guarded.trajectory.times.empty()) {
+      json["from_time"] = guarded.trajectory.times[stretch.first];
+      json["to_time"] = guarded.trajectory.times[stretch.last];
     }
     json["verdict"] = kVerdictNames[stretch.kind];
     add_pair(guarded, stretch.pair, json);
-    const bool is_refused = stretch.pair == kNoPair;
-    json["distance"] = is_refused ? Json() : metres_json(guarded, stretch.kept);
+    json["distance"] = stretch.pair == kNoPair ? Json() : metres_json(guarded, stretch.kept);
     json["closest"] = metres_json(guarded, stretch.closest);
     all.push_back(json);
   }
@@ -117,7 +105,8 @@ Json motions_json(const GuardedTrajectory& guarded) {
   Json all = Json::array();
   for (std::size_t i = 0; i < guarded.motions.size(); ++i) {
     if (!is_free(guarded.motions[i])) {
-      all.push_back({{"from", guarded.trajectory.line(i)}, {"to", guarded.trajectory.line(i + 1)}});
+      all.push_back(
+          {{"from", guarded.trajectory.lines[i]}, {"to", guarded.trajectory.lines[i + 1]}});
       all.back().update(motion_json(guarded, guarded.motions[i]));
     }
   }
@@ -125,11 +114,12 @@ Json motions_json(const GuardedTrajectory& guarded) {
 }
 
 Json guarded_facts(const GuardedTrajectory& guarded) {
-  Json json = {{"periods", Json::object()},
-               {"not_guarded", unguarded_json(guarded.model, guarded.unguarded)},
-               {"stretches", stretches_json(guarded, stretches_of(guarded.robot, guarded.trajectory,
-                                                                  guarded.answers))},
-               {"deviation", links_deviation(guarded.robot)}};
+  Json json = {
+      {"periods", Json::object()},
+      {"not_guarded", unguarded_json(guarded.model, guarded.file->unguarded())},
+      {"stretches",
+       stretches_json(guarded, stretches_of(guarded.robot(), guarded.trajectory, guarded.answers))},
+      {"deviation", links_deviation(guarded.robot())}};
   const ReplaySummary summary = summary_of(guarded.answers);
   for (const std::size_t kind : kKindsInOrder) {
     json["periods"][kVerdictNames[kind]] = summary.periods[kind];

@@ -1,32 +1,33 @@
 // Output of flashbvh guard about a trajectory, in parts that text and JSON share.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/json.hpp"
+#include "cli/table.hpp"
+#include "robot/baked/robot_file.hpp"
 #include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
 
-/// A replayed trajectory; all references must stay valid while the page is made.
+/// A robot, and a trajectory that it was guarded along.
 struct GuardedTrajectory {
-  const Model& model;
-  const Robot& robot;
-  const std::vector<std::uint32_t>& image;
-  const std::string& path;  ///< path of the trajectory
-  const Trajectory& trajectory;
-  const std::vector<GuardAnswer>& answers;
-  bool has_motions;
-  const std::vector<CertifiedMotion>& motions;  ///< from line to line; may be empty
-  std::vector<UnguardedPair> unguarded;
+  Model model;  ///< of the URDF, or of the image
+  std::unique_ptr<RobotFile> file;
+  std::string path;  ///< of the trajectory
+  Trajectory trajectory;
+  std::vector<std::string> inputs;  ///< all files that were read
+  std::vector<GuardAnswer> answers{};
+  bool has_motions = false;
+  std::vector<CertifiedMotion> motions{};  ///< from line to line; may be empty
+
+  const Robot& robot() const { return file->robot(); }
 };
 
-/// "ok", or the name of the status.
-std::string name_of(Status status);
-const std::string& link_name(const GuardedTrajectory& guarded, std::uint8_t link);
-const std::string& variable_name(const GuardedTrajectory& guarded, std::size_t variable);
+/// "upper - fore": the links of a pair.
+std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair);
 
 /// The largest distance in metres of a point of a link from the meshes that it was baked from.
 double links_deviation(const Robot& robot);

@@ -27,13 +27,14 @@ Json drawn_periods(const GuardedTrajectory& guarded) {
     });
     const auto period = static_cast<std::size_t>(worst - guarded.answers.begin());
     const float* const values = trajectory.values(period);
-    all_values.insert(all_values.end(), values, values + trajectory.variables());
+    all_values.insert(all_values.end(), values, values + trajectory.variables);
     verdicts += static_cast<char>('0' + static_cast<int>(worst->verdict));
-    const std::string line = concat("line ", trajectory.line(period));
-    names.push_back(
-        trajectory.has_times() ? concat(line, " (", shortest(trajectory.time(period)), ")") : line);
+    const std::string line = concat("line ", trajectory.lines[period]);
+    names.push_back(!trajectory.times.empty()
+                        ? concat(line, " (", shortest(trajectory.times[period]), ")")
+                        : line);
   }
-  return {{"image", base64(guarded.image.data(), guarded.image.size() * sizeof guarded.image[0])},
+  return {{"image", base64(guarded.file->bytes(), guarded.file->header().byte_count)},
           {"zones", Json::array()},
           {"values", base64(all_values.data(), all_values.size() * sizeof(float))},
           {"verdicts", std::move(verdicts)},
@@ -60,7 +61,7 @@ std::vector<Headline> headlines_of(const GuardedTrajectory& guarded) {
     lines.insert(lines.begin(), {3, concat("motions from line to line: ", bad, " of ",
                                            motions.size(), " not free")});
   }
-  add_unguarded(guarded.model, guarded.unguarded, lines);
+  add_unguarded(guarded.model, guarded.file->unguarded(), lines);
   return lines;
 }
 

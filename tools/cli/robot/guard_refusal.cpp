@@ -51,11 +51,11 @@ std::string limit_text(double limit, double value) {
 }
 
 /// "joint 'fold' can't be at 3.5", "joint 'other' can't follow 'grip' to 3.5".
-std::string refused_place(const GuardedTrajectory& guarded, const ModelJoint& joint, double value) {
-  const std::string& master = variable_name(guarded, joint.variable);
-  return concat("joint '", joint.name,
-                joint.name == master ? "' can't be at " : "' can't follow '" + master + "' to ",
-                float_text(value), ": ");
+std::string refused_place(const ModelJoint& joint, const ModelJoint& moved, double value) {
+  return concat(
+      "joint '", joint.name,
+      joint.name == moved.name ? "' can't be at " : "' can't follow '" + moved.name + "' to ",
+      float_text(value), ": ");
 }
 
 /// The error of a value beyond the range of a coordinate.
@@ -64,7 +64,7 @@ std::string beyond_range(const GuardedTrajectory& guarded, const ModelJoint& mov
     return "firmware takes less than 8 turns, 50.27 radians; leave full turns out" +
            other_unit(moved, value);
   }
-  const double most = kMaxJointCoordinate * cell_of(guarded.robot) / kFrameCell;
+  const double most = kMaxJointCoordinate * cell_of(guarded.robot()) / kFrameCell;
   return concat("firmware takes less than ", significant(most, 4), " m of this robot",
                 other_unit(moved, value));
 }
@@ -87,16 +87,16 @@ std::string why_refused(const GuardedTrajectory& guarded, std::size_t period) {
            "between";
   }
   if (status != Status::joint_out_of_limits && status != Status::not_a_coordinate) {
-    return concat("the guard can't go on: ", name_of(status));
+    return concat("the guard can't go on: ", status_name(status));
   }
   const float* const values = guarded.trajectory.values(period);
   const Model& model = guarded.model;
-  const ModelJoint& joint = model.joints[refused_joint(guarded.robot, values)];
+  const ModelJoint& joint = model.joints[refused_joint(guarded.robot(), values)];
   const ModelJoint& moved = model.joints[model.variables[joint.variable]];
   const auto value = static_cast<double>(values[joint.variable]);
-  return refused_place(guarded, joint, value) + (status == Status::not_a_coordinate
-                                                     ? beyond_range(guarded, moved, value)
-                                                     : beyond_limits(joint, moved, value));
+  return refused_place(joint, moved, value) + (status == Status::not_a_coordinate
+                                                   ? beyond_range(guarded, moved, value)
+                                                   : beyond_limits(joint, moved, value));
 }
 
 }  // namespace flashbvh::tool

@@ -28,8 +28,7 @@ void add_files(const OutputArguments& arguments, const OutputName& name, const B
                const ImageWords& image, FileSet& files) {
   const std::string stem = (std::filesystem::path(arguments.folder) / name.stem).string();
   if (arguments.format != "c") {
-    files.add(stem + ".robot",
-              {reinterpret_cast<const char*>(image.data()), image.size() * sizeof image[0]});
+    files.add(stem + ".robot", as_bytes(image));
   }
   if (arguments.format != "image") {
     SourceFiles sources = robot_in_c(image, baked.model, baked.robot(), baked.unguarded, name);
@@ -105,7 +104,7 @@ void make_robot(const OutputArguments& arguments) {
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name.stem);
   const std::size_t bytes = image.size() * sizeof image[0];
-  const RobotFlash flash = {bytes, bytes_with_large_leaves(baked, bytes, arguments)};
+  const Json facts = robot_json(baked, bytes, bytes_with_large_leaves(baked, bytes, arguments));
   FileSet files(files_read(arguments, baked.model));
   if (!arguments.dry_run) {
     add_files(arguments, name, baked, image, files);
@@ -114,16 +113,15 @@ void make_robot(const OutputArguments& arguments) {
     files.add(arguments.depfile, dependencies(arguments, name, baked.model));
   }
   if (!arguments.page.empty()) {
-    files.add(arguments.page, robot_page(baked, image, robot_json(baked, flash)));
+    files.add(arguments.page, robot_page(baked, image, facts));
   }
   files.write([&] {
     warnings.print();
     if (arguments.json) {
-      print_object(robot_json(baked, flash));
+      print_object(facts);
     } else {
-      print_robot(baked, flash);
+      print_robot(baked, facts);
     }
-    flush_output();
   });
 }
 
@@ -154,7 +152,7 @@ void add_robot(CLI::App& app) {
              "Write what was read, for make and Ninja: the robot's files, the SRDF and the meshes");
   add_option(command, "--report", a.page, "PAGE.html",
              "Write a page: a robot that answers, and what can collide");
-  add_json(command, a.json, "One JSON object");
+  command.add_flag("--json", a.json, "One JSON object");
   add_example(command, "robot arm.urdf --stop 0.005 --warn 0.03 -o baked", "writes C");
 }
 

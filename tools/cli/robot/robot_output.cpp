@@ -165,7 +165,7 @@ Json witness_json(const Model& model, const PairVerdict& pair) {
   return witness;
 }
 
-Json robot_json(const BakedRobot& robot, const RobotFlash& flash) {
+Json robot_json(const BakedRobot& robot, std::size_t bytes, std::optional<std::size_t> smaller) {
   double most = 0;
   for (const BakedLink& link : robot.links) {
     most = std::max(most, link.tree.deviation);
@@ -179,16 +179,15 @@ Json robot_json(const BakedRobot& robot, const RobotFlash& flash) {
                {"deviation", most},
                {"simplified", robot.simplified},
                {"leaf_size", robot.leaf_size},
-               {"flash_bytes", flash.bytes}};
-  if (flash.smaller) {
-    json["flash_bytes_leaf_size_5"] = *flash.smaller;
+               {"flash_bytes", bytes}};
+  if (smaller) {
+    json["flash_bytes_leaf_size_5"] = *smaller;
   }
   json["ram_bytes"] = robot_ram_bytes(robot.robot());
   return json;
 }
 
-void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
-  const Json json = robot_json(robot, flash);
+void print_robot(const BakedRobot& robot, const Json& json) {
   print_unguarded(robot.model, robot.unguarded);
   print_links(robot.model, json, false);
   std::cout << (robot.pairs.empty() ? "" : "\n");
@@ -199,13 +198,13 @@ void print_robot(const BakedRobot& robot, const RobotFlash& flash) {
   print_table(json["pairs"],
               {pair_column("pair"), word_column("collide", "verdict"), {"reason", reason}});
   std::cout << "\ncell " << shortest(robot.cell) << " m, largest deviation "
-            << significant(json["deviation"], 3) << " m; " << flash.bytes << " bytes of flash, "
-            << json["ram_bytes"] << " bytes of RAM for a guard\n";
+            << significant(json["deviation"], 3) << " m; " << json["flash_bytes"]
+            << " bytes of flash, " << json["ram_bytes"] << " bytes of RAM for a guard\n";
   if (robot.simplified > 0) {
     std::cout << simplified_text(robot);
   }
-  if (flash.smaller) {
-    std::cout << "--leaf-size " << kLargeLeaf << ": " << *flash.smaller
+  if (json.contains("flash_bytes_leaf_size_5")) {
+    std::cout << "--leaf-size " << kLargeLeaf << ": " << json["flash_bytes_leaf_size_5"]
               << " bytes of flash; queries take up to three times the work\n";
   }
 }

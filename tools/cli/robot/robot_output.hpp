@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "cli/json.hpp"
+#include "cli/table.hpp"
 #include "robot/baked/robot_file.hpp"
 #include "robot/pipeline/baked_robot.hpp"
 
@@ -13,18 +13,14 @@ namespace flashbvh::tool {
 /// Robots with more bytes of flash print the size with leaves of kLargeLeaf triangles.
 constexpr std::size_t kMuchFlash = 1 << 20;
 
-struct RobotFlash {
-  std::size_t bytes;                   ///< size of the image
-  std::optional<std::size_t> smaller;  ///< with leaves of kLargeLeaf, if to be printed
-};
-
 /// The values of the variables at a pair's witness.
 Json witness_json(const Model& model, const PairVerdict& pair);
 
-/// The facts of a baked robot, for --json and pages.
-Json robot_json(const BakedRobot& robot, const RobotFlash& flash);
+/// The facts of a baked robot, for --json and pages. `bytes`: of the image; `smaller`: with leaves
+/// of kLargeLeaf, if to be printed.
+Json robot_json(const BakedRobot& robot, std::size_t bytes, std::optional<std::size_t> smaller);
 /// Prints tables of these facts to standard output.
-void print_robot(const BakedRobot& robot, const RobotFlash& flash);
+void print_robot(const BakedRobot& robot, const Json& json);
 
 /// Prints a robot's image in the same forms.
 void print_robot_file(const RobotFile& file, bool json);

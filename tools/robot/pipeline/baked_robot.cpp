@@ -6,7 +6,6 @@
 #include "image/simplify_options.hpp"
 #include "robot/baked/robot_image.hpp"
 #include "robot/pipeline/simplified_links.hpp"
-#include "robot/pipeline/warnings.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -22,13 +21,13 @@ void check_wholes(const Prepared& robot, const RobotRequest& request) {
 
 /// The guarded pairs. Pairs that are always within their warn distance get no warning: neighbours
 /// next to their zone, and pairs without distances of their own.
-std::vector<GuardedPair> guarded(const std::vector<PairVerdict>& pairs,
-                                 const AllDistances& distances) {
+std::vector<GuardedPair> guarded_pairs(const Divided& robot) {
   std::vector<GuardedPair> guarded;
-  for (const PairVerdict& pair : pairs) {
+  for (const PairVerdict& pair : robot.pairs) {
     if (pair.is_guarded) {
-      const auto [stop, warn] = distances_of(distances, pair);
-      const bool is_near = pair.is_warned && find_pair(distances.own, pair.a, pair.b) == nullptr;
+      const auto [stop, warn] = distances_of(robot.distances, pair);
+      const bool is_near =
+          pair.is_warned && find_pair(robot.distances.own, pair.a, pair.b) == nullptr;
       for (const auto& [a, b] : pair.bodies) {
         guarded.push_back({a, b, stop, pair.zone || is_near ? stop : warn});
       }
@@ -52,10 +51,9 @@ void warn_of_fit(const SimplifiedLinks& simplified, const RobotRequest& request,
 }
 
 /// Bakes firmware's links and tables.
-BakedRobot bake_for_firmware(Divided divided, const AllDistances& distances,
-                             SimplifiedLinks& simplified, const Told& told) {
+BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified, const Told& told) {
   BakedRobot robot = {std::move(divided), {}, 0, 0, 0, {}};
-  const std::vector<GuardedPair> pairs = guarded(robot.pairs, distances);
+  const std::vector<GuardedPair> pairs = guarded_pairs(robot);
   const std::vector<WholeMesh> wholes = views_of(robot.wholes);
   {
     const FixedRobot bare(robot.model, wholes, {}, robot.cell, pairs, robot.reaches);
@@ -83,20 +81,18 @@ BakedRobot bake_for_firmware(Divided divided, const AllDistances& distances,
 BakedRobot baked_robot(Model model, const RobotRequest& request, const Told& told,
                        Warnings& warnings) {
   check_simplify_or_fit(request.simplify.has_value(), request.fit.has_value());
-  const AllDistances distances = all_distances(model, request);
   Prepared prepared = prepare(std::move(model), request, told, warnings);
   // Requests that no work can meet are refused before pairs are decided.
   check_image(prepared.model, prepared.model.name, prepared.cell);
   check_wholes(prepared, request);
   SimplifiedLinks simplified(prepared.model, prepared.cell, request);
-  Decided decided = decide(prepared, request, simplified.early(), told);
-  warn_of_late_zones(prepared.model, decided, request.urdf,
-                     "guarded all over, and a guard would always say stop", warnings);
+  Decided decided = decide(prepared, request, simplified.early(),
+                           "guarded all over, and a guard would always say stop", told, warnings);
   // Before parts: an SRDF names links, and it is refused by verdicts alone.
   check_disabled(prepared.model, decided.pairs, request.srdf, warnings);
   Divided divided = divide(std::move(prepared), std::move(decided), request);
-  warn_of_guard(divided, distances, request, warnings);
-  BakedRobot robot = bake_for_firmware(std::move(divided), distances, simplified, told);
+  warn_of_guard(divided, request, warnings);
+  BakedRobot robot = bake_for_firmware(std::move(divided), simplified, told);
   warn_of_fit(simplified, request, warnings);
   return robot;
 }

@@ -33,11 +33,11 @@ std::vector<GuardedPair> moved_pairs(const Model& model) {
 
 /// Proofs include firmware's own kinematics. UserError if firmware cannot hold such a fine robot.
 MatrixOptions matrix_options(const Prepared& robot, const std::vector<WholeMesh>& meshes,
-                             const AllDistances& distances, const Reaches& reaches) {
+                             const Reaches& reaches) {
   MatrixOptions options;
-  options.stop = distances.usual.stop / robot.cell;
-  options.warn = distances.usual.warn / robot.cell;
-  for (const GuardedPair& pair : distances.own) {
+  options.stop = robot.distances.usual.stop / robot.cell;
+  options.warn = robot.distances.usual.warn / robot.cell;
+  for (const GuardedPair& pair : robot.distances.own) {
     options.stops.push_back({pair.a, pair.b, pair.stop / robot.cell, pair.warn / robot.cell});
   }
   const FixedRobot fixed(robot.model, meshes, {}, robot.cell, moved_pairs(robot.model), reaches);
@@ -59,21 +59,20 @@ void check_slack_for_simplify(double slack, double cell, const RobotRequest& req
 
 }  // namespace
 
-Decided decide(const Prepared& robot, const RobotRequest& request, double early, const Told& told) {
+Decided decide(const Prepared& robot, const RobotRequest& request, double early,
+               const std::string& late, const Told& told, Warnings& warnings) {
   const auto until = [&](double part) {
     return request.time ? in_seconds(robot.began, part * seconds(*request.time)) : Deadline{};
   };
-  const ZoneRadii radii = zone_radii(robot.model, request.zones, robot.cell);
   const std::vector<WholeMesh> meshes = views_of(robot.wholes);
   Decided decided;
   decided.reaches = all_reaches(robot.model, robot.cell, until(kPartForReaches));
-  decided.options =
-      matrix_options(robot, meshes, all_distances(robot.model, request), decided.reaches);
+  decided.options = matrix_options(robot, meshes, decided.reaches);
   check_slack_for_simplify(decided.options.slack, robot.cell, request);
   decided.options.early = early / robot.cell;
   told("joint zones", 0);
   decided.options.deadline = until(kPartForZones);
-  FoundZones found = joint_zones(robot.model, meshes, robot.cell, decided.options, radii);
+  FoundZones found = joint_zones(robot.model, meshes, robot.cell, decided.options, robot.radii);
   decided.zones = std::move(found.zones);
   decided.late_joints = std::move(found.late_joints);
   decided.options.deadline = until(kPartForPairs);
@@ -82,6 +81,12 @@ Decided decide(const Prepared& robot, const RobotRequest& request, double early,
       [&](std::size_t pair, std::size_t pairs) { told(concat("pair ", pair, " of ", pairs), 1); });
   decided.options.deadline = until(kPartForParts);
   decided.deadline = until(kPartForTables);
+  if (!decided.late_joints.empty()) {
+    const auto name = [&](std::size_t joint) { return robot.model.joints[joint].name; };
+    warnings.add(request.urdf,
+                 concat("no time was left to find a zone about ", joined(decided.late_joints, name),
+                        ": links that touch there are ", late, "; give more --time"));
+  }
   return decided;
 }
 

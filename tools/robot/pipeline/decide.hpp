@@ -21,7 +21,9 @@ struct Decided {
 };
 
 /// Takes some seconds per pair if proofs are hard. `early`: how much earlier than requested a guard
-/// may stop, in metres. UserError if a guard can't hold the robot.
-Decided decide(const Prepared& robot, const RobotRequest& request, double early, const Told& told);
+/// may stop, in metres. Warns of joints whose search for a zone ran out of time; `late`: the
+/// consequence for their links. UserError if a guard can't hold the robot.
+Decided decide(const Prepared& robot, const RobotRequest& request, double early,
+               const std::string& late, const Told& told, Warnings& warnings);
 
 }  // namespace flashbvh::tool

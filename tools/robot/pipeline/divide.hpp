@@ -19,4 +19,8 @@ struct Divided : Prepared, Decided {
 /// if firmware can't hold so many.
 Divided divide(Prepared robot, Decided decided, const RobotRequest& request);
 
+/// Warns of pairs that no guard tests, of pairs with their own distances that no joint moves, and
+/// of pairs for which a guard would report one verdict in all configurations.
+void warn_of_guard(const Divided& robot, const RobotRequest& request, Warnings& warnings);
+
 }  // namespace flashbvh::tool

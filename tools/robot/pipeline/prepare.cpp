@@ -59,13 +59,13 @@ Model described_robot(const RobotRequest& request, Warnings& warnings) {
 }
 
 Prepared prepare(Model model, const RobotRequest& request, const Told& told, Warnings& warnings) {
-  const AllDistances distances = all_distances(model, request);
   Prepared robot = {Clock::now(), std::move(model), 0, {}, {}};
+  robot.distances = all_distances(robot.model, request);
   robot.cell = robot_cell(robot.model, given_cell(request), request.urdf);
-  (void)zone_radii(robot.model, request.zones, robot.cell);
-  check_ranges(distances, request, robot.cell);
+  robot.radii = zone_radii(robot.model, request.zones, robot.cell);
+  check_ranges(robot.distances, request, robot.cell);
   robot.sizes = link_sizes(robot.model);
-  warn_of_sizes(robot, request, least_stop(distances), warnings);
+  warn_of_sizes(robot, request, warnings);
   robot.wholes = bake_wholes(robot, request, told, warnings);
   return robot;
 }

@@ -32,6 +32,8 @@ struct Prepared {
   double cell;                    ///< metres
   std::vector<BakedPart> wholes;  ///< trees of the links, on which pairs are decided
   std::vector<Size> sizes;        ///< of the links, in their own frames, in metres
+  AllDistances distances{};       ///< as requested
+  ZoneRadii radii{};              ///< as requested
 };
 
 /// Chooses the cell, and bakes links for decisions. Warns of odd sizes and coarse cells. UserError
@@ -45,7 +47,6 @@ std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell
 
 /// Warns of links with odd sizes, of meshes that are all far larger than the distances of the
 /// joints, and of a cell coarser than a tenth of the least stop distance or of few cells a link.
-void warn_of_sizes(const Prepared& robot, const RobotRequest& request, double stop,
-                   Warnings& warnings);
+void warn_of_sizes(const Prepared& robot, const RobotRequest& request, Warnings& warnings);
 
 }  // namespace flashbvh::tool

@@ -9,8 +9,8 @@
 namespace flashbvh::tool {
 namespace {
 
-/// `place`, `name`: of the length, for the message.
-double parsed_length(const std::string& text, const std::string& place, const std::string& name) {
+/// `place`: the option and its value. `name`: of a length that is a part of the value.
+double metres(const std::string& place, const std::string& text, const std::string& name = "") {
   const std::optional<double> length = parse_number(text);
   if (!length || *length < 0 || !is_coordinate(*length)) {
     throw UserError(place, name, "is no length; give a number from 0, in metres");
@@ -18,14 +18,9 @@ double parsed_length(const std::string& text, const std::string& place, const st
   return *length;
 }
 
-/// The option's whole value.
-double metres(const std::string& option, const std::string& text) {
-  return parsed_length(text, option + " " + text, "");
-}
-
 /// A part of an option's value.
 double metres_in(const std::string& place, const std::string& text) {
-  return parsed_length(text, place, tool::quoted(text) + " ");
+  return metres(place, text, tool::quoted(text) + " ");
 }
 
 std::size_t link_of(const Model& model, const std::string& place, const std::string& name) {
@@ -86,18 +81,19 @@ std::optional<double> given_cell(const RobotRequest& request) {
   if (!request.cell) {
     return std::nullopt;
   }
-  const double cell = metres("--cell", *request.cell);
+  const std::string place = "--cell " + *request.cell;
+  const double cell = metres(place, *request.cell);
   if (cell < static_cast<double>(std::numeric_limits<float>::min())) {
-    throw UserError("--cell " + *request.cell, "is no length; give a positive number, in metres");
+    throw UserError(place, "is no length; give a positive number, in metres");
   }
   return cell;
 }
 
 double simplify_length(const RobotRequest& request) {
-  const double length = metres("--simplify", *request.simplify);
+  const std::string place = "--simplify " + *request.simplify;
+  const double length = metres(place, *request.simplify);
   if (length == 0) {
-    throw UserError("--simplify " + *request.simplify,
-                    "simplifies nothing; give a positive number, in metres");
+    throw UserError(place, "simplifies nothing; give a positive number, in metres");
   }
   return length;
 }
@@ -120,7 +116,8 @@ Packages packages_of(const std::vector<std::string>& given) {
 
 Distances usual_distances(const RobotRequest& request) {
   const std::string warn = request.warn.value_or(request.stop);
-  const Distances distances = {metres("--stop", request.stop), metres("--warn", warn)};
+  const Distances distances = {metres("--stop " + request.stop, request.stop),
+                               metres("--warn " + warn, warn)};
   if (distances.warn < distances.stop) {
     throw UserError("--warn " + warn, "is nearer than --stop ", request.stop,
                     "; warn from further off");
@@ -155,14 +152,6 @@ AllDistances all_distances(const Model& model, const RobotRequest& request) {
     all.own.push_back(pair);
   }
   return all;
-}
-
-double least_stop(const AllDistances& distances) {
-  double least = distances.usual.stop;
-  for (const GuardedPair& pair : distances.own) {
-    least = least == 0 || (pair.stop > 0 && pair.stop < least) ? pair.stop : least;
-  }
-  return least;
 }
 
 ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, double cell) {

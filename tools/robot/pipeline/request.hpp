@@ -49,8 +49,6 @@ AllDistances all_distances(const Model& model, const RobotRequest& request);
 Distances usual_distances(const RobotRequest& request);
 /// The distances of two links: their own, if given.
 Distances distances_of(const AllDistances& distances, const PairVerdict& pair);
-/// The smallest stop distance above 0; 0 if there is none.
-double least_stop(const AllDistances& distances);
 
 /// The files of the robot, the SRDF and the meshes, sorted: no output may replace them.
 std::vector<std::string> files_read(const RobotRequest& request, const Model& model);

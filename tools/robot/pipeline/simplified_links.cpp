@@ -111,14 +111,6 @@ void SimplifiedLinks::fit(const Model& model, double most) {
   leaf_size_ = found->leaf_size;
 }
 
-double SimplifiedLinks::early() const {
-  return kEarlyByDeviation * expected_;
-}
-
-bool SimplifiedLinks::exceeds_expected() const {
-  return length_ > expected_;
-}
-
 std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t own_bytes) {
   if (request_.simplify || request_.fit) {
     add(model);

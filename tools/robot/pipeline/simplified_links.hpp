@@ -17,13 +17,13 @@ class SimplifiedLinks {
   /// How much earlier than requested a guard may stop two links, in metres. Simplified links may be
   /// nearer than the URDF's by both deviations, and the slack counts both again. Zones are chosen
   /// for this value.
-  double early() const;
+  double early() const { return kEarlyByDeviation * expected_; }
 
   /// Bakes all links, and parts, for firmware. `own_bytes`: size of the image without its meshes.
   /// UserError if --fit is too small, or firmware can't hold a link.
   std::vector<BakedLink> baked(const Model& model, std::size_t own_bytes);
   /// True if --fit needed a larger deviation than early() allows for.
-  bool exceeds_expected() const;
+  bool exceeds_expected() const { return length_ > expected_; }
 
   double length() const { return length_; }  ///< in metres; 0: not simplified
   std::uint32_t leaf_size() const { return leaf_size_; }

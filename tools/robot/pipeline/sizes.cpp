@@ -76,11 +76,20 @@ void warn_of_units(const Prepared& robot, const std::string& path, Warnings& war
   }
 }
 
-void warn_of_cell(const Prepared& robot, double stop, const RobotRequest& request,
-                  Warnings& warnings) {
+/// The smallest stop distance above 0; 0 if there is none.
+double least_stop(const AllDistances& distances) {
+  double least = distances.usual.stop;
+  for (const GuardedPair& pair : distances.own) {
+    least = least == 0 || (pair.stop > 0 && pair.stop < least) ? pair.stop : least;
+  }
+  return least;
+}
+
+void warn_of_cell(const Prepared& robot, const RobotRequest& request, Warnings& warnings) {
   const Model& model = robot.model;
   const std::vector<Size>& sizes = robot.sizes;
   const double cell = robot.cell;
+  const double stop = least_stop(robot.distances);
   const std::string place = request.cell ? "--cell " + *request.cell : request.urdf;
   const std::string remedy = request.cell
                                  ? "; give a finer one"
@@ -120,10 +129,9 @@ std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell
   return sizes;
 }
 
-void warn_of_sizes(const Prepared& robot, const RobotRequest& request, double stop,
-                   Warnings& warnings) {
+void warn_of_sizes(const Prepared& robot, const RobotRequest& request, Warnings& warnings) {
   warn_of_units(robot, request.urdf, warnings);
-  warn_of_cell(robot, stop, request, warnings);
+  warn_of_cell(robot, request, warnings);
 }
 
 }  // namespace flashbvh::tool

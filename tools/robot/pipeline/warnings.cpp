@@ -1,4 +1,4 @@
-#include "robot/pipeline/warnings.hpp"
+#include "robot/pipeline/divide.hpp"
 
 #include "text/numbers.hpp"
 
@@ -6,11 +6,10 @@ namespace flashbvh::tool {
 namespace {
 
 /// Warns of pairs with their own distances that no joint moves.
-void warn_of_fixed(const Divided& robot, const AllDistances& distances, const std::string& path,
-                   Warnings& warnings) {
+void warn_of_fixed(const Divided& robot, const std::string& path, Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
     if (pair.verdict == MatrixVerdict::fixed &&
-        find_pair(distances.own, pair.a, pair.b) != nullptr) {
+        find_pair(robot.distances.own, pair.a, pair.b) != nullptr) {
       warnings.add(path, concat("links '", robot.model.links[pair.a].name, "' and '",
                                 robot.model.links[pair.b].name,
                                 "' have a --pair, but no joint moves them; leave it out"));
@@ -19,14 +18,13 @@ void warn_of_fixed(const Divided& robot, const AllDistances& distances, const st
 }
 
 /// Warns of pairs for which a guard would report one verdict in all configurations.
-void warn_of_near(const Divided& robot, const AllDistances& distances, const RobotRequest& request,
-                  Warnings& warnings) {
+void warn_of_near(const Divided& robot, const RobotRequest& request, Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
     if (!pair.is_stopped && !pair.is_warned) {
       continue;
     }
-    const bool is_own = find_pair(distances.own, pair.a, pair.b) != nullptr;
-    const auto [stop, warn] = distances_of(distances, pair);
+    const bool is_own = find_pair(robot.distances.own, pair.a, pair.b) != nullptr;
+    const auto [stop, warn] = distances_of(robot.distances, pair);
     const double distance = pair.is_stopped ? stop : warn;
     const char* const word = pair.is_stopped ? "stop" : "warn";
     const std::string& a = robot.model.links[pair.a].name;
@@ -58,21 +56,10 @@ void warn_of_near(const Divided& robot, const AllDistances& distances, const Rob
 
 }  // namespace
 
-void warn_of_guard(const Divided& robot, const AllDistances& distances, const RobotRequest& request,
-                   Warnings& warnings) {
+void warn_of_guard(const Divided& robot, const RobotRequest& request, Warnings& warnings) {
   warn_of_unguarded(robot.model, robot.unguarded, request.urdf, warnings);
-  warn_of_fixed(robot, distances, request.urdf, warnings);
-  warn_of_near(robot, distances, request, warnings);
-}
-
-void warn_of_late_zones(const Model& model, const Decided& decided, const std::string& path,
-                        const std::string& then, Warnings& warnings) {
-  const auto name = [&](std::size_t joint) { return model.joints[joint].name; };
-  if (!decided.late_joints.empty()) {
-    warnings.add(path,
-                 concat("no time was left to find a zone about ", joined(decided.late_joints, name),
-                        ": links that touch there are ", then, "; give more --time"));
-  }
+  warn_of_fixed(robot, request.urdf, warnings);
+  warn_of_near(robot, request, warnings);
 }
 
 }  // namespace flashbvh::tool

@@ -60,16 +60,13 @@ void take_nearer(const Robot& robot, std::size_t period, std::uint16_t number, c
                  std::optional<ClosestMoment>& closest) {
   const Mesh& a = robot.meshes[robot.pairs[number].a];
   const Mesh& b = robot.meshes[robot.pairs[number].b];
-  if (closest) {
-    const std::uint32_t least = closest->clearance.lower;
-    if (least == 0 || !closer_than(a, b, pose, {least - 1}).yes) {
-      return;
-    }
+  if (closest && (closest->lower == 0 || !closer_than(a, b, pose, {closest->lower - 1}).yes)) {
+    return;
   }
   const Clearance<std::uint16_t> found = distance(a, b, pose);
   if (found.status == Status::done && found.in_range &&
-      (!closest || found.lower < closest->clearance.lower)) {
-    closest = ClosestMoment{period, number, pose, found};
+      (!closest || found.lower < closest->lower)) {
+    closest = ClosestMoment{period, number, found.lower};
   }
 }
 
@@ -179,11 +176,6 @@ std::optional<std::uint32_t> PosedPairs::distance_of(std::uint16_t pair) {
   }
   nearest_[pair] = found.witness;
   return found.lower;
-}
-
-bool PosedPairs::is_within(std::uint16_t pair, std::uint32_t distance) const {
-  const RobotPair& links = robot_.pairs[pair];
-  return closer_than(robot_.meshes[links.a], robot_.meshes[links.b], pose(links), {distance}).yes;
 }
 
 }  // namespace flashbvh::tool

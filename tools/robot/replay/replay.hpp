@@ -26,38 +26,16 @@ namespace flashbvh::tool {
 /// Semicolons, commas or tabs separate fields. Columns of mimics are checked, but not used; those
 /// without a name are not used. The first column of times, if all its values are numbers, labels
 /// the lines; it sets no period.
-class Trajectory {
- public:
-  explicit Trajectory(std::size_t variables) : variables_(variables) {}
+struct Trajectory {
+  std::size_t variables;
+  std::vector<std::size_t> lines{};  ///< of each period: its line in the file, from 1
+  std::vector<float> all_values{};   ///< of each period
+  std::vector<double> times{};       ///< of each period, in the unit of their column; or empty
+  std::string time_name{};
 
-  std::size_t size() const { return lines_.size(); }
-  /// The period's line in the file, from 1.
-  std::size_t line(std::size_t period) const { return lines_[period]; }
+  std::size_t size() const { return lines.size(); }
   /// One value per variable, in the model's order, as floats: firmware's input.
-  const float* values(std::size_t period) const { return &values_[period * variables_]; }
-  std::size_t variables() const { return variables_; }
-
-  bool has_times() const { return !times_.empty(); }
-  /// The period's time, in the unit of its column. Precondition: has_times().
-  double time(std::size_t period) const { return times_[period]; }
-  const std::string& time_name() const { return time_name_; }
-
-  /// `times`: one per line.
-  void set_times(std::string name, std::vector<double> times) {
-    time_name_ = std::move(name);
-    times_ = std::move(times);
-  }
-  void add(std::size_t line, const std::vector<float>& values) {
-    lines_.push_back(line);
-    values_.insert(values_.end(), values.begin(), values.end());
-  }
-
- private:
-  std::size_t variables_;
-  std::vector<std::size_t> lines_;
-  std::vector<float> values_;
-  std::string time_name_;
-  std::vector<double> times_;
+  const float* values(std::size_t period) const { return &all_values[period * variables]; }
 };
 
 /// UserError, with the line, the column and the remedy, unless each variable has one column, all
@@ -88,9 +66,8 @@ std::vector<CertifiedMotion> certify(const Robot& robot, const Trajectory& traje
 /// The line at which two links are nearest. Does not check between lines.
 struct ClosestMoment {
   std::size_t period;
-  std::uint16_t pair;  ///< index in Robot::pairs
-  Pose pose;           ///< of the second link in the frame of the first link's joint
-  Clearance<std::uint16_t> clearance;
+  std::uint16_t pair;   ///< index in Robot::pairs
+  std::uint32_t lower;  ///< lower bound of their distance, in 1/256 cell
 };
 
 /// The first of the nearest moments; none if no pair is guarded, no values are accepted, or all
@@ -143,7 +120,6 @@ class PosedPairs {
 
   /// In 1/256 cell, rounded down; none if it is out of range. The last nearest pair is the hint.
   std::optional<std::uint32_t> distance_of(std::uint16_t pair);
-  bool is_within(std::uint16_t pair, std::uint32_t distance) const;
 
  private:
   const flashbvh::Frame& frame_of(std::uint8_t link) const {

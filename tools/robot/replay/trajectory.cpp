@@ -14,6 +14,8 @@
 namespace flashbvh::tool {
 namespace {
 
+constexpr const char* kPeriod = "each line is one period after the line before";
+
 /// A column of a joint, of the time, or without a name, as of a data frame's index.
 struct TrajectoryColumn {
   std::string name;
@@ -199,11 +201,17 @@ class RowReader {
     }
   }
 
-  /// The values of the variables, in their order.
-  std::vector<float> read(std::string_view line, const std::string& place) {
+  /// Adds a period.
+  void read(std::string_view line, const std::string& place, Trajectory& trajectory) {
     const std::vector<std::optional<double>> numbers = numbers_of(header_, line, place);
     check_times(numbers, place);
-    keep_time(numbers);
+    if (times_in_ < numbers.size() && numbers[times_in_]) {
+      trajectory.time_name = header_.columns[times_in_].name;
+      trajectory.times.push_back(*numbers[times_in_]);
+    } else {
+      times_in_ = numbers.size();  // for example a date
+      trajectory.times.clear();
+    }
     std::vector<double> values(model_.variables.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const TrajectoryColumn& column = header_.columns[i];
@@ -216,37 +224,20 @@ class RowReader {
         check_mimic(model_, header_.columns[i], *numbers[i], values, place);
       }
     }
-    return {values.begin(), values.end()};
+    trajectory.all_values.insert(trajectory.all_values.end(), values.begin(), values.end());
   }
 
-  /// True if all lines have a number in the first column of times.
-  bool has_times() const { return times_in_ < last_.size() && !times_.empty(); }
-  const std::string& time_name() const { return header_.columns[times_in_].name; }
-  const std::vector<double>& times() const { return times_; }
-
-  /// The columns of times other than that of times().
-  std::vector<std::string> unused_times() const {
-    std::vector<std::string> names;
+  /// Warns of columns of times that name no line.
+  void warn_of_unused_times(const std::string& path, Warnings& warnings) const {
     for (std::size_t i = 0; i < header_.columns.size(); ++i) {
-      if (header_.columns[i].is_time() && !(has_times() && i == times_in_)) {
-        names.push_back(header_.columns[i].name);
+      if (header_.columns[i].is_time() && i != times_in_) {
+        warnings.add(path, concat("the column ", tool::quoted(header_.columns[i].name),
+                                  " is not used: ", kPeriod));
       }
     }
-    return names;
   }
 
  private:
-  void keep_time(const std::vector<std::optional<double>>& numbers) {
-    if (times_in_ == numbers.size()) {
-      return;
-    }
-    if (numbers[times_in_]) {
-      times_.push_back(*numbers[times_in_]);
-    } else {
-      times_in_ = numbers.size();  // for example a date
-    }
-  }
-
   void check_times(const std::vector<std::optional<double>>& numbers, const std::string& place) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (!header_.columns[i].is_time() || !numbers[i]) {
@@ -254,8 +245,8 @@ class RowReader {
       }
       if (last_[i] && *numbers[i] < *last_[i]) {
         throw UserError(place, tool::quoted(header_.columns[i].name), " goes back from ",
-                        shortest(*last_[i]), " to ", shortest(*numbers[i]),
-                        "; each line is one period after the line before: sort them");
+                        shortest(*last_[i]), " to ", shortest(*numbers[i]), "; ", kPeriod,
+                        ": sort them");
       }
       last_[i] = numbers[i];
     }
@@ -264,27 +255,22 @@ class RowReader {
   const Model& model_;
   TrajectoryColumns header_;
   std::vector<std::optional<double>> last_;  ///< last times, by column
-  std::size_t times_in_ = 0;  ///< the column of times_; if none, the number of columns
-  std::vector<double> times_;
+  std::size_t times_in_ = 0;  ///< the column that names lines; if none, the number of columns
 };
 
 /// Steps of times are uneven if they differ from the first one by more than this part of it.
 constexpr double kMostUneven = 0.1;
 
-/// Warns of columns of times that are not used, and of the first uneven step of the used one.
-void note_times(const std::string& path, const RowReader& reader, const Trajectory& trajectory,
-                Warnings& warnings) {
-  constexpr const char* kPeriod = "each line is one period after the line before";
-  for (const std::string& name : reader.unused_times()) {
-    warnings.add(path, concat("the column ", tool::quoted(name), " is not used: ", kPeriod));
-  }
-  for (std::size_t i = 2; trajectory.has_times() && i < trajectory.size(); ++i) {
-    const double first = trajectory.time(1) - trajectory.time(0);
-    const double step = trajectory.time(i) - trajectory.time(i - 1);
+/// Warns of the first uneven step of times.
+void warn_of_uneven_times(const std::string& path, const Trajectory& trajectory,
+                          Warnings& warnings) {
+  for (std::size_t i = 2; i < trajectory.times.size(); ++i) {
+    const double first = trajectory.times[1] - trajectory.times[0];
+    const double step = trajectory.times[i] - trajectory.times[i - 1];
     // Large stamps have fewer digits than their steps.
-    if (std::fabs(step - first) > kMostUneven * first + 1e-15 * std::fabs(trajectory.time(i))) {
-      warnings.add(at_line(path, trajectory.line(i)),
-                   concat(tool::quoted(trajectory.time_name()), " steps by ", significant(step, 6),
+    if (std::fabs(step - first) > kMostUneven * first + 1e-15 * std::fabs(trajectory.times[i])) {
+      warnings.add(at_line(path, trajectory.lines[i]),
+                   concat(tool::quoted(trajectory.time_name), " steps by ", significant(step, 6),
                           ", the first time by ", significant(first, 6), "; ", kPeriod));
       return;
     }
@@ -306,17 +292,16 @@ Trajectory read_trajectory(const std::string& path, const Model& model, Warnings
   }
   const std::string place = at_line(path, lines.number());
   RowReader reader(model, read_columns(model, lines.line(), place));
-  Trajectory trajectory(model.variables.size());
+  Trajectory trajectory = {model.variables.size()};
   while (lines.next_content()) {
-    trajectory.add(lines.number(), reader.read(lines.line(), at_line(path, lines.number())));
+    trajectory.lines.push_back(lines.number());
+    reader.read(lines.line(), at_line(path, lines.number()), trajectory);
   }
   if (trajectory.size() == 0) {
     throw UserError(path, "has no line of values; give one a period");
   }
-  if (reader.has_times()) {
-    trajectory.set_times(reader.time_name(), reader.times());
-  }
-  note_times(path, reader, trajectory, warnings);
+  reader.warn_of_unused_times(path, warnings);
+  warn_of_uneven_times(path, trajectory, warnings);
   return trajectory;
 }
 
