@@ -29,7 +29,7 @@ ensure_packages() {
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libexpat1-dev libmeshoptimizer-dev libminizip-dev
   zlib1g-dev liburdfdom-dev nlohmann-json3-dev catch2 python3"
 # Clang with its sanitizers; exact rationals for oracles.
-test_packages="clang lld libclang-rt-14-dev libgmp-dev ccache"
+test_packages="clang lld libclang-rt-14-dev libgmp-dev"
 # The boards need C++ headers, not the library; the RISC-V compiler has none and uses those of Arm.
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm"
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"

@@ -5,7 +5,7 @@
 #   python       the Python package, and one hash of queries and guard periods in it and in C++
 #   style        formatting, the order of the library's rooms, generated presets, budgets of lines
 #   lint         clang-tidy
-#   PRESET       a board under QEMU, or node; with --all what ports/cores.json says, else the answers
+#   PRESET       a board under QEMU, or node; with --all what ports/cores.json says, else the digests
 # What it prints goes to build/log/STEP. Its status is 255 if it fails, which ends xargs.
 set -eu
 cd "$(dirname "$0")/.."
@@ -16,9 +16,13 @@ sources() {
 }
 
 board() {
-  tests=answers
+  tests=digests
   [ -z "${FLASHBVH_TEST_ALL:-}" ] || tests=$(tools/cores.py "$1")
   case $tests in
+    digests)
+      . tools/packages.sh  # while `native` compiles
+      ensure_packages $board_packages $riscv_packages
+      targets="digest motion_digest_board_test" names="digest" ;;
     digest) targets=digest names="the digest is every core's$" ;;
     answers) targets="digest board_tests" names="the digest is every core's$|_board_test$" ;;
     measured)

@@ -2,7 +2,7 @@
 invalid robots."""
 import re
 
-from cli import Case, fixture, flashbvh, headlines, page_data, refuse, refuse_each, search, text, write
+from cli import Case, fixture, flashbvh, headlines, long, page_data, refuse, refuse_each, search, text, write
 from inputs import box_of, disables, joint, link, robot, shape
 
 
@@ -193,6 +193,7 @@ class RobotSaidTest(Case):
             "--cell 0.002: warning: makes a cell of 0.002 m for link 'c' of 0.01 x 0.005 x 0.005 m; "
                 "give a finer one")
 
+    @long
     def test_flash_that_is_much_what_larger_leaves_save(self):
         robot("large", link("a", *(shape('<sphere radius="1"/>', f"{i} 0 0") for i in range(1, 131))),
               link("b", box_of("1 1 1", "0 0 9")), joint("turn", "continuous", "a", "b"))

@@ -155,7 +155,7 @@ void check_seen(const long (&outcomes)[3], long least) {
 
 TEST_CASE("translations: no contact is reported late, none is missed") {
   long outcomes[3] = {};
-  const long scenes = rounds(5'000L, 50'000L);
+  const long scenes = rounds(2'500L, 50'000L);
   for_rounds(scenes, [&](Random& random, long) {
     const MotionScene scene = MotionScene::any(random);
     for (int i = 0; i < 20; ++i) {

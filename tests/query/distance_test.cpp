@@ -366,7 +366,7 @@ TEST_CASE("the distance of two meshes is that of their nearest triangles") {
 }
 
 TEST_CASE("the distance of two leaves is that of their triangles, where bounds are tight") {
-  for_rounds(rounds(6000, 30'000), 3, [&](Random& random, int round) {
+  for_rounds(rounds(3000, 30'000), 3, [&](Random& random, int round) {
     const Pairing of = round % 2 == 0 ? Pairing::of_leaves(random) : Pairing::of_fans(random);
     check_result(of.all, distance(of.a, of.b, of.pose));
     check_result(of.all, distance(of.a, of.b, of.pose, of.any_hint(random)));
