@@ -12,7 +12,7 @@ using tool::FileMesh;
 
 namespace {
 
-constexpr tool::ImportLimits kLimits = {256 << 20, 1};
+constexpr tool::ImportLimits kLimits = {32 << 20, 1};
 const std::string kFix = "; export the mesh again, or as STL or PLY";
 
 FileMesh one_triangle() {
@@ -103,7 +103,7 @@ TEST_CASE("a reader that always grows is refused, and the program has its memory
   };
   if (!kIsSanitized) {  // the sanitizer ends a program that runs out of memory
     CHECK(said_of([&] { return grow(SIZE_MAX); }) ==
-          "file: can't be read: takes over 256 MiB of memory" + kFix);
+          "file: can't be read: takes over 32 MiB of memory" + kFix);
   }
-  CHECK(grow(300).mesh.triangles.size() == 1);
+  CHECK(grow(64).mesh.triangles.size() == 1);
 }
