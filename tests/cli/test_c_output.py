@@ -5,7 +5,7 @@ import re
 import shutil
 from pathlib import Path
 
-from cli import Case, compiled, fixture, flashbvh, INCLUDE, run, same, STRICTLY, text, write
+from cli import Case, compiled, fixture, flashbvh, INCLUDE, long, run, same, STRICTLY, text, write
 from inputs import meshes
 
 # Names similar to each other, to C's and to the compilers'; and their names in C.
@@ -56,6 +56,7 @@ int main(void) {""", *writes, f"""
 class COutputTest(Case):
     inputs = in_c,
 
+    @long
     def test_it_compiles_strictly_and_has_the_images_bytes_and_numbers(self):
         self.assertEqual(len(os.listdir("baked")), 32)
         write("main.c", program_in_c([word for _, word in NAMES]))
@@ -71,6 +72,7 @@ class COutputTest(Case):
             "nodes", "leaves", "depth", "stack_need", "triangles", "vertices", "leaf_size", "arity", "cell")])
         text("baked/part.fbvh.h").matches("part_CELL .* in mm")
 
+    @long
     def test_cpp_may_include_the_headers_too(self):
         for header in Path("baked").glob("*.h"):
             compiled("-std=c++17", "-x", "c++", "-fsyntax-only", header)

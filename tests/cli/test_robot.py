@@ -5,8 +5,8 @@ import re
 import shutil
 from pathlib import Path
 
-from cli import (Case, compiled, elsewhere, fixture, flashbvh, headlines, page_data, refuse, refuse_each, run, same,
-                 search, self_contained, size, text, write)
+from cli import (Case, compiled, elsewhere, fixture, flashbvh, headlines, long, page_data, refuse, refuse_each, run, same, search,
+                 self_contained, size, text, write)
 from inputs import box_of, joint, link, OPTIONS, robot, two_fingers
 
 
@@ -43,6 +43,7 @@ class RobotTest(Case):
         self.assertFalse(any(re.search(r"arm\.|parts|/tmp|20[0-9][0-9]-", text(file))
                              for file in [*Path("first").iterdir(), "other.robot"]))
 
+    @long
     def test_strict_compilers_of_both_languages_take_it_and_firmware_finds_its_names(self):
         write("use.c", """
             #include "flashbvh/robot.h"

@@ -1,5 +1,5 @@
 """Simplified meshes and robots: within the requested length, or as near as fits the requested bytes."""
-from cli import Case, flashbvh, refuse, refuse_each, same, search, text, write
+from cli import Case, flashbvh, long, refuse, refuse_each, same, search, text, write
 from inputs import meshes, OPTIONS, two_fingers
 
 
@@ -70,6 +70,7 @@ class SimplifyTest(Case):
             "--simplify 0.01 --cell 0.1": "--simplify 0.01: is less than rounding moves a vertex of meshes/ring.stl",
         })
 
+    @long
     def test_a_robots_links_are_simplified_for_firmware_alone_verdicts_witnesses_and_zones_stay(self):
         two_fingers()
         full = flashbvh(f"robot arm.urdf -o full {OPTIONS} --json --format both").json
