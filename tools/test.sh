@@ -11,7 +11,7 @@ cd "$(dirname "$0")/.."
 
 packages="$host_packages $test_packages"
 case ${1:-} in
-  "") first="native cortex-m4f cortex-m0 rv32imac" then= ;;
+  "") first="native digests" then= ;;
   --all)
     first="native style $(tools/cores.py --answers)"
     then="lint long python $(tools/cores.py --measured)"

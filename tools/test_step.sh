@@ -5,7 +5,8 @@
 #   python       the Python package, and one hash of queries and guard periods in it and in C++
 #   style        formatting, the order of the library's rooms, generated presets, budgets of lines
 #   lint         clang-tidy
-#   PRESET       a board under QEMU, or node; with --all what ports/cores.json says, else the digests
+#   digests      the digests of all answers on three boards, whose compilers it installs while `native` compiles
+#   PRESET       a board under QEMU, or node: what ports/cores.json says
 # What it prints goes to build/log/STEP. Its status is 255 if it fails, which ends xargs.
 set -eu
 cd "$(dirname "$0")/.."
@@ -15,15 +16,11 @@ sources() {
   find lib ports tools tests firmware_examples -name '*.[ch]pp' -o -name '*.h' -o -name '*.c'
 }
 
+# board PRESET TESTS [JOBS]
 board() {
-  tests=digests
-  [ -z "${FLASHBVH_TEST_ALL:-}" ] || tests=$(tools/cores.py "$1")
-  case $tests in
-    digests)
-      . tools/packages.sh  # while `native` compiles
-      ensure_packages $board_packages $riscv_packages
-      targets="digest motion_digest_board_test" names="the digest is every core's$|_digest_board_test$" ;;
+  case $2 in
     digest) targets=digest names="the digest is every core's$" ;;
+    digests) targets="digest motion_digest_board_test" names="the digest is every core's$|_digest_board_test$" ;;
     answers) targets="digest board_tests" names="the digest is every core's$|_board_test$" ;;
     measured)
       cmake --preset "$1" -DFLASHBVH_HOST_TOOL="$PWD/build/$native/bin/flashbvh" \
@@ -33,7 +30,7 @@ board() {
       return ;;
   esac
   cmake --preset "$1" -DFLASHBVH_IS_MEASURED=OFF
-  cmake --build --preset "$1" -j 1 --target $targets
+  cmake --build --preset "$1" -j "${3:-1}" --target $targets
   ctest --preset "$1" -R "$names"
 }
 
@@ -58,7 +55,13 @@ run() {
       tools/rooms.py
       tools/budgets.sh ;;
     lint) tools/lint.sh ;;
-    *) board "$1" ;;
+    digests)
+      . tools/packages.sh
+      ensure_packages $board_packages $riscv_packages
+      for preset in cortex-m4f cortex-m0 rv32imac; do
+        board $preset digests 2
+      done ;;
+    *) board "$1" "$(tools/cores.py "$1")" ;;
   esac
 }
 
