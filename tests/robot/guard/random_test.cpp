@@ -119,7 +119,7 @@ TEST_CASE("each verdict comes where a block slides to a wall, and none is contra
 
 TEST_CASE("nowhere are two links nearer than their distance table says") {
   std::uint32_t all = 0;
-  for_rounds(8, [&](Random& random, int) {
+  for_rounds(rounds(4, 8), [&](Random& random, int) {
     all += check_tables(any_guarded_arm(random, 3, 1e-3), random).all;
   });
   CHECK(all > 0);
@@ -133,7 +133,7 @@ TEST_CASE("a distance table for which there was no time leaves the guard sound")
     walk(random, arm, DrawnArm(arm), 100);
     return checked.places;
   };
-  for_rounds(4, [&](Random& random, int) {
+  for_rounds(rounds(2, 4), [&](Random& random, int) {
     CHECK(check_with(any_guarded_arm(random, 3, 1e-3), 0, random) == 0);
     check_with(any_guarded_arm(random, 3, 1e-3), 300, random);
   });
