@@ -11,5 +11,10 @@ inline uint32_t static_bytes() {
 inline uint32_t stack_used() {
   return 0;
 }
+template <class Function>
+uint32_t stack_of(Function function) {
+  function();
+  return 0;
+}
 
 }  // namespace port
