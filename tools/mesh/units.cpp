@@ -108,10 +108,11 @@ Units::Ratio Units::ratio_of(const std::string& file, Unit says) const {
   if (common_ == Unit::none || own == Unit::none) {
     return {};
   }
-  const std::uint64_t from = nanometres_in(own);
-  const std::uint64_t to = nanometres_in(common_);
-  const std::uint64_t common_part = std::gcd(from, to);
-  return {static_cast<double>(from / common_part), static_cast<double>(to / common_part)};
+  const auto from = static_cast<double>(nanometres_in(own));
+  const auto to = static_cast<double>(nanometres_in(common_));
+  const auto common_part =
+      static_cast<double>(std::gcd(nanometres_in(own), nanometres_in(common_)));
+  return {from / common_part, to / common_part};  // whole numbers, exactly
 }
 
 void Units::convert(bake::SourceMesh& mesh, const std::string& file, Unit says) const {

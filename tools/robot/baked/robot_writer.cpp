@@ -12,6 +12,7 @@ namespace {
 template <class Element>
 std::vector<OutputName> names_of(const std::vector<Element>& elements) {
   std::vector<std::string> names;
+  names.reserve(elements.size());
   for (const Element& element : elements) {
     names.push_back(element.name);
   }
