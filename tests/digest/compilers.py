@@ -63,7 +63,11 @@ def main(work):
         source = whole if "-O0" in command else needed
         if subprocess.run([*command, *FLAGS, source, "-o", program], cwd=ROOT).returncode:
             sys.exit(f"compilers.py: does not build: {' '.join(command)}")
-        done = subprocess.run([*emulator, program], stdout=subprocess.PIPE, text=True)
+        try:
+            done = subprocess.run([*emulator, program], stdout=subprocess.PIPE, text=True)
+        except OSError as why:  # a kernel without 32-bit programs
+            print(f"does not run here: {why.strerror}: {' '.join(command)}")
+            continue
         answers.append((done.returncode, done.stdout))
         print(f"{'DIFFERENT ' if done.returncode else ''}{done.stdout.strip()}: {' '.join(command)}", flush=True)
     if len(answers) < 3:
