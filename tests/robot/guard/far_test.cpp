@@ -108,7 +108,8 @@ bool is_contradicted(const FixedArm& arm, const Gantry& gantry, const GuardAnswe
 /// Whether the spheres alone prove the pair free, beyond the distance of any query.
 bool is_far(const FixedArm& arm, const Gantry& gantry, const RobotPair& pair,
             const Period& period) {
-  const double radius = std::sqrt(3.0) * gantry.half * kFine + 512;  // rounded up, both placed
+  // The baked sphere is up to 1 % larger than the smallest one; rounded up, both placed.
+  const double radius = 1.01 * std::sqrt(3.0) * gantry.half * kFine + 512;
   const double apart = std::sqrt(squared(between_centres(arm, gantry, pair, period.at_end())));
   const double gap = apart * kFine - 2 * radius;
   const double travel = 1.02 * period.travel(arm, pair);  // the guard's levers are rounded up
