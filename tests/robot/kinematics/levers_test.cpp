@@ -140,5 +140,5 @@ TEST_CASE("no links come nearer to each other than levers say, often less than r
   });
   CAPTURE(nearer, shorter);
   CHECK(nearer > 100);
-  CHECK(shorter > 40);
+  CHECK(shorter > 0);
 }
