@@ -147,7 +147,7 @@ TEST_CASE("what is not read of a scene is refused by its name") {
        "nodes[0] uses the extension EXT_mesh_gpu_instancing"},
       {{"gltf", R"("indices":1)",
         R"("indices":1,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0}})"},
-       "meshes[0] uses the extension KHR_draco_mesh_compression"},
+       "meshes[0] is compressed by KHR_draco_mesh_compression"},
       {{"gltf", R"("byteLength":48)",
         R"("byteLength":48,"extensions":{"EXT_meshopt_compression":{}})"},
        "bufferViews[0] uses the extension EXT_meshopt_compression"},
