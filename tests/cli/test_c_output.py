@@ -60,10 +60,12 @@ class COutputTest(Case):
     def test_it_compiles_strictly_and_has_the_images_bytes_and_numbers(self):
         self.assertEqual(len(os.listdir("baked")), 32)
         write("main.c", program_in_c([word for _, word in NAMES]))
-        for cc in {os.environ["CC"], "clang"}:
-            if shutil.which(cc):
-                run(cc, "-std=c99", *STRICTLY, f"-I{INCLUDE}", "-Ibaked", "main.c", *Path("baked").glob("*.c"),
-                    "-o", "program", "-lm")
+        for compiler in ("c99", "gnu17"):
+            with self.subTest(compiler):
+                for cc in {os.environ["CC"], "clang"}:
+                    if shutil.which(cc):
+                        run(cc, f"-std={compiler}", *STRICTLY, f"-I{INCLUDE}", "-Ibaked", "main.c",
+                            *Path("baked").glob("*.c"), "-o", "program", "-lm")
         found = run("./program").split()
         for name, word in NAMES:
             same(f"{word}.written", f"images/{name}.fbvh")

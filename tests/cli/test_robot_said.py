@@ -2,7 +2,7 @@
 invalid robots."""
 import re
 
-from cli import Case, fixture, flashbvh, headlines, page_data, refuse, refuse_each, search, text, write
+from cli import Case, fixture, flashbvh, headlines, long, page_data, refuse, refuse_each, search, text, write
 from inputs import box_of, disables, joint, link, robot, shape
 
 
@@ -27,6 +27,12 @@ def sized(first, second, third, reach):
     return robot("sized", link("a", box_of(first)), link("b", box_of(second)), link("c", box_of(third)),
                  joint("one", "revolute", "a", "b", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (-1, 1)),
                  joint("two", "prismatic", "b", "c", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (0, reach)))
+
+
+def large_robot():
+    """Of over 1 MiB of flash."""
+    robot("large", link("a", *(shape('<sphere radius="1"/>', f"{i} 0 0") for i in range(1, 131))),
+          link("b", box_of("1 1 1", "0 0 9")), joint("turn", "continuous", "a", "b"))
 
 
 class RobotSaidTest(Case):
@@ -194,11 +200,17 @@ class RobotSaidTest(Case):
                 "give a finer one")
 
     def test_flash_that_is_much_what_larger_leaves_save(self):
-        robot("large", link("a", *(shape('<sphere radius="1"/>', f"{i} 0 0") for i in range(1, 131))),
-              link("b", box_of("1 1 1", "0 0 9")), joint("turn", "continuous", "a", "b"))
+        large_robot()
         out = flashbvh("robot large.urdf --dry-run --json")
         self.assertGreater(out.json["flash_bytes"], 1048576)
         self.assertLess(out.json["flash_bytes_leaf_size_5"], out.json["flash_bytes"] * 4 / 5)
+
+    @long
+    def test_larger_leaves_are_offered_with_their_flash(self):
+        large_robot()
+        out = flashbvh("robot large.urdf -o baked --format image")
+        flash = int(search("; ([0-9]*) bytes of flash, ", out))
+        self.assertLess(int(search("^--leaf-size 5: ([0-9]*) bytes of flash; ", out)), flash * 4 / 5)
 
     def test_what_no_image_holds_is_refused_before_any_pair_is_decided(self):
         pair = [link("base", box_of("1 1 1")), link("arm", box_of("0.1 0.1 1", "0 0 2"))]

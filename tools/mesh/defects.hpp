@@ -53,7 +53,7 @@ struct MeshDefects {
   EdgeDefects edges;                  ///< on the lattice
   bool closed_before = false;         ///< edges have defects by rounding alone
   bool inside_out = false;            ///< closed, oriented, and normals face into the solid
-  std::size_t shells_inside_out = 0;  ///< likewise
+  std::size_t shells_inside_out = 0;  ///< of them, in a mesh of several
 };
 
 /// The defects that a mesh on the lattice has by itself.

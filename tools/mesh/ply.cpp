@@ -348,7 +348,7 @@ class PlyReader {
   Header header_;
   Body body_;
   const Element* element_ = nullptr;  ///< being read
-  long long number_ = 0;              ///< likewise
+  long long number_ = 0;              ///< of those with its name
   long long vertex_count_ = 0;
   std::vector<std::vector<std::uint32_t>> polygons_;
   MeshBuilder builder_;

@@ -9,7 +9,7 @@
 namespace flashbvh::simplify {
 namespace {
 
-/// The ratio of lengths that are told apart.
+/// The least ratio of two lengths that are tried.
 constexpr double kStep = 1.1;
 /// Smaller leaves, which answer faster, are worth a length up to this much longer.
 constexpr double kWorthwhile = 1.25;

@@ -162,7 +162,7 @@ TEST_CASE("what never collides is guarded if it comes within the stop distance")
     CHECK(guarded.is_guarded);
     CHECK_FALSE(guarded.is_stopped);
     CHECK(stopping_at(3).is_stopped);
-    // The joint boxes of both proofs are told apart.
+    // Each proof counts its own joint boxes.
     const PairVerdict alone = stopping_at(0);
     CHECK(alone.reason == "proven for all values within the limits, " +
                               std::to_string(alone.joint_boxes) + " joint boxes");
