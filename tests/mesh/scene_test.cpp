@@ -139,6 +139,15 @@ TEST_CASE("3MF: a project of a slicer, which may have parts that are no solids, 
   }
 }
 
+TEST_CASE("glTF: triangles that Draco compresses are read with 16-bit indices alone") {
+  const std::string draco = with(
+      plain("gltf"), R"("indices":1)",
+      R"("indices":1,"extensions":{"KHR_draco_mesh_compression":{"attributes":{"POSITION":0}}})");
+  const std::string wide = with(draco, "5123", "5125");
+  CHECK_THAT(refusal(read_scene, wide, written(wide, "gltf")),
+             Catch::Matchers::Contains("accessors[1] has 32-bit indices compressed by KHR_draco"));
+}
+
 TEST_CASE("what is not read of a scene is refused by its name") {
   const std::pair<Change, const char*> changes[] = {
       {{"gltf", R"("scene":0)", R"("extensionsRequired":["VENDOR_x"],"scene":0)"},
