@@ -52,8 +52,8 @@ uint32_t names_offset(const RobotImageHeader& header) {
 
 bool counts_fit(const RobotImageHeader& header) {
   return header.joint_count >= 1 && header.joint_count <= kMaxJoints && header.link_count >= 1 &&
-         header.link_count <= kMaxLinks && header.variable_count <= header.joint_count &&
-         header.slack >= kLeastSlack && header.slack <= kMaxGuardDistance && header.padding == 0;
+         header.variable_count <= header.joint_count && header.slack >= kLeastSlack &&
+         header.slack <= kMaxGuardDistance && header.padding == 0;
 }
 
 /// Checks the number and the lengths of names, and that zeros follow up to the meshes.

@@ -206,7 +206,7 @@ bool check_between(const Robot& robot, const RobotPair& pair) {
   uint32_t next = 0;
   for (uint32_t i = 0; i < robot.pair_count; ++i) {
     const RobotPair& pair = robot.pairs[i];
-    const uint32_t place = pair.a * kMaxLinks + pair.b;
+    const uint32_t place = uint32_t{pair.a} << 8 | pair.b;
     if (pair.a >= pair.b || pair.b >= robot.link_count || place < next || pair.stop > pair.warn ||
         pair.warn > kMaxGuardDistance || !check_between(robot, pair)) {
       return false;

@@ -53,7 +53,7 @@ constexpr int kReachBits = 26;
 
 /// Largest numbers of joints and links.
 constexpr uint32_t kMaxJoints = 64;
-constexpr uint32_t kMaxLinks = 64;
+constexpr uint32_t kMaxLinks = 255;
 /// The largest distance at which two links are kept apart, in 1/256 cell: 32,767 cells.
 constexpr uint32_t kMaxGuardDistance = 32'767 * 256;
 
