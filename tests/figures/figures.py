@@ -5,7 +5,8 @@
     check OUTPUT...         compares those OUTPUTs of programs that exist with budgets.csv; lists figures that differ by
                             more than 2 %, either way, and counts that differ at all, and fails if there are any
     write OUTPUT...         writes the figures of OUTPUTs that have a row into budgets.csv, and the page
-    page [--check]          writes the tables of lib/docs/figures.md; --check fails if this would change them
+    page [--check]          writes the tables of lib/docs/figures.md and of the program's period_costs.hpp; --check fails
+                            if this would change them
 
 These lines of a program count:
     core CORE                      the core of the following figures
@@ -24,6 +25,9 @@ from pathlib import Path
 
 BUDGETS = Path(__file__).resolve().with_name("budgets.csv")
 PAGE = BUDGETS.parents[2] / "lib/docs/figures.md"
+COSTS = BUDGETS.parents[2] / "tools/robot/replay/period_costs.hpp"
+OF_PERIOD = [f"guard.{name}" for name in ("fixed.period", "fixed.joint", "fixed.pair", "fixed.between", "kinematics",
+                                          "work.max")]
 SLACK = 2  # percent
 ALL = "all"  # the column of counts
 MANY = 10000  # values with a thousandth
@@ -162,6 +166,12 @@ class Budgets:
         return re.sub(r"^<!-- (\w+) -->\n(\|.*\n)*", lambda found: f"<!-- {found[1]} -->\n{self.table(found[1])}", page,
                       flags=re.M)
 
+    def costs_in(self, header):
+        """The header with its table of the parts of a guard's period rewritten."""
+        cells = {core: [self.rows[name][core] for name in OF_PERIOD] for core in self.columns}
+        rows = "".join(f'    {{"{core}", {{{", ".join(costs)}}}}},\n' for core, costs in cells.items() if all(costs))
+        return re.sub(r'(    \{".*\n)+', rows, header)
+
 
 def check(book, measured):
     complaints = list(book.complaints(measured))
@@ -172,12 +182,13 @@ def check(book, measured):
 
 
 def write_page(book, only_check):
-    old = PAGE.read_text()
-    new = book.shown_in(old)
-    if not only_check:
-        PAGE.write_text(new)
-    elif new != old:
-        raise Refused(f"{PAGE.name} does not show budgets.csv: run figures.py page")
+    for file, shown_in in (PAGE, book.shown_in), (COSTS, book.costs_in):
+        old = file.read_text()
+        new = shown_in(old)
+        if not only_check:
+            file.write_text(new)
+        elif new != old:
+            raise Refused(f"{file.name} does not show budgets.csv: run figures.py page")
 
 
 def main(command="", *arguments):

@@ -1,0 +1,25 @@
+// The parts of the instructions of a guard's period. tools/figures.sh measures a KR5 and writes
+// them.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace flashbvh::tool {
+
+struct PeriodCosts {
+  double period;   ///< without joints, pairs or work
+  double joint;    ///< more for each joint, ...
+  double pair;     ///< ... each pair ...
+  double between;  ///< ... and each joint between the links of a pair
+  double frames;   ///< of six joints' frames, which a period with any work makes
+  double work;     ///< of a unit: the most in periods with 150 or more
+};
+/// By core.
+const std::map<std::string, PeriodCosts> kPeriodCosts = {
+    {"Cortex-M3", {177, 76, 234, 27, 2302, 335}},
+    {"Cortex-M4F", {180, 76, 233, 26, 2332, 297}},
+    {"RV32IMAC", {265, 72, 221, 34, 3552, 416}},
+};
+
+}  // namespace flashbvh::tool
