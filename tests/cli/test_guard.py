@@ -4,7 +4,7 @@ import re
 import shutil
 from pathlib import Path
 
-from cli import (Case, elsewhere, fixture, flashbvh, headlines, page_data, refuse, refuse_each, same, search,
+from cli import (ROOT, Case, elsewhere, fixture, flashbvh, headlines, page_data, refuse, refuse_each, same, search,
                  self_contained, text, write)
 from inputs import box_of, joint, link, robot
 
@@ -186,6 +186,34 @@ class GuardTest(Case):
         stretch = flashbvh("guard image/arm.robot refused.csv --json", code=3).lines[0]["stretches"][0]
         self.assertEqual((stretch["verdict"], stretch["closest"]), ("refused", None))
 
+    def test_what_periods_cost_on_a_core_is_the_sum_of_the_parts_that_were_measured(self):
+        [cores, *rows] = [row.split(",") for row in text(ROOT / "tests/figures/budgets.csv").splitlines()]
+        part = {name: int(cells[cores.index("RV32IMAC") - 1] or 0) for name, *cells in rows}
+        # 13 joints between: column - left 3, - right 3, upper - fore 1, - left 2, - right 2, left - right 2.
+        fixed = (part["guard.fixed.period"] + 4 * part["guard.fixed.joint"] + 6 * part["guard.fixed.pair"]
+                 + 13 * part["guard.fixed.between"])
+        with_work = 2 * fixed + part["guard.kinematics"] * 4 / 6
+        a_work = part["guard.work.max"]
+        for hz, said in ((200, "work fits a period of 500000 instructions, and all periods here\n"),
+                         (2000, "work fits a period of 50000 instructions, too little for some here, which take up to "
+                                "{} and would be `not yet known`; take a faster --clock or fewer --hz, or bake"),
+                         (20000, "\n0 work fits a period of 5000 instructions, too little for some here")):
+            command = f"guard image/arm.robot folded.csv --core RV32IMAC --clock 100 --hz {hz}"
+            out = flashbvh(command + " --json", code=1)
+            work = sorted(out.each("work")[1:])
+            cost = out.lines[0]["cost"]
+            for row, periods in zip(cost["costs"], (work, work[-1:], work[-1:])):
+                self.assertAlmostEqual(
+                    row["fixed"], sum(with_work if of else fixed for of in periods) / len(periods), delta=1)
+                self.assertAlmostEqual(row["of_work"], a_work * sum(periods) / len(periods), delta=1)
+                self.assertEqual(row["instructions"], row["fixed"] + row["of_work"])
+            fits = max(0, int((1e8 / hz - with_work) / a_work))
+            self.assertEqual((cost["a_work"], cost["most_work"], cost["a_period"], cost["work"]),
+                             (a_work, work[-1], 1e8 / hz, fits))
+            out = flashbvh(command, code=1)
+            out.contains(said.format(work[-1]), f"\n{fits} work fits")
+            out.matches(*("^{periods}  *{instructions}  *{fixed}  *{of_work}$".format(**row) for row in cost["costs"]))
+
     # Trajectory files: tests/robot/read/trajectory_test.cpp.
     def test_no_trajectory_and_no_robot(self):
         write("bad.csv", "turn,fold\n0,0\n")
@@ -197,6 +225,8 @@ class GuardTest(Case):
             "arm.urdf gone.csv": "gone.csv",
             "gone.urdf free.csv": "gone.urdf",
             "arm.urdf free.csv --work 0": "--work",
+            "arm.urdf free.csv --core RV32IMAC --clock 100": "--core requires --hz",
+            "arm.urdf free.csv --core Z80": "--core: Z80 not in {Cortex-M3,Cortex-M4F,RV32IMAC}",
             "arm.urdf free.csv --stop 0.1 --warn 0.01": "is nearer than --stop",
             "still.urdf free.csv": "still.urdf: has no joint that moves, so there is nothing to guard; give it one, or "
                 "bake its links' meshes by `flashbvh bake`",

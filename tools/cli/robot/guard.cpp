@@ -7,6 +7,7 @@
 #include "cli/robot/robot_options.hpp"
 #include "cli/table.hpp"
 #include "robot/pipeline/baked_robot.hpp"
+#include "robot/replay/period_costs.hpp"
 #include "text/files.hpp"
 #include "text/numbers.hpp"
 
@@ -162,6 +163,9 @@ void print_guarded(const GuardedTrajectory& guarded) {
   print_stretches(guarded);
   print_closest(guarded);
   print_work(guarded);
+  if (!guarded.cost.is_null()) {
+    print_cost(guarded.cost);
+  }
   if (guarded.has_motions) {
     print_motions(guarded);
   }
@@ -184,6 +188,9 @@ struct GuardArguments : RobotRequest {
   std::string trajectory;
   std::string page;
   std::uint32_t work = kAllWork;
+  std::string core;
+  double hz = 0;
+  double clock = 0;
   bool motion = false;
   bool json = false;
 };
@@ -228,6 +235,9 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
                                   ? opened(arguments, command, warnings)
                                   : baked(arguments, warnings);
   guarded.answers = replay(guarded.robot(), guarded.trajectory, arguments.work);
+  if (!arguments.core.empty()) {
+    guarded.cost = cost_json(guarded, arguments.core, arguments.clock * 1e6 / arguments.hz);
+  }
   guarded.has_motions = arguments.motion;
   if (arguments.motion) {
     guarded.motions = certify(guarded.robot(), guarded.trajectory);
@@ -267,6 +277,18 @@ void add_guard(CLI::App& app) {
   add_option(command, "--work", a.work, "N",
              "What the guard may spend in a period; default: what it takes")
       ->check(CLI::Range(1u, kAllWork));
+  CLI::Option* const core =
+      command
+          .add_option("--core", a.core,
+                      "Estimate the instructions of these periods on this core, and the work that "
+                      "fits one of --hz and --clock")
+          ->check(CLI::IsMember(kPeriodCosts));
+  CLI::Option* const hz = add_option(command, "--hz", a.hz, "HZ", "Periods a second");
+  CLI::Option* const clock = add_option(command, "--clock", a.clock, "MHZ",
+                                        "The core's clock; an instruction counts as a cycle");
+  for (CLI::Option* const needed : {hz, clock}) {
+    core->needs(needed->check(CLI::Range(1.0, 1e6))->needs(core));
+  }
   command.add_flag("--motion", a.motion,
                    "Certify the straight motion of all joints from each line to the next, too");
   add_option(command, "--report", a.page, "PAGE.html",

@@ -136,6 +136,9 @@ void print_guarded_json(const GuardedTrajectory& guarded) {
     Json json = period_json(guarded, i);
     if (i == 0) {
       json.update(guarded_facts(guarded));
+      if (!guarded.cost.is_null()) {
+        json["cost"] = guarded.cost;
+      }
     }
     print_object(json);
   }

@@ -22,6 +22,7 @@ struct GuardedTrajectory {
   std::vector<GuardAnswer> answers{};
   bool has_motions = false;
   std::vector<CertifiedMotion> motions{};  ///< from line to line; may be empty
+  Json cost{};                             ///< of cost_json(), if requested
 
   const Robot& robot() const { return file->robot(); }
 };
@@ -40,6 +41,11 @@ std::string first_of(const GuardedTrajectory& guarded, const ReplaySummary& summ
                      std::size_t kind);
 
 Json stretches_json(const GuardedTrajectory& guarded, const std::vector<Stretch>& stretches);
+/// Estimates the instructions of the periods on a core, and the work that fits `a_period`
+/// instructions.
+Json cost_json(const GuardedTrajectory& guarded, const std::string& core, double a_period);
+void print_cost(const Json& cost);
+
 /// The motions that are not free.
 Json motions_json(const GuardedTrajectory& guarded);
 /// Facts about the whole trajectory, for the first line of --json and for the page.

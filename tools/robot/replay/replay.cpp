@@ -104,6 +104,9 @@ ReplaySummary summary_of(const std::vector<GuardAnswer>& answers) {
     std::sort(work.begin(), work.end());
     summary.mean =
         std::accumulate(work.begin(), work.end(), 0.0) / static_cast<double>(work.size());
+    summary.with_work = static_cast<double>(std::count_if(work.begin(), work.end(),
+                                                          [](auto of) { return of != 0; })) /
+                        static_cast<double>(work.size());
     summary.percentile_999 = work[work.size() - 1 - work.size() / 1000];
     summary.most = work.back();
   }

@@ -94,7 +94,8 @@ struct ReplaySummary {
   std::array<std::size_t, kPeriodKinds> first{};  ///< first period of each kind
   bool is_primed = false;                         ///< if not, there is no work
   std::uint32_t priming = 0;
-  double mean = 0;  ///< work of the periods after the priming one
+  double mean = 0;       ///< work of the periods after the priming one
+  double with_work = 0;  ///< the part of these periods with any work
   std::uint32_t percentile_999 = 0;
   std::uint32_t most = 0;
 };
