@@ -146,6 +146,23 @@ TEST_CASE("the same mesh gives the same coarse mesh, step by step") {
   CHECK(copy.mesh().triangles == b.mesh().triangles);
 }
 
+TEST_CASE("at a deadline coarsening ends, within its limit all the same") {
+  const bake::SourceMesh mesh = wavy_ring(60, 20, 0.5);
+  const double cell = finest_cell_of(mesh);
+  std::size_t before = mesh.triangles.size();
+  for (const int looks : {0, 300, 1'000'000}) {
+    Coarsening coarsening(mesh, cell);
+    coarsening.coarsen(0.3, tool::after_looks(looks));
+    CHECK(coarsening.is_unfinished() == (looks <= 300));
+    CHECK(coarsening.deviation().most <= 0.3);
+    CHECK((coarsening.triangle_count() < before) == (looks != 0));
+    before = coarsening.triangle_count();
+  }
+  Coarsening all(mesh, cell);
+  all.coarsen(0.3);
+  CHECK(all.mesh().triangles.size() == before);
+}
+
 TEST_CASE("no more than half as many triangles again as the simplifier's own, which errs") {
   for (const Specimen& specimen : specimens()) {
     for (const double limit : {0.1, 0.5}) {

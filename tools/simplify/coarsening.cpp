@@ -127,9 +127,9 @@ bool Coarsening::is_within(const Shell& shell, const bake::SourceMesh& coarse, d
 }
 
 /// Takes the coarsest proposal that the certificate confirms, or keeps all triangles.
-void Coarsening::propose(Shell& shell, double limit) {
+void Coarsening::propose(Shell& shell, double limit, const tool::Deadline& deadline) {
   double error = limit;
-  for (int i = 0; i < kProposals; ++i) {
+  for (int i = 0; i < kProposals && !deadline.is_past(); ++i) {
     bake::SourceMesh coarse = proposal(shell.coarse, error);
     if (!coarse.triangles.empty() &&
         bake::is_closed(coarse.triangles) == bake::is_closed(shell.coarse.triangles) &&
@@ -142,9 +142,9 @@ void Coarsening::propose(Shell& shell, double limit) {
 }
 
 /// Each pass covers the original again, so that pieces cut in earlier passes are joined again.
-void Coarsening::collapse(Shell& shell, double limit) const {
+void Coarsening::collapse(Shell& shell, double limit, const tool::Deadline& deadline) const {
   std::vector<bool> is_changed(shell.coarse.vertices.size(), true);
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kPasses && !deadline.is_past(); ++pass) {
     const NearestTriangle nearest(shell.coarse);
     std::vector<CoveredPart> parts;
     if (deviation_from(nearest, shell.original, limit, &parts).most > limit) {
@@ -155,24 +155,27 @@ void Coarsening::collapse(Shell& shell, double limit) const {
     }
     const std::size_t before = shell.coarse.triangles.size();
     const std::size_t gone = collapse_edges(shell.coarse, parts, shell.nearest, rounded_->cell,
-                                            limit - margin_, is_changed);
+                                            limit - margin_, is_changed, deadline);
     if (gone == 0 || static_cast<double>(gone) < kLastPass * static_cast<double>(before)) {
       return;
     }
   }
 }
 
-void Coarsening::coarsen(double limit) {
+void Coarsening::coarsen(double limit, const tool::Deadline& deadline) {
   // deviation() has the larger arithmetic error of the whole mesh.
   const double of_shell = std::max(limit - margin_, 0.0);
   for (Shell& shell : shells_) {
     if (limit_ == 0) {
-      propose(shell, of_shell);
+      propose(shell, of_shell, deadline);
       shell.coarse = without_unused_vertices(shell.coarse);
     }
-    collapse(shell, of_shell);
+  }
+  for (Shell& shell : shells_) {
+    collapse(shell, of_shell, deadline);
   }
   limit_ = limit;
+  is_unfinished_ = deadline.is_past();
 }
 
 Deviation Coarsening::deviation() const {

@@ -10,6 +10,7 @@
 
 #include "bake/mesh.hpp"
 #include "simplify/deviation.hpp"
+#include "text/deadline.hpp"
 
 namespace flashbvh::simplify {
 
@@ -23,8 +24,10 @@ class Coarsening {
   /// The least limit: the motion by rounding to the lattice, and the rounding of doubles.
   double rounding() const { return rounded_->deviation + 3 * margin_; }
   /// Coarsens as far as possible with every point of the original within `limit`, which is at least
-  /// rounding() and the last limit. Deterministic.
-  void coarsen(double limit);
+  /// rounding() and the last limit. Deterministic, unless the deadline passes before.
+  void coarsen(double limit, const tool::Deadline& deadline = {});
+  /// True if coarsen() ended at its deadline, with more triangles than possible.
+  bool is_unfinished() const { return is_unfinished_; }
 
   /// The original on the lattice.
   const bake::LatticeMesh& rounded() const { return *rounded_; }
@@ -49,13 +52,14 @@ class Coarsening {
   };
   /// True if each mesh is certified to be within `limit` of the other.
   static bool is_within(const Shell& shell, const bake::SourceMesh& coarse, double limit);
-  static void propose(Shell& shell, double limit);
-  void collapse(Shell& shell, double limit) const;
+  static void propose(Shell& shell, double limit, const tool::Deadline& deadline);
+  void collapse(Shell& shell, double limit, const tool::Deadline& deadline) const;
 
   std::shared_ptr<const bake::LatticeMesh> rounded_;  ///< of copies, too
   double margin_;  ///< kErrors times the arithmetic error of the whole mesh
   std::vector<Shell> shells_;
   double limit_ = 0;  ///< of the last coarsen()
+  bool is_unfinished_ = false;
 };
 
 }  // namespace flashbvh::simplify

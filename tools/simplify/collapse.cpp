@@ -74,9 +74,10 @@ class Collapser {
  public:
   Collapser(bake::SourceMesh& mesh, const std::vector<CoveredPart>& parts,
             const NearestTriangle& original, double cell, double limit,
-            std::vector<bool>& is_changed)
+            std::vector<bool>& is_changed, const tool::Deadline& deadline)
       : mesh_(mesh),
         is_changed_(is_changed),
+        deadline_(deadline),
         original_(original),
         cell_(cell),
         limit_(limit),
@@ -167,6 +168,9 @@ class Collapser {
     std::vector<bool> is_touched(around_.size(), false);
     std::size_t gone = 0;
     for (const Order& order : orders) {
+      if (deadline_.is_past()) {
+        break;
+      }
       if (is_touched[order.from] || is_touched[order.to] || !collapse(order.from, order.to)) {
         continue;
       }
@@ -362,6 +366,7 @@ class Collapser {
 
   bake::SourceMesh& mesh_;
   std::vector<bool>& is_changed_;
+  const tool::Deadline& deadline_;
   const NearestTriangle& original_;
   double cell_;
   double limit_;
@@ -380,8 +385,8 @@ class Collapser {
 
 std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
                            const NearestTriangle& original, double cell, double limit,
-                           std::vector<bool>& is_changed) {
-  return Collapser(coarse, parts, original, cell, limit, is_changed).run();
+                           std::vector<bool>& is_changed, const tool::Deadline& deadline) {
+  return Collapser(coarse, parts, original, cell, limit, is_changed, deadline).run();
 }
 
 }  // namespace flashbvh::simplify

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simplify/deviation.hpp"
+#include "text/deadline.hpp"
 
 namespace flashbvh::simplify {
 
@@ -15,9 +16,10 @@ namespace flashbvh::simplify {
 /// `parts`: all of the original, covered by triangles of `coarse`. Each stays within `limit` of
 /// one, and no moved triangle is farther than `limit` from the original, up to
 /// arithmetic_error(). So pass the certificate's limit less kErrors of these. A closed mesh stays
-/// closed. Returns the number of removed vertices. Deterministic.
+/// closed. Returns the number of removed vertices. Deterministic, unless the deadline passes: then
+/// it ends early.
 std::size_t collapse_edges(bake::SourceMesh& coarse, const std::vector<CoveredPart>& parts,
                            const NearestTriangle& original, double cell, double limit,
-                           std::vector<bool>& is_changed);
+                           std::vector<bool>& is_changed, const tool::Deadline& deadline);
 
 }  // namespace flashbvh::simplify

@@ -59,6 +59,7 @@ struct Fitting {
   double longest;
   const std::vector<std::uint32_t>& leaf_sizes;
   const BytesOf& bytes_of;
+  const tool::Deadline& deadline;
 
   /// The first leaf size with which the meshes fit, or 0.
   std::uint32_t leaf_size(const std::vector<Coarsening>& coarse) const {
@@ -84,11 +85,11 @@ struct Fitting {
     std::vector<Coarsening> below = meshes;  // do not fit
     double low = 0;                          // their length
     std::optional<Fit> found;
-    double next = kBegin * likely_length(meshes, most, longest);
-    while (!found || found->length > std::max(low, shortest) * kStep) {
+    double next = kBegin * likely_length(meshes, most, longest, deadline);
+    while (!deadline.is_past() && (!found || found->length > std::max(low, shortest) * kStep)) {
       next = std::min(rounded_up(std::max(next, shortest)), longest);
       std::vector<Coarsening> coarse = below;
-      coarsen_all(coarse, next);
+      coarsen_all(coarse, next, deadline);
       if (const std::uint32_t size = leaf_size(coarse)) {
         found = Fit{next, size};
         meshes = std::move(coarse);
@@ -111,9 +112,10 @@ struct Fitting {
       return found;
     }
     std::vector<Coarsening> longer = meshes;
-    for (double next = found.length * kStep; next <= std::min(kWorthwhile * found.length, longest);
+    for (double next = found.length * kStep;
+         next <= std::min(kWorthwhile * found.length, longest) && !deadline.is_past();
          next *= kStep) {
-      coarsen_all(longer, rounded_up(next));
+      coarsen_all(longer, rounded_up(next), deadline);
       const std::uint32_t smaller = leaf_size(longer);
       if (smaller != 0 && smaller < found.leaf_size) {
         meshes = std::move(longer);
@@ -126,13 +128,14 @@ struct Fitting {
 
 }  // namespace
 
-void coarsen_all(std::vector<Coarsening>& meshes, double length) {
+void coarsen_all(std::vector<Coarsening>& meshes, double length, const tool::Deadline& deadline) {
   tool::for_each_in_parallel(meshes.size(), [&](std::size_t i) {
-    meshes[i].coarsen(std::max(length, meshes[i].rounding()));
+    meshes[i].coarsen(std::max(length, meshes[i].rounding()), deadline);
   });
 }
 
-double likely_length(const std::vector<Coarsening>& meshes, double most, double longest) {
+double likely_length(const std::vector<Coarsening>& meshes, double most, double longest,
+                     const tool::Deadline& deadline) {
   const auto fits = [&](std::size_t triangles) {
     return static_cast<double>(triangles) * kBytesOfTriangle <= most;
   };
@@ -141,7 +144,7 @@ double likely_length(const std::vector<Coarsening>& meshes, double most, double 
   }
   double low = std::min(kAboveRounding * most_rounding(meshes), longest);
   double high = longest;
-  while (high > low * kStep) {
+  while (high > low * kStep && !deadline.is_past()) {
     const double middle = std::sqrt(low * high);
     (fits(estimate(meshes, middle)) ? high : low) = middle;
   }
@@ -149,8 +152,9 @@ double likely_length(const std::vector<Coarsening>& meshes, double most, double 
 }
 
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
-                       const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of) {
-  return Fitting{meshes, most, longest, leaf_sizes, bytes_of}.made();
+                       const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of,
+                       const tool::Deadline& deadline) {
+  return Fitting{meshes, most, longest, leaf_sizes, bytes_of, deadline}.made();
 }
 
 }  // namespace flashbvh::simplify

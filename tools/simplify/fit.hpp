@@ -24,15 +24,18 @@ struct Fit {
 };
 
 /// Coarsens all meshes, on all processors.
-void coarsen_all(std::vector<Coarsening>& meshes, double length);
+void coarsen_all(std::vector<Coarsening>& meshes, double length,
+                 const tool::Deadline& deadline = {});
 
 /// An estimate of the length with which original meshes fit; 0: unchanged. May be wrong.
-double likely_length(const std::vector<Coarsening>& meshes, double most, double longest);
+double likely_length(const std::vector<Coarsening>& meshes, double most, double longest,
+                     const tool::Deadline& deadline = {});
 
 /// Coarsens original meshes until they take `most` bytes, with the least length but for a tenth. Of
 /// `leaf_sizes`, ascending, takes the first one that costs no more than kWorthwhile times the least
-/// length of any. None if they do not fit with `longest`.
+/// length of any. None if they do not fit with `longest`, or if the deadline passes before they do.
 std::optional<Fit> fit(std::vector<Coarsening>& meshes, double most, double longest,
-                       const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of);
+                       const std::vector<std::uint32_t>& leaf_sizes, const BytesOf& bytes_of,
+                       const tool::Deadline& deadline = {});
 
 }  // namespace flashbvh::simplify

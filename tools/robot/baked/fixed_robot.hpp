@@ -13,9 +13,9 @@
 
 #include "flashbvh/robot/robot.hpp"
 #include "robot/matrix/baked_part.hpp"
-#include "robot/matrix/deadline.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/model.hpp"
+#include "text/deadline.hpp"
 
 namespace flashbvh::tool {
 

@@ -19,7 +19,8 @@ constexpr double kPartOfTouching = 1.0 / 8;
 
 /// Coarsens within `length`, source by source, shell by shell. None if the link has few triangles,
 /// `length` is only a few cells, or the number of shells changes.
-std::optional<Approximation> approximation(const ModelLink& link, double cell, double length) {
+std::optional<Approximation> approximation(const ModelLink& link, double cell, double length,
+                                           const Deadline& deadline) {
   const std::size_t count = link.mesh.triangles.size();
   if (count < kManyTriangles || length < kLeastCellsOfLength * cell) {
     return std::nullopt;
@@ -39,7 +40,7 @@ std::optional<Approximation> approximation(const ModelLink& link, double cell, d
     std::vector<std::uint32_t> numbers(end - begin);
     std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(begin));
     simplify::Coarsening coarsening(part_of(link.mesh, numbers), cell);
-    coarsening.coarsen(length);
+    coarsening.coarsen(length, deadline);
     append(coarsening.mesh(), made.link.mesh);
   }
   if (ZoneSide(made.link, Transform()).shell_count() != ZoneSide(link, Transform()).shell_count()) {
@@ -60,7 +61,7 @@ std::vector<std::optional<Approximation>> approximations(const Model& model, dou
         std::any_of(model.neighbours.begin(), model.neighbours.end(),
                     [&](const auto& pair) { return pair.first == i || pair.second == i; });
     if (is_next_to_joint && !options.is_late()) {
-      found[i] = approximation(model.links[i], cell, length);
+      found[i] = approximation(model.links[i], cell, length, options.deadline);
     }
   });
   return found;

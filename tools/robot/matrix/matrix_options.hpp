@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "robot/matrix/deadline.hpp"
+#include "text/deadline.hpp"
 
 namespace flashbvh::tool {
 

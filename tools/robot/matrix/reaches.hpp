@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "robot/kinematics.hpp"
-#include "robot/matrix/deadline.hpp"
+#include "text/deadline.hpp"
 
 namespace flashbvh::tool {
 

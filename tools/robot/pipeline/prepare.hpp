@@ -8,9 +8,9 @@
 
 #include "image/mesh_warnings.hpp"
 #include "robot/matrix/baked_part.hpp"
-#include "robot/matrix/deadline.hpp"
 #include "robot/model.hpp"
 #include "robot/pipeline/request.hpp"
+#include "text/deadline.hpp"
 #include "text/messages.hpp"
 
 namespace flashbvh::tool {
@@ -35,6 +35,11 @@ struct Prepared {
   AllDistances distances{};       ///< as requested
   ZoneRadii radii{};              ///< as requested
 };
+
+/// When so large a part of --time is over; without it, never.
+inline Deadline deadline_of(const Prepared& robot, const RobotRequest& request, double part) {
+  return request.time ? in_seconds(robot.began, part * seconds(*request.time)) : Deadline{};
+}
 
 /// Chooses the cell, and bakes links for decisions. Warns of odd sizes and coarse cells. UserError
 /// for requests that the robot can't meet.
