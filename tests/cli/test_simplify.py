@@ -1,6 +1,6 @@
 """Simplified meshes and robots: within the requested length, or as near as fits the requested bytes."""
 from cli import Case, flashbvh, long, refuse, refuse_each, same, search, text, write
-from inputs import meshes, OPTIONS, two_fingers
+from inputs import box_of, joint, link, meshes, OPTIONS, robot, shape, two_fingers
 
 
 class SimplifyTest(Case):
@@ -69,6 +69,21 @@ class SimplifyTest(Case):
             "--simplify 0.1 --deformable": "--deformable: keeps the file's vertices",
             "--simplify 0.01 --cell 0.1": "--simplify 0.01: is less than rounding moves a vertex of meshes/ring.stl",
         })
+
+    def test_time_ends_simplifying_too_and_links_that_it_was_too_short_for_are_named(self):
+        meshes()
+        robot("round", link("base", shape('<mesh filename="meshes/many_sides.stl" scale="0.001 0.001 0.001"/>')),
+              link("arm", box_of("0.1 0.1 0.1")), joint("turn", "revolute", "base", "arm", "", (-1, 1)))
+        late, less, full = (flashbvh(f"robot round.urdf --dry-run --json {options}") for options in
+                            ("--simplify 0.0002 --time 1e-9", "--simplify 0.0002 --time 1000", ""))
+        late.err.contains("--time 1e-9: warning: left too little to simplify 'arm', 'base': they may have more triangles",
+                          "--time 1e-9: warning: left 1 of 1 pairs of links undecided; give more")
+        less.err.lacks("--time")
+        late, less, full = (out.json["links"][0]["triangles"] for out in (late, less, full))
+        self.assertEqual(late, full)
+        self.assertLess(less, full)
+        refuse("robot round.urdf --dry-run --fit 6000 --time 1e-9",
+               "--fit 6000: is not reached in --time 1e-9; give more of either, or --simplify")
 
     @long
     def test_a_robots_links_are_simplified_for_firmware_alone_verdicts_witnesses_and_zones_stay(self):

@@ -10,6 +10,9 @@
 namespace flashbvh::tool {
 namespace {
 
+/// The part of --time at which simplifying ends; distance tables get the rest.
+constexpr double kPartForSimplifying = 0.95;
+
 /// UserError if firmware cannot hold a link as it is.
 void check_wholes(const Prepared& robot, const RobotRequest& request) {
   for (std::size_t i = 0; i < robot.wholes.size(); ++i) {
@@ -39,9 +42,15 @@ std::vector<GuardedPair> guarded_pairs(const Divided& robot) {
   return guarded;
 }
 
-/// Warns if parts next to joint zones took so much flash that simplifying exceeds the zones' limit.
-void warn_of_fit(const SimplifiedLinks& simplified, const RobotRequest& request,
-                 Warnings& warnings) {
+/// Warns if time was too short, or if parts next to joint zones took so much flash that simplifying
+/// exceeds the zones' limit.
+void warn_of_simplified(const SimplifiedLinks& simplified, const Model& model,
+                        const RobotRequest& request, Warnings& warnings) {
+  if (const std::set<std::string> links = simplified.unfinished(model); !links.empty()) {
+    warnings.add("--time " + *request.time,
+                 concat("left too little to simplify ", joined(links, quoted),
+                        ": they may have more triangles than it takes; give more"));
+  }
   if (simplified.exceeds_expected()) {
     warnings.add("--fit " + *request.fit,
                  concat("takes --simplify ", shortest(simplified.length()),
@@ -51,7 +60,8 @@ void warn_of_fit(const SimplifiedLinks& simplified, const RobotRequest& request,
 }
 
 /// Bakes firmware's links and tables.
-BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified, const Told& told) {
+BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified,
+                             const RobotRequest& request, const Told& told) {
   BakedRobot robot = {std::move(divided), {}, 0, 0, 0, {}};
   const std::vector<GuardedPair> pairs = guarded_pairs(robot);
   const std::vector<WholeMesh> wholes = views_of(robot.wholes);
@@ -59,7 +69,8 @@ BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified, const
     const FixedRobot bare(robot.model, wholes, {}, robot.cell, pairs, robot.reaches);
     robot.own_bytes = own_image_bytes(robot.model, bare.robot(), robot.unguarded, robot.model.name);
   }
-  robot.links = simplified.baked(robot.model, robot.own_bytes);
+  robot.links = simplified.baked(robot.model, robot.own_bytes,
+                                 deadline_of(robot, request, kPartForSimplifying), told);
   robot.simplified = simplified.length();
   robot.leaf_size = simplified.leaf_size();
   std::vector<double> deviations;
@@ -72,7 +83,8 @@ BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified, const
                                              robot.reaches, deviations);
   // Last: tables hold distances between firmware's meshes.
   told("distance tables", 0);
-  robot.fixed->set_distance_tables(distance_tables_of(robot.model, robot.robot(), robot.deadline));
+  robot.fixed->set_distance_tables(
+      distance_tables_of(robot.model, robot.robot(), deadline_of(robot, request, 1)));
   return robot;
 }
 
@@ -92,8 +104,8 @@ BakedRobot baked_robot(Model model, const RobotRequest& request, const Told& tol
   check_disabled(prepared.model, decided.pairs, request.srdf, warnings);
   Divided divided = divide(std::move(prepared), std::move(decided), request);
   warn_of_guard(divided, request, warnings);
-  BakedRobot robot = bake_for_firmware(std::move(divided), simplified, told);
-  warn_of_fit(simplified, request, warnings);
+  BakedRobot robot = bake_for_firmware(std::move(divided), simplified, request, told);
+  warn_of_simplified(simplified, robot.model, request, warnings);
   return robot;
 }
 

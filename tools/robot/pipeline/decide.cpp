@@ -14,7 +14,8 @@ constexpr double kPartForReaches = 0.1;
 constexpr double kPartForZones = 0.6;
 constexpr double kPartForPairs = 0.8;
 constexpr double kPartForParts = 0.9;
-constexpr double kPartForTables = 1;
+/// Simplifying takes as long as decisions on all triangles.
+constexpr double kPartBeforeSimplifying = 0.5;
 
 /// All pairs that a joint moves and that may be guarded.
 std::vector<GuardedPair> moved_pairs(const Model& model) {
@@ -62,7 +63,8 @@ void check_slack_for_simplify(double slack, double cell, const RobotRequest& req
 Decided decide(const Prepared& robot, const RobotRequest& request, double early,
                const std::string& late, const Told& told, Warnings& warnings) {
   const auto until = [&](double part) {
-    return request.time ? in_seconds(robot.began, part * seconds(*request.time)) : Deadline{};
+    const bool simplifies = request.simplify || request.fit;
+    return deadline_of(robot, request, simplifies ? kPartBeforeSimplifying * part : part);
   };
   const std::vector<WholeMesh> meshes = views_of(robot.wholes);
   Decided decided;
@@ -79,8 +81,14 @@ Decided decide(const Prepared& robot, const RobotRequest& request, double early,
   decided.pairs = decide_pairs(
       robot.model, meshes, decided.zones, decided.reaches, robot.cell, decided.options,
       [&](std::size_t pair, std::size_t pairs) { told(concat("pair ", pair, " of ", pairs), 1); });
+  const auto undecided = std::count_if(
+      decided.pairs.begin(), decided.pairs.end(),
+      [](const PairVerdict& pair) { return pair.verdict == MatrixVerdict::undecided; });
+  if (undecided != 0 && decided.options.is_late()) {
+    warnings.add("--time " + *request.time, concat("left ", undecided, " of ", decided.pairs.size(),
+                                                   " pairs of links undecided; give more"));
+  }
   decided.options.deadline = until(kPartForParts);
-  decided.deadline = until(kPartForTables);
   if (!decided.late_joints.empty()) {
     const auto name = [&](std::size_t joint) { return robot.model.joints[joint].name; };
     warnings.add(request.urdf,

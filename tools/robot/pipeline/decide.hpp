@@ -14,7 +14,6 @@ namespace flashbvh::tool {
 struct Decided {
   Reaches reaches;        ///< of the links
   MatrixOptions options;  ///< used to decide pairs; includes the deadline for parts of links
-  Deadline deadline;      ///< of the whole work
   std::vector<JointZone> zones;
   std::set<std::size_t> late_joints;  ///< without a zone when its time was up
   std::vector<PairVerdict> pairs;

@@ -15,13 +15,16 @@ constexpr double kBakingWeight = 0.1;
 /// witness is the same pair of triangles.
 std::vector<BakedPart> bake_wholes(const Prepared& robot, const RobotRequest& request,
                                    const Told& told, Warnings& warnings) {
-  std::vector<BakedPart> wholes;
-  for (const ModelLink& link : robot.model.links) {
-    told("baking " + link.name, kBakingWeight);
-    const InputMesh input = link_input(link, request.urdf);
-    wholes.push_back(bake_part(input, robot.cell, request.leaf_size));
+  const std::vector<ModelLink>& links = robot.model.links;
+  std::vector<BakedPart> wholes(links.size());
+  for_each_in_parallel(links.size(), [&](std::size_t i) {
+    told("baking " + links[i].name, kBakingWeight);
+    wholes[i] = bake_part(link_input(links[i], request.urdf), robot.cell, request.leaf_size);
+  });
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const InputMesh input = link_input(links[i], request.urdf);
     warn_of_precision(input, robot.cell, warnings);
-    warn_of_place(wholes.back().origin, input.path, warnings);
+    warn_of_place(wholes[i].origin, input.path, warnings);
   }
   return wholes;
 }

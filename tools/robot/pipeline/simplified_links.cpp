@@ -77,13 +77,13 @@ SimplifiedLinks::SimplifiedLinks(const Model& model, double cell, const RobotReq
     }
     expected_ = length_;
   } else {
-    add(model);
+    add(model, {}, {});
     expected_ = kRoomForParts *
                 simplify::likely_length(meshes_, bytes_to_fit(*request.fit), longest_of(model));
   }
 }
 
-void SimplifiedLinks::add(const Model& model) {
+void SimplifiedLinks::add(const Model& model, const Deadline& deadline, const Told& told) {
   const std::size_t first = meshes_.size();
   for (std::size_t i = first; i < model.links.size(); ++i) {
     meshes_.emplace_back(model.links[i].mesh, cell_);
@@ -93,15 +93,22 @@ void SimplifiedLinks::add(const Model& model) {
   }
   const double limit = length_ - read_precision(model);
   for_each_in_parallel(meshes_.size() - first, [&](std::size_t i) {
+    told("simplifying " + model.links[first + i].name, 0);
     simplify::Coarsening& mesh = meshes_[first + i];
-    mesh.coarsen(std::max(limit, mesh.rounding()));
+    // Most links need less than twice an equal share of the time.
+    mesh.coarsen(std::max(limit, mesh.rounding()),
+                 turn_of(deadline, meshes_.size() - first - i, 2));
   });
 }
 
-void SimplifiedLinks::fit(const Model& model, double most) {
+void SimplifiedLinks::fit(const Model& model, double most, const Deadline& deadline) {
   const double longest = longest_of(model);
   const auto found = simplify::fit(meshes_, most, longest, fitting_leaf_sizes(request_),
-                                   bytes_of_links(model, cell_, request_.urdf));
+                                   bytes_of_links(model, cell_, request_.urdf), deadline);
+  if (!found && deadline.is_past()) {
+    throw UserError("--fit " + *request_.fit, "is not reached in --time ", *request_.time,
+                    "; give more of either, or --simplify");
+  }
   if (!found) {
     throw UserError("--fit " + *request_.fit, "is not reached by simplifying to ",
                     significant(longest, 3),
@@ -111,9 +118,20 @@ void SimplifiedLinks::fit(const Model& model, double most) {
   leaf_size_ = found->leaf_size;
 }
 
-std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t own_bytes) {
+std::set<std::string> SimplifiedLinks::unfinished(const Model& model) const {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    if (meshes_[i].is_unfinished()) {
+      names.insert(model.links[i].name);
+    }
+  }
+  return names;
+}
+
+std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t own_bytes,
+                                              const Deadline& deadline, const Told& told) {
   if (request_.simplify || request_.fit) {
-    add(model);
+    add(model, deadline, told);
   }
   if (request_.fit) {
     const double most = bytes_to_fit(*request_.fit);
@@ -122,12 +140,21 @@ std::vector<BakedLink> SimplifiedLinks::baked(const Model& model, std::size_t ow
       throw UserError("--fit " + *request_.fit, "is less than the robot takes without any mesh, ",
                       own_bytes, " bytes; give more");
     }
-    fit(model, most - own);
+    told("simplifying", 0);
+    fit(model, most - own, deadline);
   }
   std::vector<BakedLink> links(model.links.size());
   for_each_in_parallel(links.size(), [&](std::size_t i) {
-    links[i] = bake_link(model.links[i], cell_, leaf_size_, request_.urdf,
-                         length_ == 0 ? nullptr : &meshes_[i]);
+    const simplify::Coarsening* const coarse = length_ == 0 ? nullptr : &meshes_[i];
+    try {
+      links[i] = bake_link(model.links[i], cell_, leaf_size_, request_.urdf, coarse);
+    } catch (const UserError&) {
+      if (coarse != nullptr && coarse->is_unfinished()) {
+        throw UserError("--time " + *request_.time, "left too little to simplify ",
+                        tool::quoted(model.links[i].name), " to what firmware holds; give more");
+      }
+      throw;
+    }
   });
   return links;
 }

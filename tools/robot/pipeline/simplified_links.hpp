@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "robot/pipeline/baked_robot.hpp"
@@ -20,8 +22,11 @@ class SimplifiedLinks {
   double early() const { return kEarlyByDeviation * expected_; }
 
   /// Bakes all links, and parts, for firmware. `own_bytes`: size of the image without its meshes.
-  /// UserError if --fit is too small, or firmware can't hold a link.
-  std::vector<BakedLink> baked(const Model& model, std::size_t own_bytes);
+  /// UserError if --fit is too small or not reached in time, or firmware can't hold a link.
+  std::vector<BakedLink> baked(const Model& model, std::size_t own_bytes, const Deadline& deadline,
+                               const Told& told);
+  /// The links that have too many triangles since time was up.
+  std::set<std::string> unfinished(const Model& model) const;
   /// True if --fit needed a larger deviation than early() allows for.
   bool exceeds_expected() const { return length_ > expected_; }
 
@@ -29,8 +34,8 @@ class SimplifiedLinks {
   std::uint32_t leaf_size() const { return leaf_size_; }
 
  private:
-  void add(const Model& model);
-  void fit(const Model& model, double most);
+  void add(const Model& model, const Deadline& deadline, const Told& told);
+  void fit(const Model& model, double most, const Deadline& deadline);
 
   const RobotRequest& request_;
   double cell_;
