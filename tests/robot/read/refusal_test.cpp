@@ -84,6 +84,7 @@ TEST_CASE("a xacro that is not expanded, as a URDF and as an SRDF") {
   const std::string text = "<robot xmlns:xacro=\"http://ros.org/wiki/xacro\" name=\"arm\">" +
                            std::string(inside) + "</robot>";
   CHECK_THAT(said_of_file(text), Contains("is a xacro (it has " + std::string(has)));
+  CHECK_THAT(said_of_file("<robot name=\"${n}\"/>"), Contains("is a xacro (it has ${n})"));
   RobotFiles files;
   files.write("arm.srdf", text);
   CHECK_THAT(

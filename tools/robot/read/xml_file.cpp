@@ -7,10 +7,10 @@
 namespace flashbvh::tool {
 namespace {
 
-/// UserError if the text is a xacro that is not expanded. `is_top`: of an element in the root.
-void refuse_xacro(const XmlNode& element, const std::string& path, bool is_top) {
+/// UserError if the text is a xacro that is not expanded. `depth`: 0 for the root.
+void refuse_xacro(const XmlNode& element, const std::string& path, int depth) {
   const std::string_view name = element.name;
-  const bool is_old = is_top && (name == "include" || name == "macro" || name == "property");
+  const bool is_old = depth == 1 && (name == "include" || name == "macro" || name == "property");
   std::string found = name.substr(0, 6) == "xacro:" || is_old ? concat("<", name, ">") : "";
   for (const auto& given : element.attributes) {
     const std::string& value = given.second;
@@ -24,7 +24,7 @@ void refuse_xacro(const XmlNode& element, const std::string& path, bool is_top) 
                     "), not yet expanded; write `xacro ", path, " > ", out, "` and name ", out);
   }
   for (const XmlNode& inside : element.inside) {
-    refuse_xacro(inside, path, false);
+    refuse_xacro(inside, path, depth + 1);
   }
 }
 
@@ -38,9 +38,7 @@ XmlNode robot_xml(const std::string& path) {
   if (root.name != "robot") {
     throw UserError(path, "begins with <", root.name, ">, not with <robot>; name another file");
   }
-  for (const XmlNode& element : root.inside) {
-    refuse_xacro(element, path, true);
-  }
+  refuse_xacro(root, path, 0);
   return root;
 }
 
