@@ -111,9 +111,9 @@ def robot(name, *parts):
     return write(f"{name}.urdf", f'<robot name="{name}">\n{"".join(parts)}</robot>\n')
 
 
-def disables(a, b):
+def disables(a, b, reason="Never"):
     """An SRDF element that disables a pair."""
-    return f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>'
+    return f'<disable_collisions link1="{a}" link2="{b}" reason="{reason}"/>'
 
 
 RING = shape('<mesh filename="package://parts/ring.stl" scale="0.01 0.01 0.01"/>')

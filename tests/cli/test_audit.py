@@ -35,18 +35,19 @@ class AuditTest(Case):
         out = flashbvh("audit crane.urdf crane.srdf", code=1)
         out.matches(
             "^pair  *line  SRDF  *verdict  reason$",
-            "^base - turret  *5  *Adjacent  contact  outside 0[.][0-9]* m about spin: proven",
+            "^base - turret  *5  *Adjacent  contact  outside 0[.][0-9]* m about spin: proven.*; touch inside at spin 0$",
             "^base - arm  *6  *Never  *refuted  intersect at spin [-0-9.e]*, lift [0-9.]*; triangle "
                 "[0-9]+ of .*box.* and triangle [0-9]+ of .*$",
             "^base - hook  *7  *User  *contact  intersect at the default configuration and wherever "
                 "tried; sampled, not proven$",
             "^turret - hook  *Adjacent  proven",
             "^turret - arm  *Adjacent  proven",
-            "^crane.srdf: 3 lines: 0 proven, 2 contact, 1 refuted, 0 undecided; 2 pairs are missing$")
+            "^crane.srdf: 3 lines: 0 proven, 2 contact, 0 default, 0 believed, 1 refuted, 0 undecided; 2 pairs are missing$")
         out.lacks("hook - arm")
         out = flashbvh("audit crane.urdf crane.srdf --json", code=1)
         said = out.json
         self.assertEqual((said["ok"], said["refuted"], said["missing"][0]["b"]), (False, 1, "hook"))
+        self.assertEqual([line["witness"] for line in said["lines"][::2]], 2 * [{"spin": 0, "slide": 0.01, "lift": 0}])
         bad = said["lines"][1]
         self.assertEqual((bad["verdict"], bad["line"], bad["srdf_reason"]), ("refuted", 6, "Never"))
         at = bad["witness"]
@@ -65,19 +66,19 @@ class AuditTest(Case):
             "^base - turret .* undecided  no time was left to find a zone about spin$",
             "^base - arm  *6  *Never  *undecided  neither proven nor found to intersect after 0 joint "
                 "boxes, when its time was up$")
-        out.contains("crane.srdf: 3 lines: 0 proven, 0 contact, 0 refuted, 3 undecided; 0 pairs are missing")
+        out.contains("crane.srdf: 3 lines: 0 proven, 0 contact, 0 default, 0 believed, 0 refuted, 3 undecided; 0 pairs are missing")
         out.err.contains("no time was left to find a zone about spin: links that touch there are undecided; give more "
                          "--time")
         out = flashbvh("audit crane.urdf crane.srdf --time 1000", code=1)
-        out.contains("crane.srdf: 3 lines: 0 proven, 2 contact, 1 refuted, 0 undecided; 2 pairs are missing")
+        out.contains("crane.srdf: 3 lines: 0 proven, 2 contact, 0 default, 0 believed, 1 refuted, 0 undecided; 2 pairs are missing")
 
     def test_write_makes_one_of_which_every_line_holds_with_an_srdf_or_without(self):
         flashbvh("audit crane.urdf crane.srdf --write out/fixed.srdf", code=1)
         out = flashbvh("audit crane.urdf out/fixed.srdf --write again.srdf")
-        out.contains("4 lines: 2 proven, 2 contact, 0 refuted, 0 undecided; 0 pairs are missing")
+        out.contains("4 lines: 2 proven, 2 contact, 0 default, 0 believed, 0 refuted, 0 undecided; 0 pairs are missing")
         same("again.srdf", "out/fixed.srdf")
         out = flashbvh("audit crane.urdf --write made.srdf")
-        out.contains("crane.urdf: 0 lines: 0 proven, 0 contact, 0 refuted, 0 undecided; 4 pairs are missing")
+        out.contains("crane.urdf: 0 lines: 0 proven, 0 contact, 0 default, 0 believed, 0 refuted, 0 undecided; 4 pairs are missing")
         write("wanted.srdf", """
             <?xml version="1.0"?>
             <robot name="crane">
@@ -104,7 +105,24 @@ class AuditTest(Case):
         out.matches(
             "^left - right .* refuted .*; triangle 0 of pad.obj and triangle [0-9]* of box",
             "^palm - tip .* refuted")
-        out.contains("2 lines: 0 proven, 0 contact, 2 refuted, 0 undecided;")
+        out.contains("2 lines: 0 proven, 0 contact, 0 default, 0 believed, 2 refuted, 0 undecided;")
+        # What "Default" promises holds of the fingers alone. A believed line stays, a needless one is told.
+        lines = disables("left", "right", "Default") + disables("palm", "tip", "Default")
+        write("fist.srdf", f'<robot name="fist">{lines}{disables("palm", "left")}</robot>')
+        out = flashbvh("audit fist.urdf fist.srdf --write kept.srdf", code=1)
+        out.matches("^left - right .* default  *intersect at the default configuration, grip 0, other 0, as it says; at "
+                        "others they may be apart$",
+                    "^palm - tip .* refuted")
+        self.assertNotIn('link1="left" link2="right"', text("kept.srdf"))
+        out = flashbvh("audit fist.urdf fist.srdf --believe tip,palm --believe left,palm --write kept.srdf")
+        out.matches("^palm - tip .* believed  *intersect at grip 0[.0-9]*, reach 0[.0-9]*$",
+                    "^fist.srdf: 3 lines: 1 proven, 0 contact, 1 default, 1 believed, 0 refuted, 0 undecided;")
+        out.err.contains("fist.srdf:1: warning: is proven, with or without --believe; leave that out")
+        text("kept.srdf").contains('link1="palm" link2="tip"')
+        said = flashbvh("audit fist.urdf fist.srdf --believe tip,palm --json").json
+        self.assertEqual((said["ok"], said["default"], said["believed"]), (True, 1, 1))
+        self.assertEqual(said["lines"][0]["witness"], {"grip": 0, "other": 0, "reach": 0.04})
+        refuse("audit fist.urdf fist.srdf --believe tip,left", "--believe tip,left: names a pair that no SRDF disables")
 
     def test_adjacent_is_said_of_links_that_one_joint_joins_never_of_whole_links_always_of_what_no_joint_moves(self):
         robot("desk", link("top", box_of("1 1 0.1")), link("near", box_of("0.1 0.1 0.1", "0.1 0 0.1")),
@@ -163,6 +181,8 @@ class AuditTest(Case):
         # Refused before any decision, or the message would be the SRDF's.
         refuse("robot large.urdf -o out --srdf large.srdf", refusal)
         refuse("guard large.urdf at.csv", refusal)
+        refuse("robot large.urdf -o out --simplify 0.001 --time 1e-9",
+               "--time 1e-9: left too little to simplify 'base' to what firmware holds; give more")
         refuse("robot leaves.urdf -o out --srdf large.srdf", "large.srdf:1: disables base - arm")
         refuse("robot leaves.urdf -o out --srdf large.srdf --leaf-size 1",
                "leaves.urdf, link 'base': 40000 leaves, but 16-bit indices reach 32768")

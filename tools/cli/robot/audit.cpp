@@ -30,8 +30,10 @@ Json line_json(const Model& model, const AuditedLine& line) {
                {"cells", line.pair.joint_boxes},
                {"witness", Json::object()},
                {"triangles", Json::array()}};
-  if (line.verdict == LineVerdict::refuted) {
+  if (!line.pair.witness.empty()) {
     json["witness"] = witness_json(model, line.pair);
+  }
+  if (line.verdict == LineVerdict::refuted) {
     json["triangles"] = {triangle_json(line.triangles[0]), triangle_json(line.triangles[1])};
   }
   return json;
@@ -59,7 +61,8 @@ Json audit_json(const Model& model, const std::string& srdf, const Audit& audit,
   return json;
 }
 
-/// "64 lines: 60 proven, 3 contact, 1 refuted, 0 undecided; 2 pairs are missing".
+/// "64 lines: 60 proven, 3 contact, 0 default, 0 believed, 1 refuted, 0 undecided; 2 pairs are
+/// missing".
 std::string audit_summary(const Json& audit) {
   const std::size_t lines = audit["lines"].size();
   const std::size_t missing = audit["missing"].size();
@@ -92,6 +95,13 @@ ExitCode audit_srdf(const AuditArguments& arguments) {
   const Prepared robot = prepare(std::move(model), arguments, shown_by(progress), warnings);
   const Decided decided = decide(robot, arguments, 0, "undecided", shown_by(progress), warnings);
   const Audit audit = audit_of(robot, decided, disabled);
+  for (const AuditedLine& line : audit.lines) {
+    if (line.line.is_believed && line.verdict != LineVerdict::believed) {
+      warnings.add(
+          at_line(arguments.srdf, line.line.line),
+          concat("is ", name_of(line.verdict), ", with or without --believe; leave that out"));
+    }
+  }
   FileSet files(files_read(arguments, robot.model));
   if (!arguments.written.empty()) {
     files.add(arguments.written, srdf_of(robot.model, audit.valid));
@@ -118,6 +128,7 @@ void add_audit(CLI::App& app) {
       audit_srdf);
   add_described_options(command, "ROBOT", a);
   add_option(command, "SRDF", a.srdf, "FILE.srdf", "The SRDF of the robot, if it has one");
+  add_believe(command, a, "Two links whose line holds though they can collide; may be repeated");
   add_time(command, a, "What is not decided by then is undecided");
   add_option(command, "--write", a.written, "FIXED.srdf",
              "Write an SRDF of all pairs that no planner has to check, and of nothing else");

@@ -14,6 +14,10 @@ void add_described_options(CLI::App& command, const std::string& name, RobotRequ
                    "Links with visual shapes alone collide by them; without it, with nothing");
 }
 
+void add_believe(CLI::App& command, RobotRequest& request, const std::string& what) {
+  repeated(add_option(command, "--believe", request.believed, "LINK,LINK", what));
+}
+
 void add_time(CLI::App& command, RobotRequest& request, const std::string& late) {
   add_option(command, "--time", request.time, "SECONDS", late + ". \nDefault: as long as it takes");
 }
@@ -28,10 +32,9 @@ void add_distances(CLI::App& command, RobotRequest& request) {
 void add_baking_options(CLI::App& command, RobotRequest& request) {
   add_option(command, "--srdf", request.srdf, "FILE",
              "Pairs of links that need no guard; those that can collide are an error");
-  repeated(
-      add_option(command, "--believe", request.believed, "LINK,LINK",
-                 "Two links that --srdf disables and that can collide: don't guard them; may be "
-                 "repeated"));
+  add_believe(command, request,
+              "Two links that --srdf disables and that can collide: don't guard them; may be "
+              "repeated");
   add_option(command, "--cell", request.cell, "LENGTH",
              "Size of a lattice cell; default: the finest that all the links fit");
   command.add_option("--leaf-size", request.leaf_size, "Most triangles in a leaf")
@@ -51,7 +54,9 @@ void add_baking_options(CLI::App& command, RobotRequest& request) {
   repeated(add_option(command, "--zone", request.zones, "JOINT=LENGTH",
                       "Two links may touch so far about the joint between them; 0: nowhere; may be "
                       "repeated. \nDefault: as far as they do"));
-  add_time(command, request, "What is not decided by then is undecided, and guarded");
+  add_time(command, request,
+           "What is not decided by then is undecided, and guarded; links not simplified keep more "
+           "triangles");
 }
 
 }  // namespace flashbvh::tool

@@ -15,6 +15,8 @@ void add_described_options(CLI::App& command, const std::string& name, RobotRequ
 void add_distances(CLI::App& command, RobotRequest& request);
 /// Declares all other options of baking.
 void add_baking_options(CLI::App& command, RobotRequest& request);
+/// Declares --believe.
+void add_believe(CLI::App& command, RobotRequest& request, const std::string& what);
 /// Declares --time. `late`: the fate of pairs undecided by then.
 void add_time(CLI::App& command, RobotRequest& request, const std::string& late);
 

@@ -11,6 +11,9 @@
 namespace flashbvh::tool {
 namespace {
 
+/// In reasons of pairs that can collide.
+constexpr std::string_view kTheWitness = "the witness";
+
 /// MoveIt's default: 0, or the middle of the limits if they exclude 0.
 double default_value(const ModelJoint& joint) {
   return joint.lower <= 0 && joint.upper >= 0 ? 0 : 0.5 * (joint.lower + joint.upper);
@@ -29,21 +32,25 @@ class Auditor {
   Auditor(const Prepared& robot, const Decided& decided) : robot_(robot), decided_(decided) {}
 
   AuditedLine audited(const DisabledPair& line, const PairVerdict& pair) const {
-    const LineVerdict verdict = verdict_on(pair);
-    AuditedLine made = {line, pair, verdict, why(pair, verdict), {}};
+    const LineVerdict verdict = verdict_on(pair, &line);
+    AuditedLine made = {line, with_witness(pair, verdict), verdict, "", {}};
+    made.why = why(made.pair, verdict);
     if (verdict == LineVerdict::refuted) {
-      add_witness(made);
+      add_triangles(made);
     }
     return made;
   }
 
-  /// The line that may disable the pair, if planners need not check it.
-  std::optional<SrdfLine> valid_line(const PairVerdict& pair) const {
-    const LineVerdict verdict = verdict_on(pair);
-    if (verdict != LineVerdict::proven && verdict != LineVerdict::contact) {
+  /// The line that may disable the pair, if planners need not check it or the SRDF's `line` is
+  /// believed.
+  std::optional<SrdfLine> valid_line(const PairVerdict& pair, const DisabledPair* line) const {
+    const LineVerdict verdict = verdict_on(pair, line);
+    if (verdict != LineVerdict::proven && verdict != LineVerdict::contact &&
+        verdict != LineVerdict::believed) {
       return std::nullopt;
     }
-    return SrdfLine{pair.a, pair.b, reason(pair, verdict), why(pair, verdict)};
+    return SrdfLine{pair.a, pair.b, reason(pair, verdict),
+                    why(with_witness(pair, verdict), verdict)};
   }
 
  private:
@@ -54,20 +61,30 @@ class Auditor {
             robot_.cell};
   }
 
-  /// True if the links intersect at the default configuration.
-  bool intersect_at_default(const PairSpace& space) const {
-    std::vector<double> at_default;
+  /// The values of the variables at the default configuration; none if the links don't intersect
+  /// there.
+  std::vector<double> contact_at_default(const PairVerdict& pair) const {
+    const PairSpace space = space_of(pair);
+    std::vector<double> point;
     for (const Dimension& dimension : space.dimensions()) {
-      at_default.push_back(
+      point.push_back(
           default_value(robot_.model.joints[robot_.model.variables[dimension.variable]]));
     }
-    return space.intersect(at_default);
+    return space.intersect(point) ? space.variables_at(point) : std::vector<double>();
   }
 
   /// True if the links intersect at the default configuration and at every other one that is tried.
   bool is_in_contact(const PairVerdict& pair) const {
-    const PairSpace space = space_of(pair);
-    return intersect_at_default(space) && intersect_wherever_tried(space, MatrixOptions{}.looks);
+    return !contact_at_default(pair).empty() &&
+           intersect_wherever_tried(space_of(pair), MatrixOptions{}.looks);
+  }
+
+  PairVerdict with_witness(PairVerdict pair, LineVerdict verdict) const {
+    if (verdict == LineVerdict::at_default ||
+        (verdict == LineVerdict::contact && pair.witness.empty())) {
+      pair.witness = contact_at_default(pair);
+    }
+    return pair;
   }
 
   /// The joint between two neighbours if the search for its zone ran out of time: a collision may
@@ -75,6 +92,18 @@ class Auditor {
   std::optional<std::size_t> late_joint(const PairVerdict& pair) const {
     const auto joint = joint_of_neighbours(robot_.model, pair.a, pair.b);
     return joint && decided_.late_joints.count(*joint) != 0 ? joint : std::nullopt;
+  }
+
+  /// `line`: of the SRDF, or null.
+  LineVerdict verdict_on(const PairVerdict& pair, const DisabledPair* line) const {
+    const LineVerdict verdict = verdict_on(pair);
+    if (line == nullptr || verdict < LineVerdict::refuted) {
+      return verdict;
+    }
+    return line->is_believed ? LineVerdict::believed
+           : line->reason == "Default" && !contact_at_default(pair).empty()
+               ? LineVerdict::at_default
+               : verdict;
   }
 
   LineVerdict verdict_on(const PairVerdict& pair) const {
@@ -105,29 +134,38 @@ class Auditor {
     return std::find(adjacent.begin(), adjacent.end(), links) != adjacent.end() ? "Adjacent"
            : verdict == LineVerdict::proven                                     ? "Never"
            : pair.verdict == MatrixVerdict::fixed                               ? "Always"
-           : intersect_at_default(space_of(pair))                               ? "Default"
+           : !contact_at_default(pair).empty()                                  ? "Default"
                                                                                 : "User";
   }
 
   std::string why(const PairVerdict& pair, LineVerdict verdict) const {
+    const std::string at = pair.witness.empty() ? "" : witness_text(robot_.model, pair);
+    if (verdict == LineVerdict::at_default) {
+      return concat("intersect at the default configuration, ", at,
+                    ", as it says; at others they may be apart");
+    }
     if (verdict == LineVerdict::contact && !pair.zone && pair.verdict != MatrixVerdict::fixed) {
       return "intersect at the default configuration and wherever tried; sampled, not proven";
     }
     const std::optional<std::size_t> late = late_joint(pair);
-    return verdict == LineVerdict::undecided && late
-               ? "no time was left to find a zone about " + robot_.model.joints[*late].name
-               : pair.reason;
+    if (verdict == LineVerdict::undecided && late) {
+      return "no time was left to find a zone about " + robot_.model.joints[*late].name;
+    }
+    std::string text = pair.reason;
+    if (const std::size_t found = text.find(kTheWitness); found != std::string::npos) {
+      return text.replace(found, kTheWitness.size(), at);
+    }
+    return text + (at.empty() ? "" : "; touch inside at " + at);
   }
 
-  void add_witness(AuditedLine& line) const {
+  void add_triangles(AuditedLine& line) const {
     const Model& model = robot_.model;
     const auto found = triangles_at(model, views_of(robot_.wholes), robot_.cell, line.pair);
     line.triangles = {file_triangle(model.links[line.pair.a], found.a),
                       file_triangle(model.links[line.pair.b], found.b)};
-    line.why =
-        concat("intersect at ", witness_text(model, line.pair), "; triangle ",
-               line.triangles[0].triangle, " of ", line.triangles[0].source, " and triangle ",
-               line.triangles[1].triangle, " of ", line.triangles[1].source);
+    line.why +=
+        concat("; triangle ", line.triangles[0].triangle, " of ", line.triangles[0].source,
+               " and triangle ", line.triangles[1].triangle, " of ", line.triangles[1].source);
   }
 
   const Prepared& robot_;
@@ -145,7 +183,8 @@ std::string xml_text(const std::string& name) {
 }  // namespace
 
 const char* name_of(LineVerdict verdict) {
-  constexpr const char* kNames[] = {"proven", "contact", "refuted", "undecided"};
+  constexpr const char* kNames[] = {"proven",   "contact", "default",
+                                    "believed", "refuted", "undecided"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
@@ -174,9 +213,10 @@ Audit audit_of(const Prepared& robot, const Decided& decided,
     audit.lines.push_back(auditor.audited(line, *find_pair(decided.pairs, line.a, line.b)));
   }
   for (const PairVerdict& pair : decided.pairs) {
-    if (const std::optional<SrdfLine> line = auditor.valid_line(pair)) {
+    const DisabledPair* const disabling = find_pair(disabled, pair.a, pair.b);
+    if (const std::optional<SrdfLine> line = auditor.valid_line(pair, disabling)) {
       audit.valid.push_back(*line);
-      if (find_pair(disabled, pair.a, pair.b) == nullptr) {
+      if (disabling == nullptr) {
         audit.missing.push_back(*line);
       }
     }

@@ -23,11 +23,15 @@ enum class LineVerdict : std::uint8_t {
   /// They intersect at all configurations tried, or in their joint's zone: a planner must not check
   /// them.
   contact,
+  /// They intersect at the default configuration, as "Default" promises; apart at others.
+  at_default,
+  believed,   ///< they may collide, and the user vouches for the line
   refuted,    ///< they can collide, with a witness
   undecided,  ///< neither proven nor refuted
 };
-constexpr LineVerdict kLineVerdicts[] = {LineVerdict::proven, LineVerdict::contact,
-                                         LineVerdict::refuted, LineVerdict::undecided};
+constexpr LineVerdict kLineVerdicts[] = {LineVerdict::proven,     LineVerdict::contact,
+                                         LineVerdict::at_default, LineVerdict::believed,
+                                         LineVerdict::refuted,    LineVerdict::undecided};
 const char* name_of(LineVerdict verdict);
 
 /// A triangle of a file or of a primitive, counted from 0.
@@ -38,7 +42,7 @@ struct FileTriangle {
 
 struct AuditedLine {
   DisabledPair line;
-  PairVerdict pair;
+  PairVerdict pair;  ///< its witness is where links in contact touch, too
   LineVerdict verdict;
   std::string why;  ///< an explanation for users
   /// For `refuted`: the triangles that intersect at the witness.
@@ -47,7 +51,7 @@ struct AuditedLine {
 
 struct Audit {
   std::vector<AuditedLine> lines;  ///< in the SRDF's order
-  std::vector<SrdfLine> valid;     ///< all pairs that a planner need not check
+  std::vector<SrdfLine> valid;     ///< all pairs that a planner need not check, or believed
   std::vector<SrdfLine> missing;   ///< those of them that the SRDF leaves enabled
 
   std::size_t count(LineVerdict verdict) const;

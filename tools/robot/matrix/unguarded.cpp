@@ -60,8 +60,7 @@ void believe(std::size_t a, std::size_t b, const std::string& place, Model& mode
   DisabledPair* const found = find_pair(model.disabled, a, b);
   if (found == nullptr) {
     throw UserError(place,
-                    "names a pair that no SRDF disables; leave it out, or give the SRDF that "
-                    "does by --srdf");
+                    "names a pair that no SRDF disables; leave it out, or give the SRDF that does");
   }
   found->is_believed = true;
 }
