@@ -54,8 +54,18 @@ class RobotSaidTest(Case):
             "^bridge *x .* outside 0.[0-9]* m about x$")
         text("baked/gantry.robot.h").contains("gantry_UNGUARDED_COUNT 1")
         text("baked/gantry.robot.h").matches(r"^ \* table - bridge within 0.[0-9]* m about x$")
+        # What the zone leaves of the joint's range: the beam is stopped at the post.
+        out.matches("^zone about  pair  *middle  *radius  hides  stops$",
+                    "^x  *table - bridge  0 0 0 *0.[0-9]* *0 % *1[0-9] %$")
+        out.err.matches("warning: links 'table' and 'bridge' outside their joint's zone stop a guard in 1[0-9] % of the "
+                        "range of 'x'; give a larger --zone x=LENGTH, or disable the pair in an SRDF and name it by "
+                        "--believe table,bridge$")
         out = flashbvh("robot gantry.urdf -o baked --stop 0.003 --format c --json")
         out.contains(listed, '"size":[1.0,1.0,0.6', '"deviation":')
+        [zone] = out.json["zones"]
+        self.assertTrue(0.1 < zone["stops"] < 0.2 and 0.4 < zone["radius"] < 0.5)
+        self.assertEqual([zone[name] for name in ("joint", "a", "b", "middle", "hides")],
+                         ["x", "table", "bridge", [0, 0, 0], 0])
         # The image contains the list, too, and `guard` prints it for both.
         flashbvh("info baked/gantry.robot").contains("not guarded: table - bridge")
         flashbvh("info baked/gantry.robot --json").contains(listed)

@@ -119,8 +119,8 @@ void check_surface(Random& random, const Model& model, const JointZone& zone) {
   }
 }
 
-/// Checks that if the bodies are near, so are the parts.
-void check_parts(Random& random, const Neighbours& any, const JointZone& zone) {
+/// Checks that if the bodies are near, so are the parts, unless nothing is guarded.
+void check_parts(Random& random, const Neighbours& any, const JointZone& zone, bool is_guarded) {
   const auto is_near = [&](const WholeMesh& a, const WholeMesh& b, double value, double distance) {
     const PairSpace space(any.model, {zone.a, a}, {zone.b, b}, kCell);
     return distance == 0 ? space.intersect({value}) : !space.are_apart({value}, distance);
@@ -134,9 +134,9 @@ void check_parts(Random& random, const Neighbours& any, const JointZone& zone) {
     const double value = real_between(random, range.lower, range.upper);
     for (const ZoneBodies& bodies : zone.bodies) {
       REQUIRE((!is_near(bodies.a.view(), bodies.b.view(), value, any.options.stop) ||
-               std::any_of(parts.begin(), parts.end(), [&](const auto& of) {
-                 return is_near(of.first.view(), of.second.view(), value, any.options.stop + 4);
-               })));
+               (is_guarded && std::any_of(parts.begin(), parts.end(), [&](const auto& of) {
+                  return is_near(of.first.view(), of.second.view(), value, any.options.stop + 4);
+                }))));
     }
   }
 }
@@ -168,30 +168,88 @@ TEST_CASE("a joint that slides has a cylinder for a zone; a post on the table is
   CHECK(gantry(0.749).zone().shape.is_cylinder);
 }
 
+/// Each link is one piece: a hub with a fin from two of its corners. The base's fin stands upright
+/// at a right angle and reaches out to `tip`. The arm's fin lies flat, 15 degrees wide at its hub,
+/// and meets it from an angle of 1.44 on: the end of a range to 1.6, the middle of one to 2.8.
+Neighbours fins(double upper, double tip) {
+  bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
+  add_fin(base, 12, 13, {0, tip, 0});
+  bake::SourceMesh arm = prism(48, 0.11, 0, 0, -0.05, 0.05);
+  add_fin(arm, 3, 95, {0.5, 0, 0});
+  return joined_by(JointType::revolute, 0.2, upper, base, arm);
+}
+
 TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range they meet") {
-  // Each link is one piece: a hub with a fin from two of its corners. The base's fin stands upright
-  // at a right angle and reaches out to 0.3. The arm's fin lies flat, 15 degrees wide at its hub,
-  // and meets it from an angle of 1.44 on: the end of a range to 1.6, the middle of one to 2.8.
-  const auto made = [](double upper) {
-    Neighbours fins = hub_and_arm(0.2, upper);
-    bake::SourceMesh base = prism(24, 0.1, 0, 0, -0.1, 0.1);
-    add_fin(base, 12, 13, {0, 0.3, 0});
-    bake::SourceMesh arm = prism(48, 0.11, 0, 0, -0.05, 0.05);
-    add_fin(arm, 3, 95, {0.5, 0, 0});
-    fins.model.links[0].mesh = base;
-    fins.model.links[1].mesh = arm;
-    return fins;
-  };
   for (const double upper : {1.6, 2.8}) {
     CAPTURE(upper);
-    const Neighbours meets = made(upper);
-    // The hubs need 0.121; times 1.25.
-    CHECK(meets.zone().shape.radius < (upper < 2 ? 0.14 : 0.16));
+    const Neighbours meets = fins(upper, 0.5);
+    CHECK(meets.zone().shape.radius < 0.27);  // 2.25 times what the hubs need
     CHECK(meets.decided().verdict == MatrixVerdict::can);
+    CHECK(meets.decided().share() > 0.01);
   }
-  const Neighbours never = made(1.3);
+  const Neighbours never = fins(1.3, 0.5);
   CHECK(never.zone().shape.radius < 0.14);
+  CHECK(never.zone().hidden == 0);
   CHECK(never.decided().verdict == MatrixVerdict::never);
+}
+
+TEST_CASE("hulls that touch ever farther from their joint leave it its range, and that is told") {
+  const Neighbours hulls = fins(1.6, 0.3);
+  const JointZone zone = hulls.zone();
+  CHECK(zone.shape.radius > 0.23);
+  CHECK(zone.shape.radius < 0.25);
+  CHECK(zone.hidden == Approx((1.6 - 1.44) / 1.4).margin(0.02));
+  const PairVerdict pair = hulls.decided();
+  CHECK(pair.share() == 0);
+  CHECK(pair.verdict == MatrixVerdict::never);
+}
+
+TEST_CASE("a post of the same piece, beyond a gap, stays guarded") {
+  Neighbours post = fins(1.6, 0.2);
+  bake::SourceMesh& base = post.model.links[0].mesh;
+  base.triangles.resize(base.triangles.size() - 2);
+  // Along the floor, then up: at the arm's height from 0.175 on.
+  add_fin(base, 12, 14, {0, 0.25, -0.1});
+  add_fin(base, 12, static_cast<std::uint32_t>(base.vertices.size() - 1), {0, 0.25, 0.1});
+  CHECK(post.zone().shape.radius < 0.14);
+  CHECK(post.zone().hidden < 0.01);
+  CHECK(post.decided().verdict == MatrixVerdict::can);
+  CHECK(post.decided().share() > 0.03);
+}
+
+TEST_CASE("neighbours that never touch, but pass within the stop distance, are not guarded") {
+  Neighbours passes = hub_and_arm(-1, 1);
+  bake::SourceMesh& hub = passes.model.links[0].mesh;
+  hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
+  append(box({0.3, -0.1, -0.2}, {0.41, 0.1, -0.023}), hub);  // 3 mm below the arm
+  CHECK(passes.zone().shape.radius < 0.14);
+  passes.options.stop = 0.005 / kCell;
+  const JointZone zone = passes.zone();
+  CHECK(zone.shape.radius > 0.4);
+  CHECK(zone.hidden == 0);
+  CHECK_FALSE(passes.decided().is_guarded);
+  CHECK(passes.decided().share() == 0);
+  passes.model.links[0].mesh.vertices.back()[2] = 0;  // a corner that the arm meets
+  CHECK(passes.zone().shape.radius < 0.14);
+  CHECK(passes.decided().share() > 0.2);
+}
+
+TEST_CASE("the zone that is told is exempt, and nothing else") {
+  Neighbours chosen = fins(1.6, 0.3);
+  Random random = test_random();
+  for (const double radius : {0.05, 0.115, 0.15, 0.25}) {
+    chosen.radii = {{0, radius}};
+    const JointZone zone = chosen.zone();
+    REQUIRE(zone.bodies.size() == 1);
+    for (const std::size_t side : {0u, 1u}) {
+      const bake::SourceMesh& kept = side == 0 ? zone.bodies[0].mesh_a : zone.bodies[0].mesh_b;
+      for (int i = 0; i < 200; ++i) {
+        REQUIRE(zone.shape.distance_of(any_point_of(random, kept)) > 0.995 * radius);
+        const Vector3 point = any_point_of(random, chosen.model.links[side].mesh);
+        REQUIRE((zone.shape.distance_of(point) <= radius || distance_by_force(point, kept) < 1e-9));
+      }
+    }
+  }
 }
 
 TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a millimetre") {
@@ -311,10 +369,12 @@ TEST_CASE("random neighbours: nothing is lost outside a zone, nor by a guard") {
     }
     any.options.stop = random.below(2) == 0 ? 0 : 0.004 / kCell;
     const BakedArm arm(any.model, kCell);
-    for (const JointZone& zone : any.zones(arm)) {
+    const std::vector<JointZone> zones = any.zones(arm);
+    const std::vector<PairVerdict> pairs = arm.decide(any.options, zones);
+    for (const JointZone& zone : zones) {
       ++zones_seen;
       check_surface(random, any.model, zone);
-      check_parts(random, any, zone);
+      check_parts(random, any, zone, find_pair(pairs, zone.a, zone.b)->is_guarded);
     }
   });
   CHECK(zones_seen > 0);

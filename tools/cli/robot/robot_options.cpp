@@ -51,9 +51,10 @@ void add_baking_options(CLI::App& command, RobotRequest& request) {
   repeated(
       add_option(command, "--pair", request.pairs, "LINK,LINK=STOP[,WARN]",
                  "Distances of two links for which --stop and --warn don't hold; may be repeated"));
-  repeated(add_option(command, "--zone", request.zones, "JOINT=LENGTH",
-                      "Two links may touch so far about the joint between them; 0: nowhere; may be "
-                      "repeated. \nDefault: as far as they do"));
+  repeated(
+      add_option(command, "--zone", request.zones, "JOINT=LENGTH",
+                 "Two links may touch so far about the joint between them; 0: nowhere; may be "
+                 "repeated. \nDefault: as far as they do, or farther where that stops too much"));
   add_time(command, request,
            "What is not decided by then is undecided, and guarded; links not simplified keep more "
            "triangles");

@@ -72,6 +72,24 @@ Json pairs_json(const Model& model, const std::vector<PairVerdict>& pairs) {
   return all;
 }
 
+/// The joint zones, in metres in their joints' frames, with shares of the joints' ranges.
+Json zones_json(const BakedRobot& robot) {
+  Json all = Json::array();
+  for (const PairVerdict& pair : robot.pairs) {
+    if (pair.zone) {
+      const JointZone& zone = robot.zones[*pair.zone];
+      all.push_back({{"joint", robot.model.joints[zone.joint].name},
+                     {"a", robot.model.links[pair.a].name},
+                     {"b", robot.model.links[pair.b].name},
+                     {"middle", zone.shape.middle},
+                     {"radius", zone.shape.radius},
+                     {"hides", zone.hidden},
+                     {"stops", pair.share()}});
+    }
+  }
+  return all;
+}
+
 /// The facts of an image.
 Json file_json(const RobotFile& file, const Model& model) {
   const Robot& robot = file.robot();
@@ -172,6 +190,7 @@ Json robot_json(const BakedRobot& robot, std::size_t bytes, std::optional<std::s
   }
   Json json = {{"name", robot.model.name},
                {"not_guarded", unguarded_json(robot.model, robot.unguarded)},
+               {"zones", zones_json(robot)},
                {"pairs", pairs_json(robot.model, robot.pairs)},
                {"links", links_json(robot)},
                {"joints", joints_json(robot.model)},
@@ -190,6 +209,27 @@ Json robot_json(const BakedRobot& robot, std::size_t bytes, std::optional<std::s
 void print_robot(const BakedRobot& robot, const Json& json) {
   print_unguarded(robot.model, robot.unguarded);
   print_links(robot.model, json, false);
+  if (!json["zones"].empty()) {
+    std::cout
+        << "\nlinks may touch inside a zone; what it hides or stops: shares of the joint's range\n";
+  }
+  const auto share = [](const char* field) {
+    return Column{
+        field,
+        [field](const Json& row) { return significant(100 * row[field].get<double>(), 2) + " %"; },
+        true};
+  };
+  print_table(json["zones"], {word_column("zone about", "joint"),
+                              pair_column("pair"),
+                              {"middle",
+                               [](const Json& row) {
+                                 const Json& at = row["middle"];
+                                 return concat(significant(at[0], 3), " ", significant(at[1], 3),
+                                               " ", significant(at[2], 3));
+                               }},
+                              number_column("radius", "radius", 4),
+                              share("hides"),
+                              share("stops")});
   std::cout << (robot.pairs.empty() ? "" : "\n");
   const auto reason = [](const Json& row) {
     return row["reason"].get<std::string>() +

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "robot/matrix/approximation.hpp"
+#include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "text/numbers.hpp"
@@ -13,30 +15,47 @@
 namespace flashbvh::tool {
 namespace {
 
-/// Sampled values of the joint, both ends included.
-constexpr std::size_t kLooks = 33;
-/// The zone's middle is that of all contacts, or of those over the middle half of the range.
-constexpr std::size_t kQuarter = kLooks / 4;
-/// The zone holds all contacts but those of an eighth of the samples at either end of the range ...
-constexpr std::size_t kEnds = kLooks / 8;
-/// ... up to this multiple of the samples' median radius. Margins cover contacts between samples.
+/// Values of the joint at which links are looked at, both ends included.
+constexpr std::size_t kLooks = 257;
+/// Each so many of them are the first ones: they find what touches all over the range.
+constexpr std::size_t kStride = 8;
+/// Places tried for the zone's middle along an axis, then steps halved about the best.
+constexpr std::size_t kPlaces = 16;
+constexpr int kRefinements = 3;
+/// The zone holds all contacts of inner looks up to this multiple of the median radius. Margins
+/// cover contacts between looks.
 constexpr double kMoreThanMedian = 1.25;
 constexpr double kMargin = 1.02;
 constexpr double kMarginCells = 2;
-/// Steps from one sample to the next when the zone is grown.
-constexpr std::size_t kBetween = 8;
 constexpr double kMoreAtEnds = 1.05;
-/// Triangles are cut to this part of the zone, so that it holds little that does not touch.
+/// Where links may touch outside, the zone grows up to this multiple of the median radius, and not
+/// across a gap of this multiple: contacts farther out are of other parts of the links.
+constexpr double kMostOfMedian = 2.25;
+constexpr double kGap = 0.25;
+/// Triangles at the zone's surface are cut to this part of its radius, or to so many cells.
 constexpr double kCut = 1.0 / 6;
-/// The smallest length to which triangles are cut, in cells.
 constexpr double kLeastCut = 8;
-/// Rounds of measuring the zone, each with triangles cut by the zone of the last one.
-constexpr int kRounds = 3;
+/// Joint boxes for the proof that links never touch outside their zone.
+constexpr std::uint64_t kBoxesOutside = 4096;
+/// Cells by which triangles may be farther apart than a query finds: it rounds vertices.
+constexpr double kRounding = 4;
 
 struct Contact {
   std::uint32_t a;  ///< triangles of the two sides
   std::uint32_t b;
 };
+
+/// The links at one value of their joint.
+struct Look {
+  std::size_t number;  ///< of kLooks
+  Transform frame;     ///< b's in a's
+  std::vector<Contact> contacts;
+};
+
+/// True if a look is not in an eighth of the range at either end.
+bool is_inner(std::size_t look) {
+  return look >= kLooks / 8 && look < kLooks - kLooks / 8;
+}
 
 /// The joint's frame at coordinate 0, in the frame of a link next to it.
 Transform frame_in(const Model& model, std::size_t link, std::size_t joint) {
@@ -51,96 +70,87 @@ class Finder {
       : model_(model),
         joint_(joint),
         cell_(cell),
-        edge_(options.distances_of(a, b).stop + options.slack),
-        touching_(edge_ + options.early),
-        deadline_(options.deadline),
+        options_(options),
+        stop_(options.distances_of(a, b).stop),
+        touching_(stop_ + options.slack + options.early + 2 * kDeviation),
         links_{a, b},
-        frames_{frame_in(model, a, joint), frame_in(model, b, joint)},
-        sides_{ZoneSide(model.links[a], frames_[0]), ZoneSide(model.links[b], frames_[1])} {
+        wholes_{side_of(0, model.links[a]), side_of(1, model.links[b])},
+        sides_(wholes_) {
+    options_.most_joint_boxes = kBoxesOutside;
+    options_.slack += 2 * kDeviation;  // vertices at cuts are rounded again
     shape_.is_cylinder = model.joints[joint].type == JointType::prismatic;
   }
 
   /// Chooses the zone by coarser links with the same shells. `deviations`: of both, in metres.
   void choose_by(const ModelLink& a, const ModelLink& b, double deviations) {
     touching_ += deviations / cell_;
-    whole_sides_ = std::move(sides_);
-    sides_ = {ZoneSide(a, frames_[0]), ZoneSide(b, frames_[1])};
+    deviations_ = deviations;
+    sides_ = {side_of(0, a), side_of(1, b)};
   }
 
-  /// None if time is up or, without a given radius, if the links are apart at a sample. The meshes:
-  /// of the links, or of the coarser links.
+  /// None if time is up or, without a given radius, if the links are apart at one of the first
+  /// looks. The meshes: of the links, or of the coarser links.
   std::optional<JointZone> find(const WholeMesh& mesh_a, const WholeMesh& mesh_b,
                                 std::optional<double> radius) {
     const PairSpace whole = space(mesh_a, mesh_b);
-    look_over(whole.dimensions()[0].range);
-    if (!radius && std::any_of(looks_.begin(), looks_.end(),
-                               [&](double value) { return whole.are_apart({value}, touching_); })) {
-      return std::nullopt;
-    }
-    const std::vector<std::vector<Contact>> contacts = contacts_in(whole);
-    if (deadline_.is_past()) {
-      is_late_ = true;
-      return std::nullopt;
-    }
-    find_touching_shells(contacts);
-    place(contacts);
-    shape_.radius = radius ? *radius : radius_of(contacts);
-    for (int round = 0; round < kRounds && shape_.radius > 0 && !deadline_.is_past(); ++round) {
-      const double before = shape_.radius;
-      cut();
-      if (radius) {
-        break;
-      }
-      const BakedPart a = bake_part(sides_[0].mesh(), cell_);
-      const BakedPart b = bake_part(sides_[1].mesh(), cell_);
-      shape_.radius = std::min(before, radius_of(contacts_in(space(a.view(), b.view()))));
-      if (shape_.radius > 0.9 * before) {
-        break;
+    std::vector<Look> looks;
+    for (std::size_t i = 0; i < kLooks; i += kStride) {
+      looks.push_back(look_at(whole, i));
+      if ((!radius && looks.back().contacts.empty()) || deadline_is_past()) {
+        return std::nullopt;
       }
     }
-    if (!radius) {
+    find_touching_shells(looks);
+    place(looks);
+    if (radius) {
+      shape_.radius = *radius;
+    } else {
       grow();
     }
-    if (whole_sides_) {
-      sides_ = std::move(*whole_sides_);
-      cut();
-    }
-    is_late_ = deadline_.is_past();
-    return is_late_ ? std::nullopt : std::optional(zone());
+    JointZone zone = {links_[0], links_[1], joint_, shape_, hidden_, bodies()};
+    return deadline_is_past() ? std::nullopt : std::optional(std::move(zone));
   }
 
   /// True if find() ran out of time.
   bool is_late() const { return is_late_; }
 
  private:
+  bool deadline_is_past() {
+    is_late_ = is_late_ || options_.is_late();
+    return is_late_;
+  }
+
+  ZoneSide side_of(std::size_t side, const ModelLink& link) const {
+    return ZoneSide(link, frame_in(model_, links_[side], joint_));
+  }
+
   PairSpace space(const WholeMesh& a, const WholeMesh& b) const {
     return PairSpace(model_, {links_[0], a}, {links_[1], b}, cell_);
   }
 
-  void look_over(const Interval& range) {
-    for (std::size_t i = 0; i < kLooks; ++i) {
-      looks_.push_back(range.lower + (range.upper - range.lower) * static_cast<double>(i) /
-                                         static_cast<double>(kLooks - 1));
-    }
+  /// Value `number` of kLooks.
+  static double value_at(const PairSpace& space, std::size_t number) {
+    const auto [lower, upper] = space.dimensions()[0].range;
+    return lower + (upper - lower) * static_cast<double>(number) / static_cast<double>(kLooks - 1);
   }
 
-  std::vector<std::vector<Contact>> contacts_in(const PairSpace& space) const {
-    std::vector<std::vector<Contact>> contacts(kLooks);
-    for (std::size_t i = 0; i < kLooks && !deadline_.is_past(); ++i) {
-      space.find_near({looks_[i]}, touching_, [&](std::uint32_t a, std::uint32_t b) {
-        contacts[i].push_back({a, b});
-      });
-    }
-    return contacts;
+  /// Finds what touches at that value.
+  Look look_at(const PairSpace& space, std::size_t number) const {
+    const double value = value_at(space, number);
+    Look look = {number, space.frame_at({value}), {}};
+    space.find_near({value}, touching_, [&](std::uint32_t a, std::uint32_t b) {
+      look.contacts.push_back({a, b});
+    });
+    return look;
   }
 
-  /// Finds the shells that touch at half of the samples or more.
-  void find_touching_shells(const std::vector<std::vector<Contact>>& contacts) {
+  /// Finds the shells that touch at half of the looks or more, and leaves out other contacts.
+  void find_touching_shells(std::vector<Look>& looks) {
     for (std::size_t side = 0; side < 2; ++side) {
       std::vector<std::size_t> counts(sides_[side].shell_count());
-      for (const std::vector<Contact>& look : contacts) {
+      for (const Look& look : looks) {
         std::set<std::uint32_t> touching;
-        for (const Contact& contact : look) {
+        for (const Contact& contact : look.contacts) {
           touching.insert(sides_[side].shell_of(side == 0 ? contact.a : contact.b));
         }
         for (const std::uint32_t shell : touching) {
@@ -148,170 +158,248 @@ class Finder {
         }
       }
       for (const std::size_t count : counts) {
-        touching_shells_[side].push_back(2 * count >= kLooks);
+        touching_shells_[side].push_back(2 * count >= looks.size());
+        other_shells_[side].push_back(2 * count < looks.size());
       }
+    }
+    for (Look& look : looks) {
+      const auto is_other = [&](const Contact& contact) {
+        return other_shells_[0][sides_[0].shell_of(contact.a)] ||
+               other_shells_[1][sides_[1].shell_of(contact.b)];
+      };
+      look.contacts.erase(std::remove_if(look.contacts.begin(), look.contacts.end(), is_other),
+                          look.contacts.end());
     }
   }
 
-  bool is_of_zone(const Contact& contact) const {
-    return touching_shells_[0][sides_[0].shell_of(contact.a)] &&
-           touching_shells_[1][sides_[1].shell_of(contact.b)];
+  /// The triangles of a contact in the joint's frame on side a.
+  std::array<PointTriangle, 2> triangles_of(const Look& look, const Contact& contact,
+                                            const bake::SourceMesh& a,
+                                            const bake::SourceMesh& b) const {
+    const Transform& to_joint = sides_[0].to_joint();
+    return {placed_triangle(to_joint, simplify::triangle_of(a, a.triangles[contact.a])),
+            placed_triangle(composed(to_joint, look.frame),
+                            simplify::triangle_of(b, b.triangles[contact.b]))};
   }
 
-  /// Chooses the middle with the smaller radius: contacts at an end of the range may lie far off.
-  void place(const std::vector<std::vector<Contact>>& contacts) {
-    place_middle(contacts, 0);
-    const ZoneShape of_all = shape_;
-    const double radius = radius_of(contacts);
-    place_middle(contacts, kQuarter);
-    if (radius_of(contacts) >= radius) {
-      shape_ = of_all;
+  /// The corners of the part of `p` that touches `q`.
+  std::vector<Vector3> touching_part(const PointTriangle& p, const PointTriangle& q) const {
+    return near_part(p, q, (touching_ + kRounding) * cell_);
+  }
+
+  template <class Points>
+  double farthest(const Points& points) const {
+    double most = 0;
+    for (const Vector3& point : points) {
+      most = std::max(most, shape_.distance_of(point));
     }
+    return most;
   }
 
-  /// Sets the middle to that of the contacts, without `ends` samples at either end, along the axes
-  /// that the joint leaves unmoved.
-  void place_middle(const std::vector<std::vector<Contact>>& contacts, std::size_t ends) {
-    const auto extent = [&](std::size_t side, std::uint32_t triangle, std::size_t axis) {
-      Interval of{HUGE_VAL, -HUGE_VAL};
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double at = sides_[side].corner(triangle, i)[axis];
-        of = {std::min(of.lower, at), std::max(of.upper, at)};
+  /// The radius of the smallest zone outside of which nothing touches; 0 if nothing does anywhere.
+  double radius_at(const Look& look, const bake::SourceMesh& a, const bake::SourceMesh& b) const {
+    double radius = 0;
+    for (const Contact& contact : look.contacts) {
+      const auto [p, q] = triangles_of(look, contact, a, b);
+      if (std::min(farthest(p), farthest(q)) > radius) {
+        const double of_p = farthest(touching_part(p, q));
+        if (of_p > radius) {
+          radius = std::max(radius, std::min(of_p, farthest(touching_part(q, p))));
+        }
       }
-      return of;
-    };
+    }
+    return radius == 0 ? 0 : radius * kMargin + kMarginCells * cell_ + deviations_;
+  }
+
+  /// Chooses the middle with the smallest radius, among contacts.
+  void place(const std::vector<Look>& looks) {
+    simplify::Box all;
+    for (const Look& look : looks) {
+      for (const Contact& contact : look.contacts) {
+        const auto [p, q] = triangles_of(look, contact, sides_[0].mesh(), sides_[1].mesh());
+        for (const Vector3& corner : p) {
+          all.add(corner);
+        }
+      }
+    }
+    take_radius(looks);
     for (std::size_t axis = shape_.is_cylinder ? 0 : 2; axis < (shape_.is_cylinder ? 2 : 3);
          ++axis) {
-      Interval all{HUGE_VAL, -HUGE_VAL};
-      for (std::size_t look = ends; look < kLooks - ends; ++look) {
-        for (const Contact& contact : contacts[look]) {
-          if (is_of_zone(contact)) {
-            const Interval a = extent(0, contact.a, axis);
-            const Interval b = extent(1, contact.b, axis);
-            const double low = std::max(a.lower, b.lower);
-            const double high = std::min(a.upper, b.upper);
-            all = {std::min({all.lower, low, high}), std::max({all.upper, low, high})};
-          }
-        }
+      double step = (all.high[axis] - all.low[axis]) / kPlaces;
+      for (std::size_t i = 0; i <= kPlaces; ++i) {
+        try_middle(axis, all.low[axis] + static_cast<double>(i) * step, looks);
       }
-      shape_.middle[axis] = all.lower <= all.upper ? 0.5 * (all.lower + all.upper) : 0;
+      for (int i = 0; i < kRefinements; ++i) {
+        step /= 2;
+        const double best = shape_.middle[axis];
+        try_middle(axis, best - step, looks);
+        try_middle(axis, best + step, looks);
+      }
     }
   }
 
-  /// The radius of the smallest zone that holds one triangle of each contact of a sample, or 0.
-  double least_radius(const std::vector<Contact>& look, const std::vector<double>& farthest_a,
-                      const std::vector<double>& farthest_b) const {
-    double radius = 0;
-    for (const Contact& contact : look) {
-      if (is_of_zone(contact)) {
-        radius = std::max(radius, std::min(farthest_a[contact.a], farthest_b[contact.b]));
-      }
+  /// Takes another middle if its radius is smaller.
+  void try_middle(std::size_t axis, double at, const std::vector<Look>& looks) {
+    const auto before = std::pair(shape_, median_);
+    shape_.middle[axis] = at;
+    take_radius(looks);
+    if (shape_.radius >= before.first.radius) {
+      std::tie(shape_, median_) = before;
     }
-    return radius;
   }
 
-  /// Grows the zone to contacts between samples, by little at the ends of the range.
+  /// Sets the radius and the median one.
+  void take_radius(const std::vector<Look>& looks) {
+    std::vector<double> radii;
+    double most = 0;
+    for (const Look& look : looks) {
+      radii.push_back(radius_at(look, sides_[0].mesh(), sides_[1].mesh()));
+      most = is_inner(look.number) ? std::max(most, radii.back()) : most;
+    }
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    median_ = *middle;
+    shape_.radius = std::min(most, kMoreThanMedian * median_);
+  }
+
+  /// Grows the zone to contacts between the first looks, by little at the ends of the range. Then,
+  /// where a guard would stop: to all of the links if they never touch, or else not too far.
   void grow() {
-    const std::vector<std::uint32_t> numbers_a = triangles(0, Which::outside);
-    const std::vector<std::uint32_t> numbers_b = triangles(1, Which::outside);
-    if (numbers_a.empty() || numbers_b.empty()) {
+    std::vector<double> radii = radii_outside();
+    const double at_ends = kMoreAtEnds * shape_.radius;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      if (radii[i] <= (is_inner(i) ? kMoreThanMedian * median_ : at_ends)) {
+        shape_.radius = std::max(shape_.radius, radii[i]);
+      }
+    }
+    if (deadline_is_past()) {
       return;
     }
-    const BakedPart a = bake_part(part_of(sides_[0].mesh(), numbers_a), cell_);
-    const BakedPart b = bake_part(part_of(sides_[1].mesh(), numbers_b), cell_);
-    const PairSpace outside = space(a.view(), b.view());
-    const std::vector<double> farthest_a = sides_[0].farthest(shape_);
-    const std::vector<double> farthest_b = sides_[1].farthest(shape_);
-    const double largest_at_ends = kMoreAtEnds * shape_.radius;
-    for (std::size_t i = 0; i <= kBetween * (kLooks - 1) && !deadline_.is_past(); ++i) {
-      const bool is_end = i < kBetween * kEnds || i > kBetween * (kLooks - 1 - kEnds);
-      const double part = static_cast<double>(i) / static_cast<double>(kBetween * (kLooks - 1));
-      const double value = looks_.front() + part * (looks_.back() - looks_.front());
-      double needed = 0;
-      if (!outside.are_apart({value}, touching_)) {
-        outside.find_near({value}, touching_, [&](std::uint32_t p, std::uint32_t q) {
-          needed = std::max(needed, std::min(farthest_a[numbers_a[p]], farthest_b[numbers_b[q]]));
-        });
+    if (never_touch()) {
+      if (are_kept_apart()) {
+        grow_until_apart();
       }
-      needed = needed * kMargin + kMarginCells * cell_;
-      if (needed <= (is_end ? largest_at_ends : largest_)) {
-        shape_.radius = std::max(shape_.radius, needed);
+      return;
+    }
+    std::sort(radii.begin(), radii.end());
+    for (const double radius : radii) {
+      if (radius > shape_.radius &&
+          radius <= std::min(kMostOfMedian * median_, shape_.radius + kGap * median_)) {
+        shape_.radius = radius;
+        hidden_ += 1.0 / kLooks;
       }
     }
   }
 
-  double radius_of(const std::vector<std::vector<Contact>>& contacts) {
-    const std::vector<double> farthest_a = sides_[0].farthest(shape_);
-    const std::vector<double> farthest_b = sides_[1].farthest(shape_);
-    std::vector<double> radii;
-    radii.reserve(contacts.size());
-    for (const std::vector<Contact>& look : contacts) {
-      radii.push_back(least_radius(look, farthest_a, farthest_b));
+  /// For all looks, the radius that a zone needs for what touches outside; or 0.
+  std::vector<double> radii_outside() const {
+    std::vector<double> radii(kLooks);
+    for (const ZoneBodies& of : outside(sides_)) {
+      const PairSpace pair = space(of.a.view(), of.b.view());
+      for (std::size_t i = 0; i < kLooks && !options_.is_late(); ++i) {
+        radii[i] = radius_at(look_at(pair, i), of.mesh_a, of.mesh_b);
+      }
     }
-    const double most = *std::max_element(radii.begin() + kEnds, radii.end() - kEnds);
-    std::nth_element(radii.begin(), radii.begin() + kLooks / 2, radii.end());
-    largest_ = kMoreThanMedian * radii[kLooks / 2] * kMargin + kMarginCells * cell_;
-    return std::min(most * kMargin + kMarginCells * cell_, largest_);
+    return radii;
   }
 
-  void cut() {
-    const double edge = std::max({kCut * shape_.radius, edge_ * cell_, kLeastCut * cell_});
+  /// Grows the zone of links that never touch, for all of their shells, until all looks are apart.
+  void grow_until_apart() {
+    double high = HUGE_VAL;
     for (std::size_t side = 0; side < 2; ++side) {
-      sides_[side].cut(touching_shells_[side], shape_, edge);
+      touching_shells_[side].assign(sides_[side].shell_count(), true);
+      other_shells_[side].assign(sides_[side].shell_count(), false);
+      std::vector<Vector3> vertices = wholes_[side].mesh().vertices;
+      for (Vector3& vertex : vertices) {
+        vertex = placed(sides_[side].to_joint(), vertex);
+      }
+      high = std::min(high, farthest(vertices));
     }
+    double low = shape_.radius;
+    if (are_apart_outside()) {
+      return;
+    }
+    while (high > kMargin * low && !deadline_is_past()) {
+      shape_.radius = 0.5 * (low + high);
+      if (are_apart_outside()) {
+        high = shape_.radius;
+      } else {
+        low = shape_.radius;
+      }
+    }
+    shape_.radius = high + deviations_;
   }
 
-  /// Triangles of touching shells outside the zone, of touching shells, of other shells, or all.
-  enum class Which : std::uint8_t { outside, touching, other, all };
-  std::vector<std::uint32_t> triangles(std::size_t side, Which which) const {
-    const std::vector<double> farthest = sides_[side].farthest(shape_);
-    std::vector<std::uint32_t> numbers;
-    for (std::uint32_t i = 0; i < farthest.size(); ++i) {
-      const bool touches = touching_shells_[side][sides_[side].shell_of(i)];
-      if (which == Which::all || (which == Which::other) != touches) {
-        if (which != Which::outside || farthest[i] > shape_.radius) {
-          numbers.push_back(i);
+  /// True if what is outside the zone is apart at all looks.
+  bool are_apart_outside() const {
+    for (const ZoneBodies& of : outside(sides_)) {
+      const PairSpace pair = space(of.a.view(), of.b.view());
+      for (std::size_t i = 0; i < kLooks; ++i) {
+        if (!pair.are_apart({value_at(pair, i)}, touching_)) {
+          return false;
         }
       }
     }
-    return numbers;
+    return true;
   }
 
-  void add_bodies(Which of_a, Which of_b, std::vector<ZoneBodies>& bodies) const {
-    const std::vector<std::uint32_t> a = triangles(0, of_a);
-    const std::vector<std::uint32_t> b = triangles(1, of_b);
-    if (!a.empty() && !b.empty()) {
-      ZoneBodies made = {sides_[0].part(a), sides_[1].part(b), {}, {}};
+  /// True if links that never touch have to be guarded for their stop distance.
+  bool are_kept_apart() const {
+    return stop_ > 0 && (find_pair(model_.disabled, links_[0], links_[1]) == nullptr ||
+                         find_pair(options_.stops, links_[0], links_[1]) != nullptr);
+  }
+
+  /// True if it is proven that nothing outside the zone ever touches.
+  bool never_touch() const {
+    const std::vector<ZoneBodies> all = bodies();
+    return std::all_of(all.begin(), all.end(), [&](const ZoneBodies& of) {
+      return search_pair(space(of.a.view(), of.b.view()), options_).end == SearchEnd::apart;
+    });
+  }
+
+  /// Adds the bodies, unless one of them is empty.
+  void add_bodies(bake::SourceMesh a, bake::SourceMesh b, std::vector<ZoneBodies>& all) const {
+    if (!a.triangles.empty() && !b.triangles.empty()) {
+      ZoneBodies made = {std::move(a), std::move(b), {}, {}};
       made.a = bake_part(made.mesh_a, cell_);
       made.b = bake_part(made.mesh_b, cell_);
-      bodies.push_back(std::move(made));
+      all.push_back(std::move(made));
     }
   }
 
-  JointZone zone() const {
-    JointZone zone = {links_[0], links_[1], joint_, shape_, {}};
-    add_bodies(Which::outside, Which::outside, zone.bodies);
-    add_bodies(Which::other, Which::all, zone.bodies);
-    add_bodies(Which::touching, Which::other, zone.bodies);
-    return zone;
+  /// What the touching shells have outside the zone: no bodies or two.
+  std::vector<ZoneBodies> outside(const std::array<ZoneSide, 2>& sides) const {
+    const double edge = std::max(kCut * shape_.radius, kLeastCut * cell_);
+    std::vector<ZoneBodies> all;
+    add_bodies(sides[0].outside(touching_shells_[0], shape_, edge),
+               sides[1].outside(touching_shells_[1], shape_, edge), all);
+    return all;
+  }
+
+  /// All but what touches in the zone: outside it; other shells and the other link.
+  std::vector<ZoneBodies> bodies() const {
+    std::vector<ZoneBodies> all = outside(wholes_);
+    add_bodies(wholes_[0].part(other_shells_[0]), wholes_[1].mesh(), all);
+    add_bodies(wholes_[0].part(touching_shells_[0]), wholes_[1].part(other_shells_[1]), all);
+    return all;
   }
 
   const Model& model_;
   std::size_t joint_;
   double cell_;
-  double edge_;      ///< in cells: triangles are cut no finer
-  double touching_;  ///< in cells: distance that counts as contact
-  Deadline deadline_;
+  MatrixOptions options_;
+  double stop_;            ///< in cells
+  double touching_;        ///< in cells: distance that counts as contact
+  double deviations_ = 0;  ///< of the sides from the links, in metres
   bool is_late_ = false;
   std::array<std::size_t, 2> links_;
-  std::array<Transform, 2> frames_;  ///< the joint's frame in the links'
-  std::array<ZoneSide, 2> sides_;
-  std::optional<std::array<ZoneSide, 2>>
-      whole_sides_;            ///< of the links, if coarser ones are in use
-  std::vector<double> looks_;  ///< sampled values of the joint's variable
+  std::array<ZoneSide, 2> wholes_;
+  std::array<ZoneSide, 2> sides_;  ///< the links, or coarser ones
   std::array<std::vector<bool>, 2> touching_shells_;
+  std::array<std::vector<bool>, 2> other_shells_;
   ZoneShape shape_;
-  double largest_ = 0;  ///< largest radius that the zone may have
+  double median_ = 0;  ///< of the radii for single values, in metres
+  double hidden_ = 0;
 };
 
 }  // namespace

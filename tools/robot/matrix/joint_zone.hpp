@@ -21,7 +21,7 @@ namespace flashbvh::tool {
 
 /// Parts of two links that must not collide, in the links' frames, in metres.
 struct ZoneBodies {
-  bake::SourceMesh mesh_a;  ///< triangles are cut at the zone
+  bake::SourceMesh mesh_a;  ///< cut at the zone
   bake::SourceMesh mesh_b;
   BakedPart a;
   BakedPart b;
@@ -32,6 +32,8 @@ struct JointZone {
   std::size_t b;
   std::size_t joint;  ///< the only joint between
   ZoneShape shape;
+  /// The share of the joint's range in which the zone hides contacts that it was grown for.
+  double hidden;
   /// Everything outside the zone: the touching shells outside it; other shells and the other link.
   /// Empty if nothing is left of one link.
   std::vector<ZoneBodies> bodies;

@@ -85,8 +85,15 @@ class Decider {
       pair.is_guarded = stop > 0 && !stays_away(stop, pair);
       pair.reason += stop > 0 ? concat("; ", pair.joint_boxes - before, " more for --stop") : "";
     }
-    pair.is_stopped = pair.is_guarded && is_within(stop + options_.early);
-    pair.is_warned = pair.is_guarded && !pair.is_stopped && !pair.zone && is_within(warn);
+    if (!pair.is_guarded) {
+      return;
+    }
+    if (pair.zone) {
+      add_stops(stop + options_.early, pair);
+    } else {
+      pair.is_stopped = is_within(stop + options_.early);
+      pair.is_warned = !pair.is_stopped && is_within(warn);
+    }
   }
 
   /// Searches a few joint boxes, then for a witness, then all joint boxes.
@@ -137,6 +144,15 @@ class Decider {
       }
     }
     return options_.looks != 0;
+  }
+
+  /// Adds the values at which a guard would stop the links.
+  void add_stops(double distance, PairVerdict& pair) const {
+    pair.stops.resize(options_.looks);
+    for (std::uint32_t i = 0; i < options_.looks && !options_.is_late(); ++i) {
+      pair.stops[i] =
+          pair.stops[i] || !space_.are_apart(spread_point(space_, i), distance + options_.slack);
+    }
   }
 
   /// Moves a witness into the limits if it stays one: ranges are a little wider than limits.
@@ -222,16 +238,17 @@ struct Matrix {
     worst.reason = "nothing is there of one of them";
     for (const ZoneBodies& bodies : zone.bodies) {
       PairVerdict of = pair;
+      of.stops = worst.stops;
       decide(bodies.a.view(), bodies.b.view(), own, of);
       const std::uint64_t joint_boxes = worst.joint_boxes + of.joint_boxes;
       const bool is_guarded = worst.is_guarded || of.is_guarded;
-      const bool is_stopped = worst.is_stopped || of.is_stopped;
+      const std::vector<bool> stops = of.stops;
       if (&bodies == zone.bodies.data() || rank_of(of.verdict) > rank_of(worst.verdict)) {
         worst = std::move(of);
       }
       worst.joint_boxes = joint_boxes;
       worst.is_guarded = is_guarded;
-      worst.is_stopped = is_stopped;
+      worst.stops = stops;
     }
     pair = std::move(worst);
   }
@@ -267,6 +284,11 @@ const char* name_of(MatrixVerdict verdict) {
 const char* name_of(const PairVerdict& pair) {
   return pair.zone && pair.verdict == MatrixVerdict::never ? "never outside zone"
                                                            : name_of(pair.verdict);
+}
+
+double PairVerdict::share() const {
+  const auto count = static_cast<double>(std::count(stops.begin(), stops.end(), true));
+  return stops.empty() ? 0 : count / static_cast<double>(stops.size());
 }
 
 std::vector<PairVerdict> decide_pairs(const Model& model, const std::vector<WholeMesh>& meshes,
@@ -329,7 +351,7 @@ std::vector<std::vector<ZoneParts>> decide_parts(const Model& model,
     pair.bodies.clear();
     if (parts[i].empty()) {
       pair.is_guarded = false;
-      pair.is_stopped = false;
+      pair.stops.clear();
       pair.verdict = MatrixVerdict::never;
       pair.reason += "; proven by triangles";
     }

@@ -36,12 +36,18 @@ struct PairVerdict {
   /// True if the pair has to be guarded: it can collide, or is not proven to stay farther apart
   /// than the stop distance.
   bool is_guarded = false;
-  bool is_stopped = false;  ///< guarded, and within the stop distance at all configurations tried
-  bool is_warned = false;   ///< not stopped, but at all of them within the warn distance
+  /// Without a zone: guarded, and within the stop distance at all configurations tried.
+  bool is_stopped = false;
+  bool is_warned = false;  ///< not stopped, but at all of them within the warn distance
   std::optional<std::size_t> zone = {};  ///< index of the zone: only its outside was decided
+  /// With a zone: for values spread evenly over the joint's range, whether the pair would stop a
+  /// guard there.
+  std::vector<bool> stops = {};
   /// The bodies that a guard tests: the two links, or their parts outside the zone.
   std::vector<std::pair<std::size_t, std::size_t>> bodies = {{a, b}};
 
+  /// The share of the range of a zone's joint in which the pair alone would stop a guard.
+  double share() const;
   /// True if nothing outside the zone is guarded, since the links never collide there.
   bool is_never_outside() const { return zone && verdict == MatrixVerdict::never && !is_guarded; }
 };

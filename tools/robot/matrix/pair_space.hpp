@@ -51,6 +51,8 @@ class BasicPairSpace {
   /// The motion over all values within `halves` of `point`.
   Motion motion(const std::vector<double>& point, const std::vector<double>& halves) const;
 
+  /// B's frame in A's.
+  Transform frame_at(const std::vector<double>& point) const;
   /// True if the links are found to be more than `distance` cells apart.
   bool are_apart(const std::vector<double>& point, double distance) const;
   /// The result of the exact query, with B at pose_of() in A's frame.
@@ -86,7 +88,6 @@ class BasicPairSpace {
                               const std::vector<double>& halves, bool of_a) const;
   /// The gap between the links' bounding spheres, in cells.
   double least_gap(const Transform& frame) const;
-  Transform frame_at(const std::vector<double>& point) const;
 
   const Model& model_;
   MeshType a_;

@@ -69,26 +69,17 @@ class Sieve {
   /// Halves by position along the axis in which the triangles lie farthest apart.
   static std::array<std::vector<std::uint32_t>, 2> halves(const bake::SourceMesh& mesh,
                                                           std::vector<std::uint32_t> triangles) {
-    const auto at = [&](std::uint32_t triangle, std::size_t axis) {
-      double sum = 0;
-      for (const std::uint32_t corner : mesh.triangles[triangle]) {
-        sum += mesh.vertices[corner][axis];
-      }
-      return sum;
+    const auto centre = [&](std::uint32_t triangle) {
+      return simplify::centre_of(simplify::triangle_of(mesh, mesh.triangles[triangle]));
     };
-    std::size_t longest = 0;
-    double most = -1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::minmax_element(
-          triangles.begin(), triangles.end(),
-          [&](std::uint32_t p, std::uint32_t q) { return at(p, axis) < at(q, axis); });
-      if (at(*high, axis) - at(*low, axis) > most) {
-        most = at(*high, axis) - at(*low, axis);
-        longest = axis;
-      }
+    simplify::Box box;
+    for (const std::uint32_t triangle : triangles) {
+      box.add(centre(triangle));
     }
+    const Vector3 size = simplify::minus(box.high, box.low);
+    const auto longest = std::max_element(size.begin(), size.end()) - size.begin();
     std::sort(triangles.begin(), triangles.end(), [&](std::uint32_t p, std::uint32_t q) {
-      return std::pair(at(p, longest), p) < std::pair(at(q, longest), q);
+      return std::pair(centre(p)[longest], p) < std::pair(centre(q)[longest], q);
     });
     const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
     return {std::vector(triangles.begin(), middle), std::vector(middle, triangles.end())};

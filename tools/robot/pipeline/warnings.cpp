@@ -5,6 +5,9 @@
 namespace flashbvh::tool {
 namespace {
 
+/// A share of a joint's range that is much to lose.
+constexpr double kMuchOfJoint = 0.05;
+
 /// Warns of pairs with their own distances that no joint moves.
 void warn_of_fixed(const Divided& robot, const std::string& path, Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
@@ -13,6 +16,27 @@ void warn_of_fixed(const Divided& robot, const std::string& path, Warnings& warn
       warnings.add(path, concat("links '", robot.model.links[pair.a].name, "' and '",
                                 robot.model.links[pair.b].name,
                                 "' have a --pair, but no joint moves them; leave it out"));
+    }
+  }
+}
+
+std::string way_out(const PairVerdict& pair, const std::string& a, const std::string& b) {
+  return "disable the pair in an SRDF" + (pair.verdict != MatrixVerdict::never
+                                              ? concat(" and name it by --believe ", a, ",", b)
+                                              : "");
+}
+
+/// Warns of neighbours that stop a guard in much of their joint's range.
+void warn_of_shares(const Divided& robot, const std::string& path, Warnings& warnings) {
+  for (const PairVerdict& pair : robot.pairs) {
+    if (pair.share() > kMuchOfJoint) {
+      const std::string& a = robot.model.links[pair.a].name;
+      const std::string& b = robot.model.links[pair.b].name;
+      const std::string& joint = robot.model.joints[robot.zones[*pair.zone].joint].name;
+      warnings.add(
+          path, concat("links '", a, "' and '", b, "' outside their joint's zone stop a guard in ",
+                       significant(100 * pair.share(), 2), " % of the range of '", joint,
+                       "'; give a larger --zone ", joint, "=LENGTH, or ", way_out(pair, a, b)));
     }
   }
 }
@@ -30,24 +54,21 @@ void warn_of_near(const Divided& robot, const RobotRequest& request, Warnings& w
     const std::string& a = robot.model.links[pair.a].name;
     const std::string& b = robot.model.links[pair.b].name;
     const std::string early = significant(robot.options.early * robot.cell, 3);
-    const std::string near = concat(
-        "links '", a, "' and '", b, "'", pair.zone ? " outside their joint's zone" : "",
-        " are nowhere found farther apart than the ", word, " distance, ", shortest(distance), " m",
-        pair.is_stopped && robot.options.early > 0
-            ? concat(" and ", early, " m that simplified links may stop earlier")
-            : "");
+    const std::string near =
+        concat("links '", a, "' and '", b, "' are nowhere found farther apart than the ", word,
+               " distance, ", shortest(distance), " m",
+               pair.is_stopped && robot.options.early > 0
+                   ? concat(" and ", early, " m that simplified links may stop earlier")
+                   : "");
     if (!pair.is_stopped && !is_own) {
       warnings.add(request.urdf, concat(near, ", so they are not warned of; --pair ", a, ",", b,
                                         "=STOP,WARN warns"));
       continue;
     }
-    std::string remedies = pair.zone ? "give the joint a larger --zone, or " : "";
-    remedies += distance != 0 ? concat("lower it (--", word, ", --pair), or ")
-                : is_own      ? "leave out its --pair, or "
-                              : "";
-    remedies += "disable the pair in an SRDF";
-    remedies +=
-        pair.verdict != MatrixVerdict::never ? concat(" and name it by --believe ", a, ",", b) : "";
+    std::string remedies = distance != 0 ? concat("lower it (--", word, ", --pair), or ")
+                           : is_own      ? "leave out its --pair, or "
+                                         : "";
+    remedies += way_out(pair, a, b);
     warnings.add(request.urdf,
                  concat(near, ", so a guard would ",
                         pair.is_stopped ? "always say stop; " : "never say free; ", remedies));
@@ -59,6 +80,7 @@ void warn_of_near(const Divided& robot, const RobotRequest& request, Warnings& w
 void warn_of_guard(const Divided& robot, const RobotRequest& request, Warnings& warnings) {
   warn_of_unguarded(robot.model, robot.unguarded, request.urdf, warnings);
   warn_of_fixed(robot, request.urdf, warnings);
+  warn_of_shares(robot, request.urdf, warnings);
   warn_of_near(robot, request, warnings);
 }
 
