@@ -15,9 +15,9 @@ using detail::sum_of;
 
 namespace {
 
-constexpr uint32_t kStateVersion = 3;
+constexpr uint32_t kStateVersion = 4;
 
-constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}};
+constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}, kUnknownFloor, 0};
 
 constexpr bool is_unknown(const GuardPair& pair) {
   return pair.lower == 0 && pair.upper == UINT32_MAX;
@@ -49,8 +49,9 @@ void Guard::forget() {
   core_->checksum = 0;
   core_->walked_pair = kNoPair;
   core_->has_values = 0;
+  core_->roaming = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
-    before_[i] = step_[i] = 0;
+    before_[i] = step_[i] = granted_[i] = 0;
   }
   for (uint32_t i = 0; i < robot_->pair_count; ++i) {
     pairs_[i] = kUnknown;
@@ -87,6 +88,7 @@ bool Guard::is_possible() const {
     const RobotJoint& joint = robot_->joints[i];
     const JointCoordinate now = detail::difference(before_[i], detail::difference(0, step_[i]));
     is_valid = detail::can_be_at(joint, before_[i]) && detail::can_be_at(joint, now) &&
+               detail::can_be_at(joint, granted_[i]) &&
                (walked == kNoPair || detail::can_be_at(joint, walked_[i]));
   }
   return is_valid;
@@ -119,6 +121,18 @@ bool Guard::is_obstacle(uint8_t link) const {
          robot_->joints[joint].parent == kBase;
 }
 
+bool Guard::has_obstacle(uint16_t i) const {
+  return is_obstacle(robot_->pairs[i].a) || is_obstacle(robot_->pairs[i].b);
+}
+
+/// limit() has to measure the pairs with obstacles again, which moved.
+void Guard::forget_floors() {
+  core_->roaming = 0;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    pairs_[i].floor = has_obstacle(i) ? kUnknownFloor : pairs_[i].floor;
+  }
+}
+
 /// Discards all certificates with obstacles. The next period begins with them where they stand now.
 void Guard::forget_obstacles() {
   uint32_t laps = 0;
@@ -130,8 +144,9 @@ void Guard::forget_obstacles() {
     laps += robot_->joints[i].laps;
   }
   core_->laps = laps & detail::kLapMask;
+  core_->roaming = 0;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
-    if (is_obstacle(robot_->pairs[i].a) || is_obstacle(robot_->pairs[i].b)) {
+    if (has_obstacle(i)) {
       pairs_[i] = kUnknown;
       core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
     }
@@ -262,26 +277,14 @@ bool Guard::is_free(uint32_t joint) const {
   return robot_->joints[joint].type == JointType::continuous;
 }
 
-int32_t Guard::step_to_next(uint32_t joint) const {
-  const int32_t step =
-      detail::difference(next_[joint], detail::difference(before_[joint], -step_[joint]));
+/// The step to the new coordinate from another one, by the shorter arc.
+int32_t Guard::step_from(int32_t from, uint32_t joint) const {
+  const int32_t step = detail::difference(next_[joint], from);
   return is_free(joint) ? detail::wrapped(step) : step;
 }
 
-/// Returns whether a joint without limits moved by less than half a turn, so that it took the
-/// shorter arc. A mimic's motion follows from its master's.
-bool Guard::has_one_way(uint32_t i) const {
-  const RobotJoint& joint = robot_->joints[i];
-  if (joint.shift == 0) {
-    return step_to_next(i) != -kFullTurn / 2;
-  }
-  uint32_t master = 0;
-  while (robot_->joints[master].shift != 0 || robot_->joints[master].variable != joint.variable) {
-    ++master;
-  }
-  const uint64_t way =
-      uint64_t{detail::magnitude(step_to_next(master))} * detail::magnitude(joint.multiplier);
-  return (way >> joint.shift) + 2 < kFullTurn / 2;  // each end is rounded
+int32_t Guard::step_to_next(uint32_t joint) const {
+  return step_from(detail::difference(before_[joint], -step_[joint]), joint);
 }
 
 Status Guard::move_to(const JointCoordinate* values) {
@@ -295,10 +298,11 @@ Status Guard::move_to(const JointCoordinate* values) {
     return status;
   }
   const bool is_first = core_->has_values == 0;
+  const auto step_of = [this](uint32_t joint) { return step_to_next(joint); };
   uint32_t laps = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     laps += robot_->joints[i].laps;
-    if (!is_first && is_free(i) && !has_one_way(i)) {
+    if (!is_first && is_free(i) && !has_one_way(i, step_of)) {
       return Status::joint_jumped;
     }
   }
@@ -308,11 +312,15 @@ Status Guard::move_to(const JointCoordinate* values) {
   if (((laps ^ core_->laps) & detail::kLapMask) >> detail::kLapsOfWalkBits != 0) {
     core_->walked_pair = kNoPair;  // its certificate would count an obstacle's motion modulo 2^32
   }
+  if (core_->laps != (laps & detail::kLapMask)) {
+    forget_floors();  // granted_ counts an obstacle's motion modulo 2^32
+  }
   core_->laps = laps & detail::kLapMask;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     const int32_t step = is_first ? 0 : step_to_next(i);
     before_[i] = detail::difference(next_[i], step);
     step_[i] = step;
+    granted_[i] = is_first ? next_[i] : granted_[i];
   }
   for (uint32_t i = 0; i < robot_->pair_count; ++i) {
     pairs_[i].began = 0;

@@ -87,8 +87,9 @@ void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& cert
   JointCoordinate* to = certified_ + first;
   uint8_t* share = shares_ + first;
   core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
-  pairs_[i] = certificate;
-  pairs_[i].began = began;
+  GuardPair& known = pairs_[i];
+  known = {certificate.lower,   certificate.upper, began,
+           certificate.witness, known.floor,       known.granted};
   detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t) {
     *to++ = at[joint];
     *share++ = shares == nullptr ? detail::kWholeReach : *shares++;
@@ -141,7 +142,7 @@ bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   if (!is_worthwhile && apart < kMaxGuardDistance) {  // beyond it triangles prove no more
     return false;
   }
-  certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness}, nullptr);
+  certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness, 0, 0}, nullptr);
   return true;
 }
 
@@ -155,13 +156,14 @@ bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
       known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
     return false;
   }
-  certify(i, next_, {tabulated, UINT32_MAX, 0, pairs_[i].witness}, nullptr);
+  certify(i, next_, {tabulated, UINT32_MAX, 0, pairs_[i].witness, 0, 0}, nullptr);
   return true;
 }
 
-void Guard::begin_walk(uint16_t i, uint32_t& work) {
-  const uint32_t since = motion_by_levers(robot_->pairs[i], first_between(i));
+/// Makes the pair, at `next_`, the measured one.
+void Guard::start_walk(uint16_t i, uint32_t& work) {
   core_->walked_pair = i;
+  core_->kept = 0;
   detail::set_shares(*robot_, robot_->pairs[i], frames_, walked_shares_);
   detail::take_work(work, (robot_->pairs[i].joints_a + robot_->pairs[i].joints_b) * kLeverWork);
   core_->pose = pose_of(robot_->pairs[i]);
@@ -169,6 +171,11 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
   for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
     walked_[joint] = next_[joint];
   }
+}
+
+void Guard::begin_walk(uint16_t i, uint32_t& work) {
+  const uint32_t since = motion_by_levers(robot_->pairs[i], first_between(i));
+  start_walk(i, work);
   const uint32_t upper = pairs_[i].upper;
   const bool is_stale = since > difference_of(upper, limit_for(i, upper)) / kStaleShare;
   aim(upper == UINT32_MAX || is_stale ? witness_distance(work) : sum_of(upper, since));
@@ -195,6 +202,10 @@ uint32_t Guard::witness_distance(uint32_t& work) const {
 /// The limit is the largest one; or it lasts for the period beyond the warn or stop distance; or
 /// the witness is no farther than such a limit.
 void Guard::aim(uint32_t nearest) {
+  if (core_->kept != 0) {
+    aim_to_know(nearest);
+    return;
+  }
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   const uint32_t kept = limit_for(core_->walked_pair, nearest);
   const uint32_t over = difference_of(nearest, kept);
@@ -215,12 +226,25 @@ void Guard::aim(uint32_t nearest) {
   core_->cursor = {};
 }
 
+/// Chooses the distance to test for limit(): the one that it wants to know of and most of the
+/// witness's excess over it; of a witness that is nearer, almost its own.
+void Guard::aim_to_know(uint32_t nearest) {
+  const uint32_t over = difference_of(nearest, core_->kept);
+  const uint32_t asked =
+      over != 0 ? core_->kept + over / 4 * 3 : difference_of(nearest, nearest / 64 + 1);
+  core_->nearest = nearest;
+  core_->asked = asked < kMaxGuardDistance ? asked : kMaxGuardDistance;
+  core_->cursor = {};
+}
+
 /// Runs a slice of the measured pair's query. `done`: the pair has its certificate; `full`: the
 /// witness is nearer than the limit.
 Status Guard::walk(uint32_t& work) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
-  if (core_->nearest <= sum_of(pair.stop, robot_->slack)) {
-    return finish({0, core_->nearest, 0, core_->witness});
+  const bool is_settled =
+      core_->kept == 0 ? core_->nearest <= sum_of(pair.stop, robot_->slack) : core_->asked == 0;
+  if (is_settled) {
+    return finish({0, core_->nearest, 0, core_->witness, 0, 0});
   }
   Query<Ranked<Mesh>, detail::WithinAlong> query(robot_->meshes[pair.a], robot_->meshes[pair.b],
                                                  core_->pose, {},
@@ -238,7 +262,7 @@ Status Guard::walk(uint32_t& work) {
     }
   }
   if (status == Status::done) {
-    return finish({core_->asked, core_->nearest, 0, core_->witness});
+    return finish({core_->asked, core_->nearest, 0, core_->witness, 0, 0});
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;
@@ -272,6 +296,11 @@ Status Guard::measure(const Found& found, uint32_t& work) {
     }
     begin_walk(found.due, work);
   }
+  return walk_on(0, work);
+}
+
+/// Continues the measurement. `full`: a witness is nearer than `needed`.
+Status Guard::walk_on(uint32_t needed, uint32_t& work) {
   if (core_->pose.status() == Status::suspended || core_->pose.status() == Status::full) {
     return Status::guard_state_invalid;  // damaged: no pose has such a status; a walk would not end
   }
@@ -281,7 +310,7 @@ Status Guard::measure(const Found& found, uint32_t& work) {
     if (status == Status::full) {  // outside the walk, so that their stack frames do not add up
       const uint32_t above = witness_distance(work);
       aim(above < core_->asked ? above : core_->asked);
-      status = Status::suspended;
+      status = core_->nearest < needed ? Status::full : Status::suspended;
     }
   }
   return status;

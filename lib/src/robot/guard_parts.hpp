@@ -3,6 +3,7 @@
 #define FLASHBVH_ROBOT_GUARD_PARTS_HPP
 
 #include "branch.hpp"
+#include "coordinate.hpp"
 #include "flashbvh/robot/guard.hpp"
 
 namespace flashbvh {
@@ -44,6 +45,23 @@ struct Guard::Left {
   bool is_current;    ///< the certificate was measured where the period ends
   bool is_settled;    ///< measuring the pair again would prove no more of the period
 };
+
+/// Returns whether a joint without limits moved by less than half a turn, so that it took the
+/// shorter arc. A mimic's motion follows from its master's.
+template <class StepOf>
+bool Guard::has_one_way(uint32_t i, StepOf&& step_of) const {
+  const RobotJoint& joint = robot_->joints[i];
+  if (joint.shift == 0) {
+    return step_of(i) != -kFullTurn / 2;
+  }
+  uint32_t master = 0;
+  while (robot_->joints[master].shift != 0 || robot_->joints[master].variable != joint.variable) {
+    ++master;
+  }
+  const uint64_t way =
+      uint64_t{detail::magnitude(step_of(master))} * detail::magnitude(joint.multiplier);
+  return (way >> joint.shift) + 2 < kFullTurn / 2;  // each end is rounded
+}
 
 /// A variable's effect on a distance.
 struct Guard::Share {

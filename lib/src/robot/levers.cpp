@@ -66,14 +66,14 @@ void set_shares(const Robot& robot, const RobotPair& pair, const Frame* frames, 
   }
 }
 
-uint32_t LeverTravel::fine() const {
+uint32_t LeverTravel::fine(uint32_t since) const {
   const uint32_t most = by_reaches_.fine();
   if (turned_ >= kMostTurned) {
     return most;
   }
   // A lever grows by the motion of all joints; this motion, times the turns in radians, is added.
   constexpr uint64_t radians = 25736;  // 2 pi, rounded up, in 2^-12
-  const uint64_t grown = (((most * turned_) >> 16) + 1) * radians >> 24;
+  const uint64_t grown = (((since * turned_) >> 16) + 1) * radians >> 24;
   const uint64_t sum = by_levers_.fine() + grown + 1;
   return sum < most ? static_cast<uint32_t>(sum) : most;
 }

@@ -39,7 +39,10 @@ class LeverTravel {
     turned_ += turns(joint) ? by : 0;
   }
   /// The links' motion in 1/256 cell, rounded up: by levers, or by reaches if that is less.
-  uint32_t fine() const;
+  uint32_t fine() const { return fine(by_reaches_.fine()); }
+  /// fine() of joints that neither began nor ended where the shares hold, but got no farther from
+  /// there than the links' motion `since`.
+  uint32_t fine(uint32_t since) const;
 
  private:
   static bool turns(const RobotJoint& joint) {

@@ -58,6 +58,7 @@ namespace flashbvh {
 enum class JointType : uint8_t;
 enum class WhyUnguarded : uint8_t;
 enum class [[nodiscard]] Verdict : uint8_t;
+enum class [[nodiscard]] LimitVerdict : uint8_t;
 enum class [[nodiscard]] MotionOutcome : uint8_t;
 enum class Layout : uint8_t;
 template <class Index, Layout layout>
@@ -165,6 +166,25 @@ typedef struct FLASHBVH_KEEP flashbvh_guard_answer {
   uint32_t distance;
   uint32_t work; /**< work spent */
 } flashbvh_guard_answer;
+
+/** What flashbvh_guard_limit() made of the wanted values. */
+typedef enum flashbvh_limit_verdict {
+  FLASHBVH_LIMIT_GRANTED = 0,       /**< all of the motion */
+  FLASHBVH_LIMIT_SHORTENED = 1,     /**< a part: farther, `pair` would come too near */
+  FLASHBVH_LIMIT_HELD = 2,          /**< nothing, for `pair` */
+  FLASHBVH_LIMIT_NOT_YET_KNOWN = 3, /**< a part or nothing, since the work budget was too small */
+  FLASHBVH_LIMIT_REFUSED = 4        /**< the values were rejected: the status says why */
+} flashbvh_limit_verdict;
+
+/** The result of flashbvh_guard_limit(). */
+typedef struct FLASHBVH_KEEP flashbvh_limit_answer {
+  FLASHBVH_BYTE(Status) status;        /**< as of a flashbvh_guard_answer */
+  FLASHBVH_BYTE(LimitVerdict) verdict; /**< a flashbvh_limit_verdict */
+  uint16_t share;                      /**< of the motion, in 1/4,096 */
+  uint16_t pair;                       /**< the pair that allows no more, or FLASHBVH_NO_PAIR */
+  uint16_t opposed; /**< another pair that allowed less than all, or FLASHBVH_NO_PAIR */
+  uint32_t work;    /**< work spent */
+} flashbvh_limit_answer;
 
 /** The result of a motion query's run. */
 typedef struct FLASHBVH_KEEP flashbvh_motion_answer {

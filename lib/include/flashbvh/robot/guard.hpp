@@ -48,12 +48,28 @@ constexpr uint16_t kNoPair = 0xFFFF;
 
 using GuardAnswer = flashbvh_guard_answer;
 
-/// A pair's certificate. 16 bytes, and 5 for each joint between its links.
+/// Verdicts of Guard::limit().
+enum class LimitVerdict : uint8_t {
+  granted = FLASHBVH_LIMIT_GRANTED,
+  shortened = FLASHBVH_LIMIT_SHORTENED,
+  held = FLASHBVH_LIMIT_HELD,
+  not_yet_known = FLASHBVH_LIMIT_NOT_YET_KNOWN,
+  refused = FLASHBVH_LIMIT_REFUSED,
+};
+
+using LimitAnswer = flashbvh_limit_answer;
+
+/// A pair's floor before it was measured.
+constexpr uint32_t kUnknownFloor = UINT32_MAX;
+
+/// A pair's certificate. 24 bytes, and 5 for each joint between its links.
 struct GuardPair {
   uint32_t lower;             ///< the measured distance, in 1/256 cell, rounded down; 0: unknown
   uint32_t upper;             ///< rounded up; UINT32_MAX: unknown
   uint32_t began;             ///< lower bound of the distance at the period's start
   Witness<uint16_t> witness;  ///< the nearest triangles
+  uint32_t floor;             ///< Guard::limit(): the largest distance so far, or its cap
+  uint32_t granted;           ///< lower bound of the distance at the granted values
 };
 
 /// A guard's state in addition to its arrays.
@@ -67,6 +83,8 @@ struct GuardCore {
   uint8_t has_frames;
   uint32_t asked;    ///< distance tested in the measurement, in 1/256 cell
   uint32_t nearest;  ///< distance of `witness`, rounded up
+  uint32_t kept;     ///< distance that limit() wants to know of; 0: update() measures
+  uint32_t roaming;  ///< motion of each joint from the granted values that no pair has to fear
   Witness<uint16_t> witness;
   QueryCursor<uint16_t> cursor;
   Pose pose = Pose::translated(0, 0, 0);
@@ -103,10 +121,11 @@ struct GuardStateOf {
   static constexpr uint32_t kJoints = detail::at_least_one(joint_count);
 
   GuardCore core;
-  JointCoordinate before[kJoints];  ///< coordinates at the start of the period
-  JointCoordinate step[kJoints];    ///< change of the coordinates in the period
-  JointCoordinate next[kJoints];    ///< new coordinates until they are accepted; also for frames
-  JointCoordinate walked[kJoints];  ///< coordinates at the start of the measurement
+  JointCoordinate before[kJoints];   ///< coordinates at the start of the period
+  JointCoordinate step[kJoints];     ///< change of the coordinates in the period
+  JointCoordinate next[kJoints];     ///< new coordinates until they are accepted; also for frames
+  JointCoordinate walked[kJoints];   ///< coordinates at the start of the measurement
+  JointCoordinate granted[kJoints];  ///< coordinates that limit() granted last
   Frame frames[kJoints];
   GuardPair pairs[detail::at_least_one(pair_count)];
   JointCoordinate certified[detail::at_least_one(
@@ -128,6 +147,7 @@ class Guard {
         step_(state.step),
         next_(state.next),
         walked_(state.walked),
+        granted_(state.granted),
         frames_(state.frames),
         pairs_(state.pairs),
         certified_(state.certified),
@@ -147,7 +167,8 @@ class Guard {
         step_(before_ + robot.joint_count),
         next_(step_ + robot.joint_count),
         walked_(next_ + robot.joint_count),
-        frames_(reinterpret_cast<Frame*>(walked_ + robot.joint_count)),
+        granted_(walked_ + robot.joint_count),
+        frames_(reinterpret_cast<Frame*>(granted_ + robot.joint_count)),
         pairs_(reinterpret_cast<GuardPair*>(frames_ + robot.joint_count)),
         certified_(reinterpret_cast<JointCoordinate*>(pairs_ + robot.pair_count)),
         shares_(reinterpret_cast<uint8_t*>(certified_ + joints_between())),
@@ -200,6 +221,25 @@ class Guard {
   /// Continues the current period with more work.
   GuardAnswer go_on(uint32_t work);
 
+  /// Lets a command through as far as no pair comes nearer than it may: the way out for an arm that
+  /// is inside its stop distance, and the way in for none.
+  ///
+  /// The motion leads from the last granted values, the first ones after prime(), to `wanted`. Sets
+  /// `granted`, variable_count values: a share of the way of all joints. A pair's floor is the
+  /// largest distance that was measured so far, at most its stop distance and a tenth. At each
+  /// moment of the granted motion, each joint monotone, no pair is nearer than its floor less a
+  /// tenth of the stop distance, or half the floor if that is nearer. So pairs outside keep their
+  /// stop distance, and pairs inside get no deeper than a tenth of it, ever. Distances are those of
+  /// the URDF's links, but inside the stop distance those of the baked links.
+  ///
+  /// Too little `work` shortens the motion. The first call measures the pairs near their stop
+  /// distance where the robot is, and grants nothing until they are known. An obstacle that moves
+  /// lowers its pairs' floors to where it now is.
+  LimitAnswer limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work);
+
+  /// The pair's floor, as measured, in 1/256 cell; kUnknownFloor before limit() measured it.
+  uint32_t floor(uint16_t pair) const { return pairs_[pair].floor; }
+
   /// Explains a pair's distance at the end of the period. `changes`: variable_count derivatives of
   /// the distance by each variable, in 2^-kReachBits of 1/256 cell, as reaches are; positive if the
   /// distance grows with the joint. All are 0 if the triangles intersect. Changes no state. Linked
@@ -217,12 +257,17 @@ class Guard {
   struct Found;
   struct Left;
   struct Share;
+  struct Bounds;
+  struct Keep;
+  struct Try;
 
   uint32_t joints_between() const;
   bool is_possible() const;
   bool has_values() const;
   Status refusal() const;
   bool is_obstacle(uint8_t link) const;
+  bool has_obstacle(uint16_t pair) const;
+  void forget_floors();
   void forget_obstacles();
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
   Status move_to(const JointCoordinate* values);
@@ -238,12 +283,14 @@ class Guard {
   uint32_t longest_step() const;
   Found look();
   uint32_t first_between(uint16_t pair) const;
+  void start_walk(uint16_t pair, uint32_t& work);
   void begin_walk(uint16_t pair, uint32_t& work);
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
   bool certify_by_table(uint16_t pair, uint32_t rate);
   FLASHBVH_NOINLINE uint32_t witness_distance(uint32_t& work) const;
   uint32_t limit_for(uint16_t pair, uint32_t nearest) const;
   void aim(uint32_t nearest);
+  void aim_to_know(uint32_t nearest);
   Status walk(uint32_t& work);
   Status finish(const GuardPair& certificate);
   void certify(uint16_t pair, const JointCoordinate* at, const GuardPair& certificate,
@@ -251,12 +298,26 @@ class Guard {
   Pose pose_of(const RobotPair& pair) const;
   bool is_free(uint32_t joint) const;
   int32_t step_to_next(uint32_t joint) const;
-  bool has_one_way(uint32_t joint) const;
+  template <class StepOf>
+  bool has_one_way(uint32_t joint, StepOf&& step_of) const;
   void set_next();
   void make_frames();
   Share share_of(const RobotPair& pair, uint8_t variable, const NearestPoints& nearest) const;
   bool place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,
                      Triangle& b) const;
+  uint32_t rounding() const;
+  Keep keep_of(uint16_t pair, uint32_t rounding) const;
+  Status begin_command(const JointCoordinate* wanted);
+  void set_share(const JointCoordinate* wanted, uint32_t share, JointCoordinate* granted);
+  int32_t step_from(int32_t from, uint32_t joint) const;
+  uint32_t room_of(uint16_t pair, uint32_t first, uint32_t cap) const;
+  Bounds bounds_of(uint16_t pair, uint32_t first) const;
+  Status know_floors(uint32_t rounding, uint32_t& work);
+  Status measure_at_next(uint16_t pair, uint32_t needed, bool is_for_floor, uint32_t& work);
+  Status walk_on(uint32_t needed, uint32_t& work);
+  Try try_pair(uint16_t pair, uint32_t first, const Keep& keep, uint32_t& work);
+  Try try_all(uint32_t rounding, uint32_t& work);
+  void accept(uint32_t rounding);
   uint32_t own_checksum() const;
   uint32_t robot_checksum() const;
   uint32_t meshes_checksum() const;
@@ -268,6 +329,7 @@ class Guard {
   JointCoordinate* step_;
   JointCoordinate* next_;
   JointCoordinate* walked_;
+  JointCoordinate* granted_;
   Frame* frames_;
   GuardPair* pairs_;
   JointCoordinate* certified_;

@@ -1,0 +1,367 @@
+// The guard: lets a command through as far as no pair comes nearer than its floor allows.
+//
+// Source: lib/docs/derivations.md, "Floors".
+#include "branch.hpp"
+#include "coordinate.hpp"
+#include "flashbvh/robot/guard.hpp"
+#include "guard_parts.hpp"
+#include "levers.hpp"
+#include "spheres.hpp"
+
+namespace flashbvh {
+
+using detail::difference_of;
+using detail::greater;
+using detail::kPoseWork;
+using detail::sum_of;
+
+namespace {
+
+/// The whole way; shares are in 1/4,096.
+constexpr uint32_t kWhole = 1u << 12;
+/// Shares that one command tries before it grants nothing.
+constexpr int kMostTries = 8;
+/// From this try on, shares fall by this.
+constexpr int kManyTries = 3;
+constexpr uint32_t kFaster = 8;
+/// The part of the share by the closed form that is tried, in 1/16.
+constexpr uint32_t kSafe = 15;
+/// A pair may lose this part of its stop distance, or so many times what rounding may take.
+constexpr uint32_t kGive = 10;
+constexpr uint32_t kRoundings = 4;
+
+constexpr uint32_t smaller(uint32_t u, uint32_t v) {
+  return u < v ? u : v;
+}
+
+/// `of` times up / down, at most `of`.
+constexpr uint32_t part_of(uint32_t of, uint64_t up, uint64_t down) {
+  return up >= down ? of : static_cast<uint32_t>(of * up / down);
+}
+
+}  // namespace
+
+/// What a pair has to keep in a command, as measured, in 1/256 cell.
+struct Guard::Keep {
+  uint32_t cap;    ///< of floors
+  uint32_t along;  ///< at each moment
+  uint32_t end;    ///< where the command ends
+};
+
+/// Bounds on a pair's distance from its certificate, while the joints go from the granted values to
+/// the next ones.
+struct Guard::Bounds {
+  uint32_t along;   ///< lower bound at each moment
+  uint32_t end;     ///< lower bound at the end
+  uint32_t motion;  ///< of the links towards each other, at most
+  bool is_current;  ///< the certificate was measured at the end
+};
+
+/// The result of trying a share.
+struct Guard::Try {
+  Status status;  ///< `done`: all keep what they have to; `full`: `pair` does not; `suspended`:
+                  ///< there was no work to know it; or a query's error
+  uint16_t pair;
+  uint64_t up;  ///< up / down: the part of this share to try next
+  uint64_t down;
+};
+
+/// The part of Robot::slack that is not the links' deviation.
+uint32_t Guard::rounding() const {
+  uint32_t most = 0;
+  for (uint32_t i = 0; i < robot_->link_count; ++i) {
+    most = greater(most, robot_->links[i].deviation);
+  }
+  return difference_of(robot_->slack, 2 * most);
+}
+
+Guard::Keep Guard::keep_of(uint16_t i, uint32_t rounding) const {
+  const RobotPair& pair = robot_->pairs[i];
+  const uint32_t floor = pairs_[i].floor;
+  const uint32_t most = greater(pair.stop / kGive, kRoundings * rounding);
+  const uint32_t give = smaller(most, floor / 2);
+  return {sum_of(sum_of(pair.stop, robot_->slack), most), sum_of(floor - give, rounding),
+          floor - give / 2};
+}
+
+/// Checks the wanted values and notes obstacles that moved.
+Status Guard::begin_command(const JointCoordinate* wanted) {
+  if (!has_values()) {
+    return refusal();
+  }
+  core_->has_frames = 0;
+  const Status status = set_coordinates(*robot_, wanted, next_);
+  if (status != Status::done) {
+    return status;
+  }
+  const auto step_of = [this](uint32_t joint) { return step_from(granted_[joint], joint); };
+  bool has_moved = false;
+  uint32_t laps = 0;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    if (is_free(i) && !has_one_way(i, step_of)) {
+      return Status::joint_jumped;
+    }
+    laps += robot_->joints[i].laps;
+    if (robot_->joints[i].type == JointType::fixed) {
+      has_moved = has_moved || granted_[i] != next_[i];
+      granted_[i] = next_[i];
+    }
+  }
+  if (((laps - core_->laps) & detail::kLapMask) >= detail::kTooManyLaps) {
+    return Status::joint_jumped;
+  }
+  if (has_moved) {
+    forget_floors();
+  }
+  return Status::done;
+}
+
+/// Sets values at a share of the way, cut towards the granted ones, and their coordinates.
+void Guard::set_share(const JointCoordinate* wanted, uint32_t share, JointCoordinate* granted) {
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    const RobotJoint& joint = robot_->joints[i];
+    if (joint.shift != 0 || joint.type == JointType::fixed) {
+      continue;
+    }
+    const JointCoordinate from = granted_[i];
+    const int32_t way = detail::difference(wanted[joint.variable], from);
+    const int64_t part = int64_t{is_free(i) ? detail::wrapped(way) : way} * share / kWhole;
+    granted[joint.variable] =
+        share == kWhole ? wanted[joint.variable] : from + static_cast<JointCoordinate>(part);
+  }
+  (void)set_coordinates(*robot_, granted, next_);
+  core_->has_frames = 0;
+}
+
+/// How far each joint may go beyond this motion, in units of its coordinate, before the pair's
+/// certificate says less than `cap`; 0 if it says less within it.
+uint32_t Guard::room_of(uint16_t i, uint32_t first, uint32_t cap) const {
+  const RobotPair& pair = robot_->pairs[i];
+  const JointCoordinate* certified = certified_ + first;
+  detail::Travel since;
+  detail::for_each_between(*robot_, pair, [&](uint32_t joint, uint32_t reach) {
+    const int32_t way = detail::difference(granted_[joint], *certified++);
+    const int32_t began = is_free(joint) ? detail::wrapped(way) : way;
+    const int32_t ended = detail::difference(began, -step_from(granted_[joint], joint));
+    since.add_short(reach, greater(detail::magnitude(began), detail::magnitude(ended)));
+  });
+  const uint32_t left = difference_of(difference_of(pairs_[i].lower, since.fine()), cap);
+  return smaller(left, 0xFFFFFF) * 256 / ((pair.reach >> (kReachBits - 8)) + 1);
+}
+
+Guard::Bounds Guard::bounds_of(uint16_t i, uint32_t first) const {
+  const JointCoordinate* certified = certified_ + first;
+  const uint8_t* shares = shares_ + first;
+  detail::LeverTravel to_any;
+  detail::LeverTravel to_end;
+  detail::LeverTravel motion;
+  detail::Travel since;
+  uint32_t moved = 0;
+  detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t number, uint32_t reach) {
+    const RobotJoint& joint = robot_->joints[number];
+    const int32_t way = detail::difference(granted_[number], *certified++);
+    const int32_t began = is_free(number) ? detail::wrapped(way) : way;
+    const int32_t step = step_from(granted_[number], number);
+    const uint32_t ended = detail::magnitude(detail::difference(began, -step));
+    const uint32_t most = greater(detail::magnitude(began), ended);
+    to_any.add(joint, reach, *shares, most);
+    to_end.add(joint, reach, *shares, ended);
+    motion.add(joint, reach, *shares, detail::magnitude(step));
+    since.add_short(reach, most);
+    moved |= ended;
+    ++shares;
+  });
+  const uint32_t lower = pairs_[i].lower;
+  return {difference_of(lower, to_any.fine()), difference_of(lower, to_end.fine()),
+          motion.fine(since.fine()), moved == 0};
+}
+
+/// Measures a pair at the next coordinates. `done`: it is farther apart than `needed`, or, for a
+/// floor, its certificate says almost what its distance is; `full`: a witness is nearer;
+/// `suspended`, with work left: an earlier measurement ended, of this pair or another one.
+Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, uint32_t& work) {
+  if (core_->walked_pair != kNoPair) {
+    const Status status = walk_on(0, work);
+    return status == Status::done ? Status::suspended : status;
+  }
+  detail::take_work(work, kPoseWork);
+  if (core_->has_frames == 0) {
+    set_frames(*robot_, next_, frames_);
+    core_->has_frames = 1;
+  }
+  const RobotLink& a = robot_->links[robot_->pairs[i].a];
+  const RobotLink& b = robot_->links[robot_->pairs[i].b];
+  const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
+                                            detail::frame_of(frames_, b.joint));
+  if (apart / 2 > needed) {  // it lasts
+    certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness, 0, 0}, nullptr);
+    return Status::done;
+  }
+  start_walk(i, work);
+  const uint32_t nearest = witness_distance(work);
+  const bool is_nearer = nearest < needed;
+  core_->kept = is_nearer ? greater(difference_of(nearest, nearest / 64 + 1), 1) : needed;
+  aim(nearest);
+  const uint32_t least = is_for_floor ? 0 : needed;
+  const Status status = is_nearer && !is_for_floor ? Status::full : walk_on(least, work);
+  if (status == Status::full) {
+    pairs_[i].witness = core_->witness;
+    core_->walked_pair = kNoPair;
+  }
+  return status;
+}
+
+/// Measures the floors that are not known, where the robot was sent last.
+Status Guard::know_floors(uint32_t rounding, uint32_t& work) {
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    next_[i] = granted_[i];
+  }
+  core_->has_frames = 0;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    GuardPair& known = pairs_[i];
+    const uint32_t cap = known.floor == kUnknownFloor ? keep_of(i, rounding).cap : 0;
+    while (known.floor == kUnknownFloor) {
+      const Bounds now = bounds_of(i, first_between(i));
+      const bool is_tight = now.is_current && known.upper != UINT32_MAX &&
+                            known.lower >= difference_of(known.upper, known.upper / 32 + 2);
+      if (now.end >= cap || is_tight) {
+        known.floor = smaller(now.end, cap);
+        known.granted = now.end;
+        break;
+      }
+      const Status status = work == 0 ? Status::suspended : measure_at_next(i, cap, true, work);
+      if (status != Status::done && (status != Status::suspended || work == 0)) {
+        return status;
+      }
+    }
+  }
+  return Status::done;
+}
+
+/// Tries the next coordinates for one pair.
+Guard::Try Guard::try_pair(uint16_t i, uint32_t first, const Keep& keep, uint32_t& work) {
+  const uint32_t begin = pairs_[i].granted;
+  for (bool is_measured = false;;) {
+    const Bounds now = bounds_of(i, first);
+    const uint32_t by_begin = difference_of(begin, now.motion);
+    const uint64_t both = uint64_t{keep.along} * 2 + now.motion;
+    const bool keeps_along =
+        greater(now.along, by_begin) >= keep.along || uint64_t{begin} + now.end >= both;
+    if (keeps_along && greater(now.end, by_begin) >= keep.end) {
+      return {Status::done, i, 1, 1};
+    }
+    const uint32_t by_both =
+        by_begin >= keep.along ? 0 : static_cast<uint32_t>(difference_of(both, uint64_t{begin}));
+    const uint32_t needed = greater(keep.end, by_both);
+    Status status = work == 0 ? Status::suspended : Status::full;
+    if (work != 0 && !is_measured) {
+      status = measure_at_next(i, needed, false, work);
+      is_measured = status == Status::done;
+      if (is_measured || (status == Status::suspended && work != 0)) {
+        continue;
+      }
+    }
+    if (status == Status::full) {  // the witness's distance changes evenly, as far as one knows
+      const uint32_t loss = difference_of(begin, core_->nearest);
+      const uint64_t end_up = difference_of(begin, keep.end);
+      const uint64_t along_up = difference_of(begin, keep.along);
+      const uint64_t along_down = (uint64_t{now.motion} + loss) / 2 + 1;
+      const bool is_end = end_up * along_down < along_up * loss;
+      return {status, i, is_end ? end_up : along_up, is_end ? loss : along_down};
+    }
+    return {status, i, difference_of(begin, greater(keep.along, keep.end)), now.motion};
+  }
+}
+
+/// Tries the next coordinates for all pairs.
+Guard::Try Guard::try_all(uint32_t rounding, uint32_t& work) {
+  uint32_t first = 0;
+  core_->roaming = UINT32_MAX;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    const Keep keep = keep_of(i, rounding);
+    const uint32_t room = pairs_[i].floor == keep.cap ? room_of(i, first, keep.cap) : 0;
+    core_->roaming = smaller(core_->roaming, room);
+    if (room != 0) {
+      pairs_[i].granted = keep.cap;  // at both ends and between
+    } else {
+      const Try tried = try_pair(i, first, keep, work);
+      if (tried.status != Status::done) {
+        core_->roaming = 0;
+        return tried;
+      }
+    }
+    first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
+  }
+  return {Status::done, kNoPair, 1, 1};
+}
+
+/// Makes the next coordinates the granted ones.
+void Guard::accept(uint32_t rounding) {
+  uint32_t first = 0;
+  for (uint16_t i = 0; core_->roaming == 0 && i < robot_->pair_count; ++i) {
+    GuardPair& known = pairs_[i];
+    const Bounds now = bounds_of(i, first);
+    known.granted = greater(now.end, difference_of(known.granted, now.motion));
+    known.floor = smaller(greater(known.floor, known.granted), keep_of(i, rounding).cap);
+    first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
+  }
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    granted_[i] = next_[i];
+  }
+}
+
+LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work) {
+  const uint32_t budget = work;
+  LimitAnswer answer = {begin_command(wanted), LimitVerdict::refused, 0, kNoPair, kNoPair, 0};
+  if (answer.status != Status::done) {
+    if (has_values()) {
+      set_share(granted, 0, granted);
+    }
+    return answer;
+  }
+  uint32_t longest = 0;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    longest = greater(longest, detail::magnitude(step_from(granted_[i], i)));
+  }
+  uint32_t share = kWhole;
+  set_share(wanted, share, granted);
+  Status status = Status::done;
+  if (longest < core_->roaming) {
+    const uint32_t roaming = core_->roaming - longest;
+    accept(0);
+    core_->roaming = roaming;
+  } else {
+    const uint32_t own = rounding();
+    status = know_floors(own, work);
+    share = status == Status::done ? kWhole : 0;
+    for (int tries = 1; share != 0; ++tries) {
+      set_share(wanted, share, granted);
+      const Try tried = try_all(own, work);
+      if (tried.status == Status::done) {
+        accept(own);
+        break;
+      }
+      status = status == Status::done || tried.status != Status::full ? tried.status : status;
+      answer.opposed = answer.pair != tried.pair ? answer.pair : answer.opposed;
+      answer.pair = tried.pair;
+      const uint32_t less = part_of(share, tried.up * kSafe, tried.down * 16);
+      share = tries == kMostTries  ? 0
+              : tries > kManyTries ? smaller(less, share / kFaster)
+                                   : smaller(less, share - 1);
+    }
+  }
+  if (share == 0) {
+    set_share(wanted, 0, granted);
+  }
+  core_->has_frames = 0;
+  answer.share = static_cast<uint16_t>(share);
+  answer.verdict = share == kWhole               ? LimitVerdict::granted
+                   : status == Status::suspended ? LimitVerdict::not_yet_known
+                   : share == 0                  ? LimitVerdict::held
+                                                 : LimitVerdict::shortened;
+  answer.status = status == Status::full || status == Status::suspended ? Status::done : status;
+  answer.work = budget - work;
+  return answer;
+}
+
+}  // namespace flashbvh
