@@ -87,6 +87,25 @@ void check_explained(flashbvh_guard& c, Guard& guard, uint16_t pair) {
   }
 }
 
+/// Sends a command to both, and sometimes releases a pair.
+void check_limited(flashbvh_guard& c, Guard& guard, const JointCoordinate* wanted, Random& random) {
+  const auto pair =
+      static_cast<uint16_t>(random.below(4) == 0 ? kNoPair : random.below(c_arm_PAIR_COUNT));
+  const FineLength most = {random.below(10) == 0 ? UINT32_MAX : random.below(1000)};
+  if (random.below(20) == 0) {
+    REQUIRE(same(flashbvh_guard_release(&c, pair, most), guard.release(pair, most)));
+  }
+  JointCoordinate granted[kVariables] = {};
+  JointCoordinate c_granted[kVariables] = {};
+  const uint32_t work = random.below(200);
+  const LimitAnswer known = guard.limit(wanted, granted, work);
+  const LimitAnswer found = flashbvh_guard_limit(&c, wanted, c_granted, work);
+  REQUIRE((found.status == known.status && found.verdict == known.verdict));
+  REQUIRE((found.share == known.share && found.pair == known.pair && found.work == known.work));
+  REQUIRE(found.opposed == known.opposed);
+  REQUIRE(same(granted, c_granted, kVariables));
+}
+
 /// Runs a period, and more work for it; returns its worst verdict.
 uint32_t check_period(flashbvh_guard& c, Guard& guard, Values& at, Random& random) {
   at.move_on(random);
@@ -100,6 +119,7 @@ uint32_t check_period(flashbvh_guard& c, Guard& guard, Values& at, Random& rando
     REQUIRE(same(flashbvh_guard_go_on(&c, more), answer));
   }
   check_explained(c, guard, random.below(4) == 0 ? kNoPair : answer.pair);
+  check_limited(c, guard, at.values, random);
   return seen | 1u << static_cast<uint32_t>(answer.verdict);
 }
 

@@ -112,6 +112,17 @@ FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_update(
 /** Guard::go_on(): continues the current period with more work. */
 FLASHBVH_NODISCARD flashbvh_guard_answer flashbvh_guard_go_on(flashbvh_guard* guard, uint32_t work);
 
+/** Guard::limit(): sets `granted` to the part of a command that brings no pair nearer than it may.
+ * `wanted` and `granted` have variable_count entries. */
+FLASHBVH_NODISCARD flashbvh_limit_answer
+flashbvh_guard_limit(flashbvh_guard* guard, const flashbvh_joint_coordinate* wanted,
+                     flashbvh_joint_coordinate* granted, uint32_t work);
+
+/** Guard::release(): lets a pair that intersects move, by at most this in each command.
+ * GUARD_STATE_INVALID, DISTANCE_OUT_OF_RANGE. */
+flashbvh_status flashbvh_guard_release(flashbvh_guard* guard, uint16_t pair,
+                                       flashbvh_fine_length a_command);
+
 /** Guard::explain(); `changes` has variable_count entries. GUARD_STATE_INVALID: there was no period
  * yet, or no such pair. */
 FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_explain(flashbvh_guard* guard, uint16_t pair,

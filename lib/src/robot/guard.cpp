@@ -129,7 +129,9 @@ bool Guard::has_obstacle(uint16_t i) const {
 void Guard::forget_floors() {
   core_->roaming = 0;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
-    pairs_[i].floor = has_obstacle(i) ? kUnknownFloor : pairs_[i].floor;
+    if (has_obstacle(i) && !is_released(pairs_[i].floor)) {
+      pairs_[i].floor = kUnknownFloor;
+    }
   }
 }
 

@@ -43,6 +43,7 @@ constexpr uint32_t part_of(uint32_t of, uint64_t up, uint64_t down) {
 
 /// What a pair has to keep in a command, as measured, in 1/256 cell.
 struct Guard::Keep {
+  uint32_t most;   ///< that it may lose: a tenth of its stop distance
   uint32_t cap;    ///< of floors
   uint32_t along;  ///< at each moment
   uint32_t end;    ///< where the command ends
@@ -80,7 +81,7 @@ Guard::Keep Guard::keep_of(uint16_t i, uint32_t rounding) const {
   const uint32_t floor = pairs_[i].floor;
   const uint32_t most = greater(pair.stop / kGive, kRoundings * rounding);
   const uint32_t give = smaller(most, floor / 2);
-  return {sum_of(sum_of(pair.stop, robot_->slack), most), sum_of(floor - give, rounding),
+  return {most, sum_of(sum_of(pair.stop, robot_->slack), most), sum_of(floor - give, rounding),
           floor - give / 2};
 }
 
@@ -238,6 +239,19 @@ Status Guard::know_floors(uint32_t rounding, uint32_t& work) {
   return Status::done;
 }
 
+/// Tries the next coordinates for a released pair, and measures whether it is `least` apart there.
+Guard::Try Guard::try_released(uint16_t i, uint32_t first, uint32_t least, uint32_t& work) {
+  const Bounds now = bounds_of(i, first);
+  const uint32_t allowed = pairs_[i].floor - kReleased;
+  if (now.motion > allowed) {
+    return {Status::full, i, allowed, now.motion};
+  }
+  if (now.end < least && work != 0) {
+    (void)measure_at_next(i, least, false, work);
+  }
+  return {Status::done, i, 1, 1};
+}
+
 /// Tries the next coordinates for one pair.
 Guard::Try Guard::try_pair(uint16_t i, uint32_t first, const Keep& keep, uint32_t& work) {
   const uint32_t begin = pairs_[i].granted;
@@ -284,7 +298,8 @@ Guard::Try Guard::try_all(uint32_t rounding, uint32_t& work) {
     if (room != 0) {
       pairs_[i].granted = keep.cap;  // at both ends and between
     } else {
-      const Try tried = try_pair(i, first, keep, work);
+      const Try tried = is_released(pairs_[i].floor) ? try_released(i, first, keep.most, work)
+                                                     : try_pair(i, first, keep, work);
       if (tried.status != Status::done) {
         core_->roaming = 0;
         return tried;
@@ -301,13 +316,31 @@ void Guard::accept(uint32_t rounding) {
   for (uint16_t i = 0; core_->roaming == 0 && i < robot_->pair_count; ++i) {
     GuardPair& known = pairs_[i];
     const Bounds now = bounds_of(i, first);
+    const Keep keep = keep_of(i, rounding);
     known.granted = greater(now.end, difference_of(known.granted, now.motion));
-    known.floor = smaller(greater(known.floor, known.granted), keep_of(i, rounding).cap);
+    if (!is_released(known.floor)) {
+      known.floor = smaller(greater(known.floor, known.granted), keep.cap);
+    } else if (known.granted >= keep.most) {
+      known.floor = smaller(known.granted, keep.cap);
+    }
     first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
   }
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     granted_[i] = next_[i];
   }
+}
+
+Status Guard::release(uint16_t pair, FineLength a_command) {
+  if (!has_values() || pair >= robot_->pair_count) {
+    return refusal();
+  }
+  if (a_command.count > kMaxGuardDistance) {
+    return Status::distance_out_of_range;
+  }
+  pairs_[pair].floor = kReleased + a_command.count;
+  pairs_[pair].granted = 0;
+  core_->roaming = 0;
+  return Status::done;
 }
 
 LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work) {

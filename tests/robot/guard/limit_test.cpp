@@ -1,5 +1,7 @@
 // Guard::limit(): no pair of random arms gets nearer than its floor allows, arms inside their stop
 // distance come out, and too little work slows them.
+#include <cstring>
+
 #include "support/arms/guarded_arm.hpp"
 #include "support/test.hpp"
 
@@ -187,4 +189,146 @@ TEST_CASE("limit: arms that are inside their stop distance come out") {
   CAPTURE(inside, out);
   CHECK(inside > 5);
   CHECK(out * 5 >= inside * 4);
+}
+
+namespace {
+
+constexpr double kSlideCell = 1e-3;
+
+/// A block on a slide before a wall, which it touches at 0.6 m; it keeps 20 mm.
+FixedArm slide_before_wall() {
+  Model model;
+  add_joint(model, kNoJoint, {}, JointType::prismatic, -0.5, 0.7);
+  add_link(model, kNoJoint, box({-0.1, -0.1, 0.7}, {0.1, 0.1, 0.8}));
+  add_link(model, 0, box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+  return FixedArm(model, kSlideCell, {{0, 1, 0.02, 0.05}});
+}
+
+struct Slide {
+  FixedArm arm = slide_before_wall();
+  std::unique_ptr<AnyGuardState> state = std::make_unique<AnyGuardState>();
+  Guard guard{arm.robot(), *state};
+  JointCoordinate at = 0;
+
+  JointCoordinate coordinate(double metres) const {
+    return static_cast<JointCoordinate>(std::lround(metres / arm.unit_of(0)));
+  }
+  double metres() const { return at * arm.unit_of(0); }
+  void start(double metres) {
+    at = coordinate(metres);
+    (void)guard.prime(&at);
+  }
+  LimitAnswer command(double metres, std::uint32_t work = UINT32_MAX) {
+    const JointCoordinate wanted = coordinate(metres);
+    return guard.limit(&wanted, &at, work);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("limit: a block before a wall goes to its stop distance, and from inside only away") {
+  Slide slide;
+  slide.start(0.3);
+  CHECK(slide.command(0.5).verdict == LimitVerdict::granted);
+  for (int i = 0; i < 100; ++i) {
+    const LimitAnswer answer = slide.command(0.7);
+    REQUIRE(answer.pair == 0);
+    REQUIRE(answer.verdict != LimitVerdict::granted);
+  }
+  // At its stop distance and half a tenth of it, and no nearer; a cell or two are rounding.
+  CHECK(slide.metres() == Approx(0.6 - 0.021).margin(0.003));
+  CHECK(slide.command(0.7).verdict == LimitVerdict::held);
+  CHECK(slide.command(0.3).verdict == LimitVerdict::granted);
+
+  slide.start(0.59);  // 10 mm apart
+  CHECK(slide.command(0.61).share < 4096);
+  CHECK(slide.metres() < 0.592);  // a tenth of the stop distance, in all
+  for (const double metres : {0.58, 0.6, 0.57, 0.6, 0.56, 0.6}) {
+    const double floor = slide.guard.floor(0) * kSlideCell / 256;
+    (void)slide.command(metres);
+    CHECK(0.6 - slide.metres() > floor - 0.002 - 0.001);
+  }
+  CHECK(slide.metres() < 0.6 - 0.018);
+}
+
+TEST_CASE("limit: too little work slows a command and does not stop it") {
+  Slide slide;
+  slide.start(-0.4);
+  int commands = 0;
+  for (; slide.metres() < 0.55 && commands < 2000; ++commands) {
+    const LimitAnswer answer = slide.command(slide.metres() + 0.01, 3);
+    REQUIRE(answer.status == Status::done);
+    REQUIRE(answer.work < 400);
+  }
+  CHECK(commands < 1000);
+}
+
+TEST_CASE("limit: refused values change nothing") {
+  Slide slide;
+  slide.start(0.3);
+  CHECK(slide.command(0.4).verdict == LimitVerdict::granted);
+  const JointCoordinate before = slide.at;
+  const AnyGuardState state = *slide.state;
+  const JointCoordinate beyond = slide.coordinate(0.9);
+  for (const JointCoordinate& wanted : {beyond, kNoCoordinate}) {
+    const LimitAnswer answer = slide.guard.limit(&wanted, &slide.at, UINT32_MAX);
+    CHECK(answer.verdict == LimitVerdict::refused);
+    CHECK(answer.status ==
+          (wanted == beyond ? Status::joint_out_of_limits : Status::not_a_coordinate));
+    CHECK(slide.at == before);
+  }
+  CHECK(std::memcmp(state.pairs, slide.state->pairs, sizeof state.pairs) == 0);
+  CHECK(state.granted[0] == slide.state->granted[0]);
+  Guard fresh(slide.arm.robot(), *slide.state);
+  CHECK(fresh.limit(&before, &slide.at, 1).status == Status::guard_state_invalid);
+  CHECK(fresh.release(0, {1}) == Status::guard_state_invalid);
+}
+
+TEST_CASE("limit: a released pair moves slowly until it is apart, and then keeps its floor") {
+  Slide slide;
+  slide.start(0.62);  // 20 mm inside the wall
+  CHECK(slide.command(0.5).verdict == LimitVerdict::held);
+  CHECK(slide.guard.release(1, {1}) == Status::guard_state_invalid);
+  CHECK(slide.guard.release(0, {kMaxGuardDistance + 1}) == Status::distance_out_of_range);
+  REQUIRE(slide.guard.release(0, {256}) == Status::done);  // 1 mm a command
+  int commands = 0;
+  for (; slide.guard.floor(0) == 0 && commands < 100; ++commands) {
+    const double before = slide.metres();
+    (void)slide.command(0.3);
+    REQUIRE(before - slide.metres() <= 0.001 + 1e-6);
+  }
+  CHECK((commands > 18 && commands < 40));
+  CHECK(slide.metres() < 0.6);
+  (void)slide.command(0.65);
+  CHECK(slide.metres() < 0.6);
+  for (int i = 0; i < 20; ++i) {
+    (void)slide.command(0.3);
+  }
+  CHECK(slide.metres() == Approx(0.3));
+}
+
+TEST_CASE("limit: a state that is resumed keeps floors; a damaged one is refused or ends") {
+  Slide slide;
+  slide.start(0.59);
+  (void)slide.command(0.58);
+  const std::uint32_t floor = slide.guard.floor(0);
+  AnyGuardState stored = *slide.state;
+  Guard other(slide.arm.robot(), stored);
+  stored = *slide.state;
+  REQUIRE(other.resume() == Status::done);
+  CHECK(other.floor(0) == floor);
+  const JointCoordinate wanted = slide.coordinate(0.6);
+  JointCoordinate granted = 0;
+  (void)other.limit(&wanted, &granted, UINT32_MAX);
+  CHECK(granted * slide.arm.unit_of(0) < 0.583);
+  for_rounds(rounds(2000, 20'000), [&](Random& random, int) {
+    stored = *slide.state;
+    const std::size_t bit = random.below(8 * sizeof stored.core);
+    auto* const bytes = reinterpret_cast<unsigned char*>(
+        random.below(2) == 0 ? static_cast<void*>(&stored.core) : &stored.pairs[0]);
+    bytes[bit / 8 % sizeof(GuardPair)] ^= static_cast<unsigned char>(1u << bit % 8);
+    if (other.resume() == Status::done) {
+      REQUIRE(other.limit(&wanted, &granted, UINT32_MAX).work < 1'000'000);
+    }
+  });
 }

@@ -29,7 +29,7 @@ def opaque(name, size):
     return struct(name, ("words", c_uint64 * (size // 8)))
 
 
-Mesh, Query, GuardObject = opaque("Mesh", 88), opaque("Query", 152), opaque("GuardObject", 104)
+Mesh, Query, GuardObject = opaque("Mesh", 88), opaque("Query", 152), opaque("GuardObject", 112)
 Pose = struct("Pose", ("words", c_uint32 * 17))
 Pair, Witness = (struct(name, ("a", c_uint16), ("b", c_uint16)) for name in ("Pair", "Witness"))
 FineLength = struct("FineLength", ("count", c_uint32))
@@ -48,7 +48,7 @@ GuardAnswer = struct("GuardAnswer", ("status", c_uint8), ("verdict", c_uint8), (
 
 def guard_state_size(joints, pairs, pair_joints):
     """FLASHBVH_GUARD_STATE_SIZE."""
-    return 108 + 64 * joints + 16 * pairs + 4 * pair_joints + (joints + pair_joints + 3) // 4 * 4
+    return 116 + 68 * joints + 24 * pairs + 4 * pair_joints + (joints + pair_joints + 3) // 4 * 4
 
 
 _library = ctypes.CDLL(str(Path(__file__).with_name("_flashbvh.so")))

@@ -61,6 +61,8 @@ using LimitAnswer = flashbvh_limit_answer;
 
 /// A pair's floor before it was measured.
 constexpr uint32_t kUnknownFloor = UINT32_MAX;
+/// With a floor's other bits the motion that a released pair may make in a command.
+constexpr uint32_t kReleased = 1u << 31;
 
 /// A pair's certificate. 24 bytes, and 5 for each joint between its links.
 struct GuardPair {
@@ -237,8 +239,19 @@ class Guard {
   /// lowers its pairs' floors to where it now is.
   LimitAnswer limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work);
 
-  /// The pair's floor, as measured, in 1/256 cell; kUnknownFloor before limit() measured it.
-  uint32_t floor(uint16_t pair) const { return pairs_[pair].floor; }
+  /// Lets a pair that intersects, or that has no way out, move without regard to its distance, by
+  /// at most `a_command` in each, until it is a tenth of its stop distance apart: that is its floor
+  /// then. Nothing keeps it from getting deeper: the caller has to know the way. Call it after the
+  /// first limit(). `done`; `guard_state_invalid`: no such pair, or no period yet;
+  /// `distance_out_of_range`: over kMaxGuardDistance.
+  Status release(uint16_t pair, FineLength a_command);
+
+  /// The pair's floor, as measured, in 1/256 cell; kUnknownFloor before limit() measured it; 0
+  /// while it is released.
+  uint32_t floor(uint16_t pair) const {
+    const uint32_t floor = pairs_[pair].floor;
+    return is_released(floor) ? 0 : floor;
+  }
 
   /// Explains a pair's distance at the end of the period. `changes`: variable_count derivatives of
   /// the distance by each variable, in 2^-kReachBits of 1/256 cell, as reaches are; positive if the
@@ -305,6 +318,7 @@ class Guard {
   Share share_of(const RobotPair& pair, uint8_t variable, const NearestPoints& nearest) const;
   bool place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,
                      Triangle& b) const;
+  static bool is_released(uint32_t floor) { return floor >= kReleased && floor != kUnknownFloor; }
   uint32_t rounding() const;
   Keep keep_of(uint16_t pair, uint32_t rounding) const;
   Status begin_command(const JointCoordinate* wanted);
@@ -315,6 +329,7 @@ class Guard {
   Status know_floors(uint32_t rounding, uint32_t& work);
   Status measure_at_next(uint16_t pair, uint32_t needed, bool is_for_floor, uint32_t& work);
   Status walk_on(uint32_t needed, uint32_t& work);
+  Try try_released(uint16_t pair, uint32_t first, uint32_t least, uint32_t& work);
   Try try_pair(uint16_t pair, uint32_t first, const Keep& keep, uint32_t& work);
   Try try_all(uint32_t rounding, uint32_t& work);
   void accept(uint32_t rounding);
