@@ -47,6 +47,15 @@ constexpr Length difference_of(Length u, Length v) {
   return u > v ? u - v : 0;
 }
 
+/// The largest deviation of a link, of which Robot::slack has two.
+inline uint32_t largest_deviation(const Robot& robot) {
+  uint32_t most = 0;
+  for (uint32_t i = 0; i < robot.link_count; ++i) {
+    most = robot.links[i].deviation > most ? robot.links[i].deviation : most;
+  }
+  return most;
+}
+
 /// A sum of motions; saturates at 64 bits, which is more than any distance.
 class Travel {
  public:

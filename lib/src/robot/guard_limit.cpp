@@ -69,11 +69,7 @@ struct Guard::Try {
 
 /// The part of Robot::slack that is not the links' deviation.
 uint32_t Guard::rounding() const {
-  uint32_t most = 0;
-  for (uint32_t i = 0; i < robot_->link_count; ++i) {
-    most = greater(most, robot_->links[i].deviation);
-  }
-  return difference_of(robot_->slack, 2 * most);
+  return difference_of(robot_->slack, 2 * detail::largest_deviation(*robot_));
 }
 
 Guard::Keep Guard::keep_of(uint16_t i, uint32_t rounding) const {

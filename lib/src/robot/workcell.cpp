@@ -148,7 +148,7 @@ bool Workcell::sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) 
   RobotLink link = body;
   constexpr uint32_t rounding = 58;  // of a translation, twice, by half of 1/2,048 along each axis
   constexpr uint32_t turned = kFarthestFrame >> 22;  // by 2^-27 at the largest distance
-  error = (body.deviation << 8) + 34;                // 34: error of the relative pose
+  error = 34;                                        // of the relative pose
   for (uint8_t j = link.joint; j != kBase; j = joints_[j].parent) {
     const RobotJoint& joint = joints_[j];
     const uint32_t reach = reach_of(joint, link);
@@ -225,10 +225,12 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
     return Status::translation_out_of_range;
   }
   const uint32_t rounding = rounding_with(mesh);
-  const uint32_t own = rounding + 2 * error;
+  const uint32_t deviation = detail::largest_deviation(robot_);
+  const uint32_t others = ((robot_.slack - 2 * deviation) << 8) - rounding_with(robot_.meshes[0]);
+  const uint32_t kinematics = detail::greater(2 * error, others);
   // Its origin may lie farther than those of the others, which all of them may meet.
-  const uint32_t others = (robot_.slack << 8) + rounding - rounding_with(robot_.meshes[0]);
-  const uint32_t slack = ((own > others ? own : others) + 0xFF) >> 8;
+  const uint32_t slack =
+      ((rounding + kinematics + 0xFF) >> 8) + 2 * detail::greater(body.deviation, deviation);
   if (slack > kMaxGuardDistance) {
     return Status::distance_out_of_range;
   }

@@ -176,7 +176,6 @@ void FixedRobot::add_link(const Model& model, std::size_t number, const WholeMes
   fixed.radius = static_cast<std::uint32_t>(std::ceil(sphere.radius * kFrameCell)) + 2;
   fixed.first_reach = static_cast<std::uint16_t>(reaches_.size());
   fixed.joint = fixed_joint(link.joint);
-  deviations_.push_back(deviation / cell_);
   fixed.deviation = static_cast<std::uint32_t>(std::min(
       bake::parts_above(static_cast<double>(bake::float_above(deviation)), cell_, kFineOne),
       double{UINT32_MAX}));
@@ -236,10 +235,11 @@ double FixedRobot::extent_of(const Model& model, std::size_t number) const {
   return extent / kFrameCell;
 }
 
-/// The errors of placing and of both links' rounding and kinematics (lib/docs/derivations.md,
-/// "Robots"). UserError if firmware cannot hold them.
+/// The errors of placing and, of the two worst links, of rounding and of kinematics
+/// (lib/docs/derivations.md, "Robots"). UserError if firmware cannot hold them.
 std::uint32_t FixedRobot::checked_slack(const Model& model) const {
   double most = 0;
+  double deviation = 0;
   double far = 0;
   for (const Mesh& mesh : meshes_) {
     double sum = 0;
@@ -250,7 +250,7 @@ std::uint32_t FixedRobot::checked_slack(const Model& model) const {
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const double extent = extent_of(model, i);
-    double error = deviations_[i];
+    double error = 0;
     std::size_t reach = links_[i].first_reach;
     for (std::size_t j = model.links[i].joint; j != kNoJoint; j = model.joints[j].parent) {
       // Errors of its rotation's norm, its translation, rounded twice, and its coordinate.
@@ -259,8 +259,9 @@ std::uint32_t FixedRobot::checked_slack(const Model& model) const {
                coordinate * std::ldexp(reaches_[reach++], -kReachBits) / 256;
     }
     most = std::max(most, error + extent * 0x1p-29 + 1.0 / kFrameCell);
+    deviation = std::max(deviation, links_[i].deviation / double{kFineOne});
   }
-  const double slack = std::ceil((placing_at(far) + 2 * most) * kFineOne);
+  const double slack = std::ceil((placing_at(far) + 2 * (deviation + most)) * kFineOne);
   if (slack > kMaxGuardDistance) {
     throw UserError(model.path, "a guard would stop its links ",
                     significant(slack * cell_ / kFineOne, 3),

@@ -68,7 +68,6 @@ class FixedRobot {
   double cell_;
   std::vector<RobotJoint> joints_;
   std::vector<RobotLink> links_;
-  std::vector<double> deviations_;  ///< of each link, in cells
   std::vector<RobotPair> pairs_;
   std::vector<std::uint32_t> reaches_;
   std::vector<double> wide_reaches_;  ///< reaches_ before clamping to 32 bits
