@@ -9,15 +9,21 @@
 namespace flashbvh {
 
 using detail::difference_of;
+using detail::greater;
 using detail::kPeriodsAhead;
 using detail::kRateMargin;
+using detail::smaller;
 using detail::sum_of;
 
 namespace {
 
 constexpr uint32_t kStateVersion = 4;
 
-constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}, kUnknownFloor, 0};
+constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}, 0, 0, kNotMeasured};
+
+/// A pair may lose this part of its stop distance, or so many times what rounding may take.
+constexpr uint32_t kGive = 10;
+constexpr uint32_t kRoundings = 4;
 
 constexpr bool is_unknown(const GuardPair& pair) {
   return pair.lower == 0 && pair.upper == UINT32_MAX;
@@ -125,13 +131,30 @@ bool Guard::has_obstacle(uint16_t i) const {
   return is_obstacle(robot_->pairs[i].a) || is_obstacle(robot_->pairs[i].b);
 }
 
-/// limit() has to measure the pairs with obstacles again, which moved.
-void Guard::forget_floors() {
-  core_->roaming = 0;
-  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
-    if (has_obstacle(i) && !is_released(pairs_[i].floor)) {
-      pairs_[i].floor = kUnknownFloor;
+/// Where obstacles moved, to the next coordinates, floors fall by their motion, and limit() has to
+/// measure their pairs again.
+void Guard::follow_obstacles() {
+  bool has_moved = false;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    has_moved =
+        has_moved || (robot_->joints[i].type == JointType::fixed && granted_[i] != next_[i]);
+  }
+  for (uint16_t i = 0; has_moved && i < robot_->pair_count; ++i) {
+    GuardPair& known = pairs_[i];
+    core_->roaming = 0;
+    if (has_obstacle(i) && !is_released(known.floor)) {
+      detail::Travel motion;
+      detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
+        const bool is_fixed = robot_->joints[joint].type == JointType::fixed;
+        motion.add_short(reach,
+                         is_fixed ? detail::magnitude(step_from(granted_[joint], joint)) : 0);
+      });
+      known.floor = difference_of(known.floor, motion.fine());
+      known.granted = kNotMeasured;
     }
+  }
+  for (uint32_t i = 0; has_moved && i < robot_->joint_count; ++i) {
+    granted_[i] = robot_->joints[i].type == JointType::fixed ? next_[i] : granted_[i];
   }
 }
 
@@ -140,7 +163,7 @@ void Guard::forget_obstacles() {
   uint32_t laps = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     if (robot_->joints[i].type == JointType::fixed) {
-      before_[i] = robot_->joints[i].offset;
+      before_[i] = granted_[i] = robot_->joints[i].offset;
       step_[i] = 0;
     }
     laps += robot_->joints[i].laps;
@@ -167,7 +190,7 @@ FLASHBVH_INLINE inline bool Guard::for_each_way(const RobotPair& pair, uint32_t 
     const int32_t way = detail::difference(before_[joint], *certified++);
     const int32_t began = is_free(joint) ? detail::wrapped(way) : way;
     const int32_t ended = detail::difference(began, -step_[joint]);
-    visit(joint, reach, detail::greater(detail::magnitude(began), detail::magnitude(ended)));
+    visit(joint, reach, greater(detail::magnitude(began), detail::magnitude(ended)));
     moved |= static_cast<uint32_t>(ended);
   });
   return moved == 0;
@@ -196,20 +219,50 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
   const GuardPair& known = pairs_[i];
   Left now;
   const uint32_t by_reaches = motion_of(pair, first, now.is_current);
-  now.lost = sum_of(by_levers ? motion_by_levers(pair, first) : by_reaches, robot_->slack);
+  now.moved = by_levers ? motion_by_levers(pair, first) : by_reaches;
   const auto kept = [&](uint32_t measured) {
-    return now.is_current ? detail::kept_of(measured, known.began, now.lost, robot_->slack)
-                          : difference_of(measured, now.lost);
+    return now.is_current ? detail::kept_of(measured, known.began, now.moved)
+                          : difference_of(measured, now.moved);
   };
   now.distance = kept(known.lower);
-  now.left = difference_of(now.distance, pair.stop);
+  now.lowest = pair.stop + robot_->slack;
+  now.left = difference_of(now.distance, now.lowest);
+  now.is_inside = now.left == 0;
   // A joint that returns faster to a pose with a small certificate may need a larger one, if it can
   // be had. A pair measured where the period ends is settled: aim() in guard_measure.cpp.
-  const uint32_t sought = now.left != 0 ? pair.warn : pair.stop;
+  uint32_t sought = pair.warn + robot_->slack;
+  const bool is_known = now.distance > sought || known.lower >= kMaxGuardDistance;
+  if (now.is_inside) {
+    sought = now.lowest;
+    now.lowest = lowest_of(i, now.is_current);
+    now.left = difference_of(now.distance, now.lowest);
+    sought = now.left != 0 ? sought : now.lowest;
+  }
   now.is_settled = now.is_current && !is_unknown(known) &&
-                   (now.distance > pair.warn || known.lower >= kMaxGuardDistance ||
-                    kept(difference_of(known.upper, kRateMargin)) <= sought);
+                   (is_known || kept(difference_of(known.upper, kRateMargin)) <= sought);
+  if (now.is_inside && is_released(known.floor)) {
+    now.left = 1;
+    now.is_settled = true;
+  }
   return now;
+}
+
+Guard::Give Guard::give_of(uint16_t i) const {
+  const uint32_t rounding = difference_of(robot_->slack, 2 * detail::largest_deviation(*robot_));
+  return {greater(robot_->pairs[i].stop / kGive, kRoundings * rounding), rounding};
+}
+
+/// The distance that a pair has to keep in update(): for the stop distance; or, if it has not been
+/// a tenth beyond that since the start, for its floor. `is_current`: the certificate was measured
+/// where the period ends, so that it raises only later floors.
+uint32_t Guard::lowest_of(uint16_t i, bool is_current) const {
+  const GuardPair& known = pairs_[i];
+  const uint32_t limit = robot_->pairs[i].stop + robot_->slack;
+  const bool is_own = !is_current && (known.seen & kOwn) != 0;
+  const uint32_t seen = greater(known.seen & ~kOwn, is_own ? known.lower : 0);
+  const Give give = give_of(i);
+  const uint32_t floor = smaller(seen, limit + give.most);
+  return smaller(limit, floor - give.of(floor) + give.rounding);
 }
 
 /// Upper bound on how far the joints move the pair in this period, in 1/256 cell.
@@ -225,7 +278,7 @@ uint32_t Guard::rate_of(const RobotPair& pair) const {
 uint32_t Guard::longest_step() const {
   uint32_t longest = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
-    longest = detail::greater(longest, detail::magnitude(step_[i]));
+    longest = greater(longest, detail::magnitude(step_[i]));
   }
   return longest;
 }
@@ -236,17 +289,18 @@ Guard::Found Guard::look() {
   uint32_t first = 0;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     const RobotPair& pair = robot_->pairs[i];
+    const uint32_t warn = pair.warn + robot_->slack;
     GuardPair& known = pairs_[i];
     Left now = left_of(i, first, false);
-    if (is_near(difference_of(now.distance, pair.warn), pair, longest)) {
+    if (is_near(difference_of(now.distance, warn), pair, longest)) {
       now = left_of(i, first, true);
     }
-    const uint32_t until_warn = difference_of(now.distance, pair.warn);
+    const uint32_t until_warn = difference_of(now.distance, warn);
     if (!now.is_settled && is_near(until_warn, pair, longest)) {
       const uint32_t rate = rate_of(pair);
       const uint64_t soon = uint64_t{rate} * kPeriodsAhead;
       const bool is_due = now.left <= soon;
-      const bool is_vague = until_warn <= soon && sum_of(known.upper, now.lost) > pair.warn;
+      const bool is_vague = until_warn <= soon && sum_of(known.upper, now.moved) > warn;
       if ((is_due || is_vague) && certify_by_table(i, rate)) {
         now = left_of(i, first, false);
       } else if (is_due) {
@@ -260,11 +314,12 @@ Guard::Found Guard::look() {
       known.lower = 0;  // expired for good: the count of an obstacle's motion wraps at 32 bits
     }
     const bool is_stopped =
-        now.left == 0 && (now.is_settled || sum_of(known.upper, now.lost) <= pair.stop);
-    found.take(now.left != 0 ? now.distance > pair.warn ? Verdict::free : Verdict::warn
-               : is_stopped  ? Verdict::stop
-                             : Verdict::not_yet_known,
-               i, now.distance);
+        now.left == 0 && (now.is_settled || sum_of(known.upper, now.moved) <= now.lowest);
+    found.take(now.left == 0          ? is_stopped ? Verdict::stop : Verdict::not_yet_known
+               : now.is_inside        ? Verdict::leaving
+               : now.distance <= warn ? Verdict::warn
+                                      : Verdict::free,
+               i, difference_of(now.distance, robot_->slack));
     found.walked_left = i == core_->walked_pair ? now.left : found.walked_left;
   }
   if (found.due == kNoPair) {
@@ -314,9 +369,6 @@ Status Guard::move_to(const JointCoordinate* values) {
   if (((laps ^ core_->laps) & detail::kLapMask) >> detail::kLapsOfWalkBits != 0) {
     core_->walked_pair = kNoPair;  // its certificate would count an obstacle's motion modulo 2^32
   }
-  if (core_->laps != (laps & detail::kLapMask)) {
-    forget_floors();  // granted_ counts an obstacle's motion modulo 2^32
-  }
   core_->laps = laps & detail::kLapMask;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     const int32_t step = is_first ? 0 : step_to_next(i);
@@ -324,6 +376,7 @@ Status Guard::move_to(const JointCoordinate* values) {
     step_[i] = step;
     granted_[i] = is_first ? next_[i] : granted_[i];
   }
+  follow_obstacles();
   for (uint32_t i = 0; i < robot_->pair_count; ++i) {
     pairs_[i].began = 0;
   }

@@ -13,6 +13,7 @@ namespace flashbvh {
 using detail::difference_of;
 using detail::greater;
 using detail::kPoseWork;
+using detail::smaller;
 using detail::sum_of;
 
 namespace {
@@ -26,13 +27,6 @@ constexpr int kManyTries = 3;
 constexpr uint32_t kFaster = 8;
 /// The part of the share by the closed form that is tried, in 1/16.
 constexpr uint32_t kSafe = 15;
-/// A pair may lose this part of its stop distance, or so many times what rounding may take.
-constexpr uint32_t kGive = 10;
-constexpr uint32_t kRoundings = 4;
-
-constexpr uint32_t smaller(uint32_t u, uint32_t v) {
-  return u < v ? u : v;
-}
 
 /// `of` times up / down, at most `of`.
 constexpr uint32_t part_of(uint32_t of, uint64_t up, uint64_t down) {
@@ -43,7 +37,7 @@ constexpr uint32_t part_of(uint32_t of, uint64_t up, uint64_t down) {
 
 /// What a pair has to keep in a command, as measured, in 1/256 cell.
 struct Guard::Keep {
-  uint32_t most;   ///< that it may lose: a tenth of its stop distance
+  uint32_t most;   ///< Give::most
   uint32_t cap;    ///< of floors
   uint32_t along;  ///< at each moment
   uint32_t end;    ///< where the command ends
@@ -67,21 +61,14 @@ struct Guard::Try {
   uint64_t down;
 };
 
-/// The part of Robot::slack that is not the links' deviation.
-uint32_t Guard::rounding() const {
-  return difference_of(robot_->slack, 2 * detail::largest_deviation(*robot_));
-}
-
-Guard::Keep Guard::keep_of(uint16_t i, uint32_t rounding) const {
-  const RobotPair& pair = robot_->pairs[i];
+Guard::Keep Guard::keep_of(uint16_t i) const {
   const uint32_t floor = pairs_[i].floor;
-  const uint32_t most = greater(pair.stop / kGive, kRoundings * rounding);
-  const uint32_t give = smaller(most, floor / 2);
-  return {most, sum_of(sum_of(pair.stop, robot_->slack), most), sum_of(floor - give, rounding),
-          floor - give / 2};
+  const Give give = give_of(i);
+  return {give.most, sum_of(robot_->pairs[i].stop + robot_->slack, give.most),
+          sum_of(floor - give.of(floor), give.rounding), floor - give.of(floor) / 2};
 }
 
-/// Checks the wanted values and notes obstacles that moved.
+/// Checks the wanted values and follows obstacles.
 Status Guard::begin_command(const JointCoordinate* wanted) {
   if (!has_values()) {
     return refusal();
@@ -92,24 +79,17 @@ Status Guard::begin_command(const JointCoordinate* wanted) {
     return status;
   }
   const auto step_of = [this](uint32_t joint) { return step_from(granted_[joint], joint); };
-  bool has_moved = false;
   uint32_t laps = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     if (is_free(i) && !has_one_way(i, step_of)) {
       return Status::joint_jumped;
     }
     laps += robot_->joints[i].laps;
-    if (robot_->joints[i].type == JointType::fixed) {
-      has_moved = has_moved || granted_[i] != next_[i];
-      granted_[i] = next_[i];
-    }
   }
   if (((laps - core_->laps) & detail::kLapMask) >= detail::kTooManyLaps) {
     return Status::joint_jumped;
   }
-  if (has_moved) {
-    forget_floors();
-  }
+  follow_obstacles();
   return Status::done;
 }
 
@@ -191,7 +171,7 @@ Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, ui
   const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
                                             detail::frame_of(frames_, b.joint));
   if (apart / 2 > needed) {  // it lasts
-    certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness, 0, 0}, nullptr);
+    certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness}, false, nullptr);
     return Status::done;
   }
   start_walk(i, work);
@@ -208,21 +188,21 @@ Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, ui
   return status;
 }
 
-/// Measures the floors that are not known, where the robot was sent last.
-Status Guard::know_floors(uint32_t rounding, uint32_t& work) {
+/// Measures the distances that are not known where the robot was sent last.
+Status Guard::know_floors(uint32_t& work) {
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     next_[i] = granted_[i];
   }
   core_->has_frames = 0;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     GuardPair& known = pairs_[i];
-    const uint32_t cap = known.floor == kUnknownFloor ? keep_of(i, rounding).cap : 0;
-    while (known.floor == kUnknownFloor) {
+    while (known.granted == kNotMeasured) {
+      const uint32_t cap = keep_of(i).cap;
       const Bounds now = bounds_of(i, first_between(i));
       const bool is_tight = now.is_current && known.upper != UINT32_MAX &&
                             known.lower >= difference_of(known.upper, known.upper / 32 + 2);
       if (now.end >= cap || is_tight) {
-        known.floor = smaller(now.end, cap);
+        known.floor = greater(known.floor, smaller(now.end, cap));
         known.granted = now.end;
         break;
       }
@@ -235,15 +215,15 @@ Status Guard::know_floors(uint32_t rounding, uint32_t& work) {
   return Status::done;
 }
 
-/// Tries the next coordinates for a released pair, and measures whether it is `least` apart there.
-Guard::Try Guard::try_released(uint16_t i, uint32_t first, uint32_t least, uint32_t& work) {
+/// Tries the next coordinates for a released pair, and measures whether its floor holds again.
+Guard::Try Guard::try_released(uint16_t i, uint32_t first, uint32_t& work) {
   const Bounds now = bounds_of(i, first);
   const uint32_t allowed = pairs_[i].floor - kReleased;
   if (now.motion > allowed) {
     return {Status::full, i, allowed, now.motion};
   }
-  if (now.end < least && work != 0) {
-    (void)measure_at_next(i, least, false, work);
+  if (now.end < pairs_[i].granted && work != 0) {
+    (void)measure_at_next(i, pairs_[i].granted, false, work);
   }
   return {Status::done, i, 1, 1};
 }
@@ -284,17 +264,17 @@ Guard::Try Guard::try_pair(uint16_t i, uint32_t first, const Keep& keep, uint32_
 }
 
 /// Tries the next coordinates for all pairs.
-Guard::Try Guard::try_all(uint32_t rounding, uint32_t& work) {
+Guard::Try Guard::try_all(uint32_t& work) {
   uint32_t first = 0;
   core_->roaming = UINT32_MAX;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
-    const Keep keep = keep_of(i, rounding);
+    const Keep keep = keep_of(i);
     const uint32_t room = pairs_[i].floor == keep.cap ? room_of(i, first, keep.cap) : 0;
     core_->roaming = smaller(core_->roaming, room);
     if (room != 0) {
       pairs_[i].granted = keep.cap;  // at both ends and between
     } else {
-      const Try tried = is_released(pairs_[i].floor) ? try_released(i, first, keep.most, work)
+      const Try tried = is_released(pairs_[i].floor) ? try_released(i, first, work)
                                                      : try_pair(i, first, keep, work);
       if (tried.status != Status::done) {
         core_->roaming = 0;
@@ -307,17 +287,18 @@ Guard::Try Guard::try_all(uint32_t rounding, uint32_t& work) {
 }
 
 /// Makes the next coordinates the granted ones.
-void Guard::accept(uint32_t rounding) {
+void Guard::accept() {
   uint32_t first = 0;
   for (uint16_t i = 0; core_->roaming == 0 && i < robot_->pair_count; ++i) {
     GuardPair& known = pairs_[i];
     const Bounds now = bounds_of(i, first);
-    const Keep keep = keep_of(i, rounding);
-    known.granted = greater(now.end, difference_of(known.granted, now.motion));
+    const Keep keep = keep_of(i);
     if (!is_released(known.floor)) {
+      known.granted = greater(now.end, difference_of(known.granted, now.motion));
       known.floor = smaller(greater(known.floor, known.granted), keep.cap);
-    } else if (known.granted >= keep.most) {
-      known.floor = smaller(known.granted, keep.cap);
+    } else if (now.end >= known.granted) {
+      known.granted = now.end;
+      known.floor = smaller(now.end, keep.cap);
     }
     first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
   }
@@ -333,8 +314,14 @@ Status Guard::release(uint16_t pair, FineLength a_command) {
   if (a_command.count > kMaxGuardDistance) {
     return Status::distance_out_of_range;
   }
-  pairs_[pair].floor = kReleased + a_command.count;
-  pairs_[pair].granted = 0;
+  GuardPair& known = pairs_[pair];
+  if (!is_released(known.floor)) {
+    const Keep keep = keep_of(pair);
+    const uint32_t now = known.granted == kNotMeasured ? 0 : known.granted;
+    known.granted = smaller(sum_of(now, keep.most), keep.cap);
+    known.seen = 0;
+  }
+  known.floor = kReleased + a_command.count;
   core_->roaming = 0;
   return Status::done;
 }
@@ -357,17 +344,16 @@ LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted
   Status status = Status::done;
   if (longest < core_->roaming) {
     const uint32_t roaming = core_->roaming - longest;
-    accept(0);
+    accept();
     core_->roaming = roaming;
   } else {
-    const uint32_t own = rounding();
-    status = know_floors(own, work);
+    status = know_floors(work);
     share = status == Status::done ? kWhole : 0;
     for (int tries = 1; share != 0; ++tries) {
       set_share(wanted, share, granted);
-      const Try tried = try_all(own, work);
+      const Try tried = try_all(work);
       if (tried.status == Status::done) {
-        accept(own);
+        accept();
         break;
       }
       status = status == Status::done || tried.status != Status::full ? tried.status : status;

@@ -16,6 +16,7 @@ using detail::kLeverWork;
 using detail::kPeriodsAhead;
 using detail::kPoseWork;
 using detail::kRateMargin;
+using detail::smaller;
 using detail::sum_of;
 
 namespace {
@@ -73,14 +74,13 @@ uint32_t Guard::distance_where_begun(uint16_t i) const {
     since.add(robot_->joints[joint], reach, *share++,
               detail::magnitude(is_free(joint) ? detail::wrapped(way) : way));
   });
-  const uint32_t by_certificate =
-      difference_of(pairs_[i].lower, sum_of(since.fine(), robot_->slack));
-  return detail::greater(by_certificate, pairs_[i].began);
+  return detail::greater(difference_of(pairs_[i].lower, since.fine()), pairs_[i].began);
 }
 
-/// Stores a certificate. `at`: the coordinates at which it was measured. `shares`: of the reaches
-/// there; null: whole reaches.
-void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& certificate,
+/// Stores a certificate, and what its last one says of the largest distance since the start. `at`:
+/// the coordinates at which it was measured. `is_own`: update() measured it, so the robot was
+/// there. `shares`: of the reaches there; null: whole reaches.
+void Guard::certify(uint16_t i, const JointCoordinate* at, const Measured& measured, bool is_own,
                     const uint8_t* shares) {
   const uint32_t began = distance_where_begun(i);
   const uint32_t first = first_between(i);
@@ -88,8 +88,12 @@ void Guard::certify(uint16_t i, const JointCoordinate* at, const GuardPair& cert
   uint8_t* share = shares_ + first;
   core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
   GuardPair& known = pairs_[i];
-  known = {certificate.lower,   certificate.upper, began,
-           certificate.witness, known.floor,       known.granted};
+  const uint32_t last = (known.seen & kOwn) != 0 ? smaller(known.lower, kMaxGuardDistance) : 0;
+  known.seen = detail::greater(known.seen & ~kOwn, last) | (is_own ? kOwn : 0);
+  known.lower = measured.lower;
+  known.upper = measured.upper;
+  known.began = began;
+  known.witness = measured.witness;
   detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t) {
     *to++ = at[joint];
     *share++ = shares == nullptr ? detail::kWholeReach : *shares++;
@@ -128,21 +132,26 @@ Pose Guard::pose_of(const RobotPair& pair) const {
                        detail::frame_of(frames_, robot_->links[pair.b].joint));
 }
 
+/// Returns whether a pair at a distance stays beyond its warn distance in a period of motion
+/// `rate`.
+bool Guard::is_free_after(const RobotPair& pair, uint32_t distance, uint32_t rate) const {
+  return difference_of(distance, rate) > pair.warn + robot_->slack;
+}
+
 bool Guard::certify_by_spheres(uint16_t i, uint32_t rate) {
   const RobotPair& pair = robot_->pairs[i];
   const RobotLink& a = robot_->links[pair.a];
   const RobotLink& b = robot_->links[pair.b];
   const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
                                             detail::frame_of(frames_, b.joint));
-  const uint32_t known = difference_of(apart, robot_->slack);
-  const uint32_t left = difference_of(known, pair.stop);
+  const uint32_t left = difference_of(apart, pair.stop + robot_->slack);
   const uint32_t worth = (a.radius >> 7) + (b.radius >> 7);  // a sixteenth of the radii, 1/256 cell
-  const bool is_worthwhile = difference_of(known, rate) > pair.warn && left >= worth &&
+  const bool is_worthwhile = is_free_after(pair, apart, rate) && left >= worth &&
                              left > uint64_t{rate} * (kPeriodsAhead * kWorthwhile);
   if (!is_worthwhile && apart < kMaxGuardDistance) {  // beyond it triangles prove no more
     return false;
   }
-  certify(i, next_, {apart, UINT32_MAX, 0, pairs_[i].witness, 0, 0}, nullptr);
+  certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness}, true, nullptr);
   return true;
 }
 
@@ -151,12 +160,11 @@ bool Guard::certify_by_table(uint16_t i, uint32_t rate) {
   set_next();
   const RobotPair& pair = robot_->pairs[i];
   const uint32_t tabulated = detail::table_distance_at(*robot_, i, next_);
-  const uint32_t known = difference_of(tabulated, robot_->slack);
-  if (difference_of(known, rate) <= pair.warn ||
-      known - pair.stop <= uint64_t{rate} * (kPeriodsAhead + 1)) {
+  if (!is_free_after(pair, tabulated, rate) ||
+      tabulated - pair.stop - robot_->slack <= uint64_t{rate} * (kPeriodsAhead + 1)) {
     return false;
   }
-  certify(i, next_, {tabulated, UINT32_MAX, 0, pairs_[i].witness, 0, 0}, nullptr);
+  certify(i, next_, {tabulated, UINT32_MAX, pairs_[i].witness}, true, nullptr);
   return true;
 }
 
@@ -181,10 +189,11 @@ void Guard::begin_walk(uint16_t i, uint32_t& work) {
   aim(upper == UINT32_MAX || is_stale ? witness_distance(work) : sum_of(upper, since));
 }
 
-/// The distance to keep for a pair at distance `nearest`: warn or stop, plus slack.
+/// The distance to keep for a pair at distance `nearest`: for warn, stop, or its floor.
 uint32_t Guard::limit_for(uint16_t i, uint32_t nearest) const {
-  const uint32_t warn = sum_of(robot_->pairs[i].warn, robot_->slack);
-  return nearest > warn ? warn : sum_of(robot_->pairs[i].stop, robot_->slack);
+  const uint32_t warn = robot_->pairs[i].warn + robot_->slack;
+  const uint32_t stop = robot_->pairs[i].stop + robot_->slack;
+  return nearest > warn ? warn : nearest > stop ? stop : lowest_of(i, true);
 }
 
 /// Distance of the witness at the measured pair's pose, in 1/256 cell; UINT32_MAX if not known.
@@ -206,20 +215,27 @@ void Guard::aim(uint32_t nearest) {
     aim_to_know(nearest);
     return;
   }
-  const RobotPair& pair = robot_->pairs[core_->walked_pair];
-  const uint32_t kept = limit_for(core_->walked_pair, nearest);
+  const uint16_t i = core_->walked_pair;
+  const uint32_t stop = robot_->pairs[i].stop + robot_->slack;
+  const uint32_t warn = robot_->pairs[i].warn + robot_->slack;
+  const uint32_t kept = limit_for(i, nearest);
   const uint32_t over = difference_of(nearest, kept);
   const uint32_t most = over / 16 * kShare;
   // Limited to the motion of kMaxPeriods periods, as larger distances take walks of many periods.
   const uint32_t moved = sum_of(moved_in_walk(), kRateMargin);
   const uint32_t least = most / kMaxPeriods;
-  const uint32_t share = moved >= over    ? difference_of(over, uint32_t{1}) / 16 * kLastShare
+  const uint32_t share = nearest <= stop  ? over - (smaller(over, give_of(i).most) + 3) / 4
+                         : moved >= over  ? difference_of(over, uint32_t{1}) / 16 * kLastShare
                          : moved >= least ? most
                                           : detail::greater(moved * kMaxPeriods, least);
-  const uint32_t began = distance_where_begun(core_->walked_pair);
-  const uint32_t for_stop = detail::lasting(pair.stop, began, moved, robot_->slack);
-  const uint32_t for_warn = detail::lasting(pair.warn, began, moved, robot_->slack);
-  const uint32_t lasting = nearest > for_warn ? for_warn : nearest > for_stop ? for_stop : 0;
+  const uint32_t began = distance_where_begun(i);
+  const uint32_t for_warn = detail::lasting(warn, began, moved);
+  const uint32_t for_stop = detail::lasting(stop, began, moved);
+  const uint32_t for_floor = detail::lasting(lowest_of(i, true), began, moved);
+  const uint32_t lasting = nearest > for_warn    ? for_warn
+                           : nearest > for_stop  ? for_stop
+                           : nearest > for_floor ? for_floor
+                                                 : 0;
   const uint32_t limit = detail::greater(sum_of(kept, share), lasting);
   core_->nearest = nearest;
   core_->asked = limit < kMaxGuardDistance ? limit : kMaxGuardDistance;
@@ -242,9 +258,9 @@ void Guard::aim_to_know(uint32_t nearest) {
 Status Guard::walk(uint32_t& work) {
   const RobotPair& pair = robot_->pairs[core_->walked_pair];
   const bool is_settled =
-      core_->kept == 0 ? core_->nearest <= sum_of(pair.stop, robot_->slack) : core_->asked == 0;
+      core_->kept == 0 ? core_->nearest <= limit_for(core_->walked_pair, 0) : core_->asked == 0;
   if (is_settled) {
-    return finish({0, core_->nearest, 0, core_->witness, 0, 0});
+    return finish(0);
   }
   Query<Ranked<Mesh>, detail::WithinAlong> query(robot_->meshes[pair.a], robot_->meshes[pair.b],
                                                  core_->pose, {},
@@ -262,7 +278,7 @@ Status Guard::walk(uint32_t& work) {
     }
   }
   if (status == Status::done) {
-    return finish({core_->asked, core_->nearest, 0, core_->witness, 0, 0});
+    return finish(core_->asked);
   }
   if (status == Status::distance_out_of_range && core_->asked > 1) {
     core_->asked /= 2;
@@ -277,8 +293,10 @@ Status Guard::walk(uint32_t& work) {
   return status;
 }
 
-Status Guard::finish(const GuardPair& certificate) {
-  certify(core_->walked_pair, walked_, certificate, walked_shares_);
+/// Ends the measurement: the pair is at least `lower` apart.
+Status Guard::finish(uint32_t lower) {
+  certify(core_->walked_pair, walked_, {lower, core_->nearest, core_->witness}, core_->kept == 0,
+          walked_shares_);
   return Status::done;
 }
 

@@ -17,33 +17,53 @@ constexpr uint32_t kPeriodsAhead = 5;
 constexpr uint32_t kRateMargin = 2;
 
 /// Lower bound on a pair's distance in the whole period, from `measured`, the distance at its end,
-/// and `began`, a lower bound at its begin. `lost`: the period's motion and the slack. The motion
-/// from both ends to any moment adds up to the period's, so each distance loses half of it.
-constexpr uint32_t kept_of(uint32_t measured, uint32_t began, uint32_t lost, uint32_t slack) {
-  const uint32_t by_end = difference_of(measured, lost);
+/// and `began`, a lower bound at its begin. `moved`: the period's motion. The motion from both ends
+/// to any moment adds up to the period's, so each distance loses half of it.
+constexpr uint32_t kept_of(uint32_t measured, uint32_t began, uint32_t moved) {
+  const uint32_t by_end = difference_of(measured, moved);
   const auto by_both =
-      static_cast<uint32_t>(difference_of(uint64_t{began} + measured, uint64_t{lost}) / 2);
-  const uint32_t there = difference_of(measured, slack);
-  const uint32_t by_most = by_both < there ? by_both : there;
+      static_cast<uint32_t>(difference_of(uint64_t{began} + measured, uint64_t{moved}) / 2);
+  const uint32_t by_most = by_both < measured ? by_both : measured;
   return by_end > by_most ? by_end : by_most;
 }
 
 /// Distance at the period's end that keeps a pair beyond the limit at each moment of the period.
 /// Inverse of kept_of(). `moved`: the period's motion and kRateMargin.
-constexpr uint32_t lasting(uint32_t limit, uint32_t began, uint32_t moved, uint32_t slack) {
+constexpr uint32_t lasting(uint32_t limit, uint32_t began, uint32_t moved) {
   const uint32_t by_end = difference_of(moved, difference_of(began, limit));
-  return sum_of(sum_of(limit, slack), by_end > kRateMargin ? by_end : kRateMargin);
+  return sum_of(limit, by_end > kRateMargin ? by_end : kRateMargin);
+}
+
+constexpr uint32_t smaller(uint32_t u, uint32_t v) {
+  return u < v ? u : v;
 }
 
 }  // namespace detail
 
+/// What a measurement found, in 1/256 cell.
+struct Guard::Measured {
+  uint32_t lower;
+  uint32_t upper;
+  Witness<uint16_t> witness;
+};
+
 /// The remaining certificate of a pair, in 1/256 cell, valid at each moment of this period.
+/// Distances are those of the baked links, as measured.
 struct Guard::Left {
-  uint32_t lost;      ///< the links' motion towards each other since then, at most, and the slack
+  uint32_t moved;     ///< the links' motion towards each other since then, at most
   uint32_t distance;  ///< the links are farther apart than this
-  uint32_t left;      ///< `distance` less the stop distance
+  uint32_t lowest;    ///< the distance to keep: for the stop distance; or, inside it, for the floor
+  uint32_t left;      ///< `distance` less `lowest`
+  bool is_inside;     ///< `lowest` is below the stop distance
   bool is_current;    ///< the certificate was measured where the period ends
   bool is_settled;    ///< measuring the pair again would prove no more of the period
+};
+
+/// What a pair may lose of its floor, as measured, in 1/256 cell.
+struct Guard::Give {
+  uint32_t most;      ///< a tenth of the stop distance, or some roundings
+  uint32_t rounding;  ///< the part of Robot::slack that is not the links' deviation
+  uint32_t of(uint32_t floor) const { return detail::smaller(most, floor / 2); }
 };
 
 /// Returns whether a joint without limits moved by less than half a turn, so that it took the

@@ -35,13 +35,15 @@ typedef enum flashbvh_why_unguarded {
 
 /** A guard's verdicts on a period, from the best to the worst. */
 typedef enum flashbvh_verdict {
-  FLASHBVH_VERDICT_FREE = 0, /**< all pairs are farther apart than their warn distance */
-  FLASHBVH_VERDICT_WARN = 1, /**< all are farther apart than their stop distance; some maybe not
-                                than the warn distance */
-  FLASHBVH_VERDICT_NOT_YET_KNOWN = 2, /**< the work budget was too small */
-  FLASHBVH_VERDICT_STOP = 3, /**< a pair is not farther apart than its stop distance, or this is not
+  FLASHBVH_VERDICT_FREE = 0,    /**< all pairs are farther apart than their warn distance */
+  FLASHBVH_VERDICT_WARN = 1,    /**< all are farther apart than their stop distance; some maybe not
+                                   than the warn distance */
+  FLASHBVH_VERDICT_LEAVING = 2, /**< a pair has been inside its stop distance since the start, and
+                                   got no nearer than a tenth of it: only what limit grants */
+  FLASHBVH_VERDICT_NOT_YET_KNOWN = 3, /**< the work budget was too small */
+  FLASHBVH_VERDICT_STOP = 4, /**< a pair is not farther apart than its stop distance, or this is not
                                 decidable */
-  FLASHBVH_VERDICT_REFUSED = 4 /**< the values were rejected and nothing changed: the status says
+  FLASHBVH_VERDICT_REFUSED = 5 /**< the values were rejected and nothing changed: the status says
                                   why */
 } flashbvh_verdict;
 

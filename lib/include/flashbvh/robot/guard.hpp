@@ -38,6 +38,7 @@ namespace flashbvh {
 enum class Verdict : uint8_t {
   free = FLASHBVH_VERDICT_FREE,
   warn = FLASHBVH_VERDICT_WARN,
+  leaving = FLASHBVH_VERDICT_LEAVING,
   not_yet_known = FLASHBVH_VERDICT_NOT_YET_KNOWN,
   stop = FLASHBVH_VERDICT_STOP,
   refused = FLASHBVH_VERDICT_REFUSED,
@@ -59,19 +60,22 @@ enum class LimitVerdict : uint8_t {
 
 using LimitAnswer = flashbvh_limit_answer;
 
-/// A pair's floor before it was measured.
-constexpr uint32_t kUnknownFloor = UINT32_MAX;
+/// In place of GuardPair::granted: limit() has to measure it.
+constexpr uint32_t kNotMeasured = UINT32_MAX;
+/// update() measured the certificate, so the robot has been where it was measured.
+constexpr uint32_t kOwn = 1u << 31;
 /// With a floor's other bits the motion that a released pair may make in a command.
 constexpr uint32_t kReleased = 1u << 31;
 
-/// A pair's certificate. 24 bytes, and 5 for each joint between its links.
+/// A pair's certificate. 28 bytes, and 5 for each joint between its links.
 struct GuardPair {
   uint32_t lower;             ///< the measured distance, in 1/256 cell, rounded down; 0: unknown
   uint32_t upper;             ///< rounded up; UINT32_MAX: unknown
-  uint32_t began;             ///< lower bound of the distance at the period's start
+  uint32_t began;             ///< lower bound at the period's start
   Witness<uint16_t> witness;  ///< the nearest triangles
-  uint32_t floor;             ///< Guard::limit(): the largest distance so far, or its cap
-  uint32_t granted;           ///< lower bound of the distance at the granted values
+  uint32_t seen;     ///< the largest distance before `lower`; with kOwn `lower` counts, too
+  uint32_t floor;    ///< Guard::limit(): the largest distance so far, or its cap
+  uint32_t granted;  ///< lower bound at the granted values; of a released pair Guard::release()
 };
 
 /// A guard's state in addition to its arrays.
@@ -236,18 +240,19 @@ class Guard {
   ///
   /// Too little `work` shortens the motion. The first call measures the pairs near their stop
   /// distance where the robot is, and grants nothing until they are known. An obstacle that moves
-  /// lowers its pairs' floors to where it now is.
+  /// lowers its pairs' floors by as much.
   LimitAnswer limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work);
 
-  /// Lets a pair that intersects, or that has no way out, move without regard to its distance, by
-  /// at most `a_command` in each, until it is a tenth of its stop distance apart: that is its floor
-  /// then. Nothing keeps it from getting deeper: the caller has to know the way. Call it after the
-  /// first limit(). `done`; `guard_state_invalid`: no such pair, or no period yet;
-  /// `distance_out_of_range`: over kMaxGuardDistance.
+  /// Lets a pair that intersects, or that is as far apart as it gets nearby, move without regard to
+  /// its distance, by at most `a_command` in each, until it is a tenth of its stop distance farther
+  /// apart than now: then it has a floor again. Nothing keeps it from getting deeper: the caller
+  /// has to know the way. update() takes it for `leaving`. Call it after a limit() that was held.
+  /// `done`; `guard_state_invalid`: no such pair, or no period yet; `distance_out_of_range`: over
+  /// kMaxGuardDistance.
   Status release(uint16_t pair, FineLength a_command);
 
-  /// The pair's floor, as measured, in 1/256 cell; kUnknownFloor before limit() measured it; 0
-  /// while it is released.
+  /// The pair's floor, as measured, in 1/256 cell; 0 before limit() measured it, and while it is
+  /// released.
   uint32_t floor(uint16_t pair) const {
     const uint32_t floor = pairs_[pair].floor;
     return is_released(floor) ? 0 : floor;
@@ -269,6 +274,8 @@ class Guard {
  private:
   struct Found;
   struct Left;
+  struct Give;
+  struct Measured;
   struct Share;
   struct Bounds;
   struct Keep;
@@ -280,7 +287,7 @@ class Guard {
   Status refusal() const;
   bool is_obstacle(uint8_t link) const;
   bool has_obstacle(uint16_t pair) const;
-  void forget_floors();
+  void follow_obstacles();
   void forget_obstacles();
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
   Status move_to(const JointCoordinate* values);
@@ -290,6 +297,8 @@ class Guard {
   uint32_t motion_of(const RobotPair& pair, uint32_t first, bool& is_fresh) const;
   uint32_t motion_by_levers(const RobotPair& pair, uint32_t first) const;
   Left left_of(uint16_t pair, uint32_t first, bool by_levers) const;
+  Give give_of(uint16_t pair) const;
+  uint32_t lowest_of(uint16_t pair, bool is_current) const;
   uint32_t distance_where_begun(uint16_t pair) const;
   uint32_t moved_in_walk() const;
   uint32_t rate_of(const RobotPair& pair) const;
@@ -298,6 +307,7 @@ class Guard {
   uint32_t first_between(uint16_t pair) const;
   void start_walk(uint16_t pair, uint32_t& work);
   void begin_walk(uint16_t pair, uint32_t& work);
+  bool is_free_after(const RobotPair& pair, uint32_t distance, uint32_t rate) const;
   bool certify_by_spheres(uint16_t pair, uint32_t rate);
   bool certify_by_table(uint16_t pair, uint32_t rate);
   FLASHBVH_NOINLINE uint32_t witness_distance(uint32_t& work) const;
@@ -305,8 +315,8 @@ class Guard {
   void aim(uint32_t nearest);
   void aim_to_know(uint32_t nearest);
   Status walk(uint32_t& work);
-  Status finish(const GuardPair& certificate);
-  void certify(uint16_t pair, const JointCoordinate* at, const GuardPair& certificate,
+  Status finish(uint32_t lower);
+  void certify(uint16_t pair, const JointCoordinate* at, const Measured& measured, bool is_own,
                const uint8_t* shares);
   Pose pose_of(const RobotPair& pair) const;
   bool is_free(uint32_t joint) const;
@@ -318,21 +328,20 @@ class Guard {
   Share share_of(const RobotPair& pair, uint8_t variable, const NearestPoints& nearest) const;
   bool place_witness(uint16_t pair, const Witness<uint16_t>& witness, const Pose& pose, Triangle& a,
                      Triangle& b) const;
-  static bool is_released(uint32_t floor) { return floor >= kReleased && floor != kUnknownFloor; }
-  uint32_t rounding() const;
-  Keep keep_of(uint16_t pair, uint32_t rounding) const;
+  static bool is_released(uint32_t floor) { return floor >= kReleased; }
+  Keep keep_of(uint16_t pair) const;
   Status begin_command(const JointCoordinate* wanted);
   void set_share(const JointCoordinate* wanted, uint32_t share, JointCoordinate* granted);
   int32_t step_from(int32_t from, uint32_t joint) const;
   uint32_t room_of(uint16_t pair, uint32_t first, uint32_t cap) const;
   Bounds bounds_of(uint16_t pair, uint32_t first) const;
-  Status know_floors(uint32_t rounding, uint32_t& work);
+  Status know_floors(uint32_t& work);
   Status measure_at_next(uint16_t pair, uint32_t needed, bool is_for_floor, uint32_t& work);
   Status walk_on(uint32_t needed, uint32_t& work);
-  Try try_released(uint16_t pair, uint32_t first, uint32_t least, uint32_t& work);
+  Try try_released(uint16_t pair, uint32_t first, uint32_t& work);
   Try try_pair(uint16_t pair, uint32_t first, const Keep& keep, uint32_t& work);
-  Try try_all(uint32_t rounding, uint32_t& work);
-  void accept(uint32_t rounding);
+  Try try_all(uint32_t& work);
+  void accept();
   uint32_t own_checksum() const;
   uint32_t robot_checksum() const;
   uint32_t meshes_checksum() const;
