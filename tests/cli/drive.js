@@ -67,10 +67,10 @@ const drive_way = async () => {
   claim("the time line has a period a line", trajectory.verdicts.length === 101);
   // A period's verdict covers the motion to its values, too; the last one is that of these values.
   trajectory.go(100);
-  claim("a period that stops stops here, too", trajectory.name.textContent.includes("stops on the way") && verdict() === "3");
-  const stop = trajectory.verdicts.indexOf("3");
+  claim("a period that stops stops here, too", trajectory.name.textContent.includes("stops on the way") && verdict() === "4");
+  const stop = trajectory.verdicts.indexOf("4");
   trajectory.go(stop - 1);
-  claim("before the first it does not", verdict() !== "3");
+  claim("before the first it does not", verdict() !== "4");
   key([...document.querySelectorAll("[data-period]")].find(line => line.dataset.period === `${stop}`), "Enter");
   claim("a line of a table opens its period", trajectory.period === stop);
 };
@@ -97,7 +97,7 @@ const drive_robot = async () => {
   key(cell, "Enter");
   const shown = cell.dataset.values.split(" ").map(Number);
   claim("a cell of the matrix shows its collision", live.values.every((value, i) => Math.abs(value - shown[i]) < 1e-6));
-  claim("there it stops", verdict() === "3" && says("stops"));
+  claim("there it stops", verdict() === "4" && says("stops"));
   drive_view();
 };
 
@@ -123,7 +123,7 @@ const drive_pair = async () => {
   claim("B follows the pointer, and does not turn", Math.abs(pixel()[0] - before[0] - 40) < 1 &&
     Math.abs(pixel()[1] - before[1]) < 1 && live.pose.slice(0, 9).join() === turned);
   change(live.text, "1 0 0 0 1 0 0 0 2 0 0 0");
-  claim("what is no rotation is refused", verdict() === "4");
+  claim("what is no rotation is refused", verdict() === "5");
   drive_view();
   const choice = document.querySelector("#live select");
   trajectory.play.click();

@@ -171,12 +171,14 @@ EXPORT void set_coordinate(uint32_t variable, int32_t coordinate) {
   values[variable] = coordinate;
 }
 
-/// The verdict of a guard without previous knowledge.
+/// The verdict of a guard that comes from afar: it stops where another one, that starts there,
+/// would be leaving.
 EXPORT const void* verdict() {
   Guard guard(robot, state, state_size);
   const GuardAnswer answer = guard.prime(values);
   const bool has_pair = answer.pair != kNoPair;
-  answered = {static_cast<uint32_t>(answer.verdict),
+  const Verdict verdict = answer.verdict == Verdict::leaving ? Verdict::stop : answer.verdict;
+  answered = {static_cast<uint32_t>(verdict),
               {has_pair ? robot.pairs[answer.pair].a : UINT32_MAX,
                has_pair ? robot.pairs[answer.pair].b : UINT32_MAX},
               answer.distance};

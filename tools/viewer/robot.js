@@ -1,6 +1,6 @@
 // A robot that the reader moves, or its trajectory. Numbers are radians and metres.
 
-const VERDICTS = ["free", "warn", "not yet known", "stops", "refused"];
+const VERDICTS = ["free", "warn", "leaving", "not yet known", "stops", "refused"];
 const NO_MESH = { vertices: new Int16Array(), triangles: new Uint16Array() };
 
 class RobotStage extends Stage {

@@ -60,7 +60,7 @@ class PairStage extends Stage {
     const trajectory = poses.length > 0 && new Trajectory(verdicts, "Pose", i => {
       const way = i > 0 ? this.#way(pose_of(poses[i - 1]), pose_of(poses[i])) : "";
       this.set(pose_of(poses[i]));
-      return `${names[i]}: ${verdicts[i] === "3" ? "intersects" : "free"}${way}`;
+      return `${names[i]}: ${verdicts[i] === "4" ? "intersects" : "free"}${way}`;
     });
     const size = ({ vertices }) => 2 * Math.hypot(...vertices.reduce((most, at, i) => {
       most[i % 3] = Math.max(most[i % 3], Math.abs(at));
@@ -96,7 +96,7 @@ class PairStage extends Stage {
     Object.assign(this, { pose, six, status: this.#place(pose) });
     this.answer = this.status === 0 ? this.#measure() : { status: this.status };
     const { status, pairs, inside } = this.answer;
-    this.#write(status !== 0 ? 4 : pairs > 0 || inside === 1 ? 3 : 0);
+    this.#write(status !== 0 ? 5 : pairs > 0 || inside === 1 ? 4 : 0);
   }
 
   // Sets B's pose in A's frame: nine numbers of its rotation, three of its translation. Returns a Status.
@@ -167,7 +167,7 @@ class PairStage extends Stage {
     const { status, pairs, in_range, points, corners } = this.answer;
     if (status !== 0) return [];
     if (pairs === 0) return in_range ? this.line(points) : [];
-    const [red, half] = [1, 0.6].map(alpha => [...this.colour("--v3").slice(0, 3), alpha]);
+    const [red, half] = [1, 0.6].map(alpha => [...this.colour("--v4").slice(0, 3), alpha]);
     return [{ kind: "TRIANGLES", points: corners, colour: half }, { kind: "LINES", points: edges_of(corners), colour: red }];
   }
 

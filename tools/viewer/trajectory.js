@@ -19,7 +19,7 @@ class Trajectory {
 
   // Draws the time line in the colours of the section, and shows the first position.
   attach(section) {
-    const colours = [0, 1, 2, 3, 4].map(i => getComputedStyle(section).getPropertyValue(`--v${i}`));
+    const colours = [0, 1, 2, 3, 4, 5].map(i => getComputedStyle(section).getPropertyValue(`--v${i}`));
     const pen = this.line.getContext("2d");
     const { width } = this.line;
     for (let x = 0; x < width; ++x) {

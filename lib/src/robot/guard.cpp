@@ -19,11 +19,11 @@ namespace {
 
 constexpr uint32_t kStateVersion = 4;
 
-constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}, 0, 0, kNotMeasured};
+constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}, 0, kNoFloor, kNotMeasured};
 
 /// A pair may lose this part of its stop distance, or so many times what rounding may take.
 constexpr uint32_t kGive = 10;
-constexpr uint32_t kRoundings = 4;
+constexpr uint32_t kRoundings = 8;
 
 constexpr bool is_unknown(const GuardPair& pair) {
   return pair.lower == 0 && pair.upper == UINT32_MAX;
@@ -131,30 +131,20 @@ bool Guard::has_obstacle(uint16_t i) const {
   return is_obstacle(robot_->pairs[i].a) || is_obstacle(robot_->pairs[i].b);
 }
 
-/// Where obstacles moved, to the next coordinates, floors fall by their motion, and limit() has to
-/// measure their pairs again.
+/// limit() has to measure the pairs with obstacles again, if any moved to the next coordinates.
 void Guard::follow_obstacles() {
   bool has_moved = false;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
-    has_moved =
-        has_moved || (robot_->joints[i].type == JointType::fixed && granted_[i] != next_[i]);
-  }
-  for (uint16_t i = 0; has_moved && i < robot_->pair_count; ++i) {
-    GuardPair& known = pairs_[i];
-    core_->roaming = 0;
-    if (has_obstacle(i) && !is_released(known.floor)) {
-      detail::Travel motion;
-      detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
-        const bool is_fixed = robot_->joints[joint].type == JointType::fixed;
-        motion.add_short(reach,
-                         is_fixed ? detail::magnitude(step_from(granted_[joint], joint)) : 0);
-      });
-      known.floor = difference_of(known.floor, motion.fine());
-      known.granted = kNotMeasured;
+    if (robot_->joints[i].type == JointType::fixed) {
+      has_moved = has_moved || granted_[i] != next_[i];
+      granted_[i] = next_[i];
     }
   }
-  for (uint32_t i = 0; has_moved && i < robot_->joint_count; ++i) {
-    granted_[i] = robot_->joints[i].type == JointType::fixed ? next_[i] : granted_[i];
+  for (uint16_t i = 0; has_moved && i < robot_->pair_count; ++i) {
+    core_->roaming = 0;
+    if (has_obstacle(i) && !is_released(pairs_[i].floor)) {
+      pairs_[i].granted = kNotMeasured;
+    }
   }
 }
 

@@ -188,6 +188,22 @@ Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, ui
   return status;
 }
 
+/// Takes the distance at the granted values. A floor falls only if an obstacle came so near that
+/// the robot could not move at all: to where the robot may stay and get no nearer.
+void Guard::know(uint16_t i, uint32_t distance) {
+  GuardPair& known = pairs_[i];
+  const Keep keep = keep_of(i);
+  const Give give = give_of(i);
+  if (known.floor == kNoFloor) {
+    known.floor = smaller(distance, keep.cap);
+  } else if (known.upper != UINT32_MAX) {
+    const uint32_t apart = sum_of(known.upper, 2 * give.rounding);
+    known.floor = smaller(known.floor, apart + smaller(give.most / 2, apart / 3));
+  }
+  known.floor = greater(known.floor, smaller(distance, keep.cap));
+  known.granted = distance;
+}
+
 /// Measures the distances that are not known where the robot was sent last.
 Status Guard::know_floors(uint32_t& work) {
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
@@ -202,8 +218,7 @@ Status Guard::know_floors(uint32_t& work) {
       const bool is_tight = now.is_current && known.upper != UINT32_MAX &&
                             known.lower >= difference_of(known.upper, known.upper / 32 + 2);
       if (now.end >= cap || is_tight) {
-        known.floor = greater(known.floor, smaller(now.end, cap));
-        known.granted = now.end;
+        know(i, now.end);
         break;
       }
       const Status status = work == 0 ? Status::suspended : measure_at_next(i, cap, true, work);

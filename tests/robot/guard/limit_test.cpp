@@ -2,7 +2,7 @@
 // distance come out, and too little work slows them.
 #include <cstring>
 
-#include "support/arms/guarded_arm.hpp"
+#include "support/arms/any_workcell.hpp"
 #include "support/test.hpp"
 
 using namespace flashbvh::tool;
@@ -28,7 +28,7 @@ class Promise {
       most = std::max<double>(most, arm.robot().links[i].deviation);
     }
     const double rounding = arm.robot().slack - 2 * most;
-    give_ = std::max(pair_.stop / 10.0, 4 * rounding);
+    give_ = std::max(pair_.stop / 10.0, 8 * rounding);
     cap_ = pair_.stop + arm.robot().slack + give_;
     rounding_ = rounding + kPlacingFine;
     deviation_ = arm.robot().links[pair_.a].deviation + arm.robot().links[pair_.b].deviation;
@@ -47,10 +47,15 @@ class Promise {
     const double kept = floor - std::min(give_, floor / 2.0) - deviation_;
     return kept <= 0 || !drawn.is_closer(pair_, values, static_cast<std::uint32_t>(kept));
   }
+  /// Whether update() may permit leaving, by a floor that it measured.
+  bool may_leave(const DrawnArm& drawn, const Values& values, std::uint32_t floor) const {
+    return !drawn.is_closer(pair_, values, pair_.stop) || holds(drawn, values, floor);
+  }
   bool is_out(const Values& values) const {
     return distance_of(arm_, pair_, values) > pair_.stop + arm_.robot().slack;
   }
   bool is_touching() const { return largest_ < 4 * rounding_; }
+  double cap() const { return cap_; }
 
  private:
   const FixedArm& arm_;
@@ -74,7 +79,7 @@ struct Commanded {
 
   void start(const Values& at) {
     (void)guard.prime(at.data());
-    now = at;
+    now = measured = at;
     for (Promise& promise : promises) {
       promise.see(at);
     }
@@ -101,6 +106,29 @@ struct Commanded {
     return answer;
   }
 
+  /// The robot follows what was granted, each joint at its own pace. Returns update()'s verdict.
+  Verdict follow(std::uint32_t work, Random& random) {
+    std::vector<std::uint32_t> floors;
+    for (std::uint16_t i = 0; i < promises.size(); ++i) {
+      const GuardPair& pair = state->pairs[i];
+      const std::uint32_t own = (pair.seen & kOwn) != 0 ? pair.lower : 0;
+      floors.push_back(std::max(pair.seen & ~kOwn, std::min(own, kMaxGuardDistance)));
+      floors.back() = std::min(floors.back(), static_cast<std::uint32_t>(promises[i].cap()));
+    }
+    const Values next = Period(arm, measured, now).between(random);
+    const GuardAnswer answer = guard.update(next.data(), work);
+    REQUIRE(answer.status == Status::done);
+    const Period period(arm, measured, next);
+    measured = period.at_end();
+    for (std::uint16_t i = 0; answer.verdict <= Verdict::leaving && i < promises.size(); ++i) {
+      CAPTURE(i, work, floors[i]);
+      for (int moment = 0; moment < 4; ++moment) {
+        REQUIRE(promises[i].may_leave(drawn, period.at(moment, random), floors[i]));
+      }
+    }
+    return answer.verdict;
+  }
+
   bool is_out(const Values& values) const {
     return std::all_of(promises.begin(), promises.end(),
                        [&](const Promise& of) { return of.is_out(values); });
@@ -113,6 +141,7 @@ struct Commanded {
   Guard guard;
   std::vector<Promise> promises;
   Values now;
+  Values measured;
 };
 
 /// A step from some values towards others.
@@ -133,6 +162,7 @@ Values step_towards(const FixedArm& arm, const Values& from, const Values& to, d
 TEST_CASE("limit: no command brings a pair nearer than its floor allows, whatever the budget") {
   const long commands = number_in("FLASHBVH_COMMANDS", rounds(3000L, 20'000L));
   long moved = 0;
+  long left = 0;
   for_rounds(static_cast<int>(commands / 150), [&](Random& random, int) {
     const FixedArm arm(any_guarded_arm(random, 3 + random.below(3), 2e-3));
     Commanded commanded(arm, arm.any_values(random));
@@ -144,9 +174,11 @@ TEST_CASE("limit: no command brings a pair nearer than its floor allows, whateve
       target = random.below(20) == 0 ? arm.any_values(random) : target;
       const Values wanted = step_towards(arm, commanded.now, target, speed);
       moved += commanded.command(wanted, work, random).share != 0 ? 1 : 0;
+      left += commanded.follow(work, random) == Verdict::leaving ? 1 : 0;
     }
   });
   CHECK(moved > commands / 10);  // an arm whose links touch stands still
+  CHECK(left > commands / 100);
 }
 
 TEST_CASE("limit: arms that are inside their stop distance come out") {
@@ -193,7 +225,7 @@ TEST_CASE("limit: arms that are inside their stop distance come out") {
 
 namespace {
 
-constexpr double kSlideCell = 1e-3;
+constexpr double kSlideCell = 1e-4;
 
 /// A block on a slide before a wall, which it touches at 0.6 m; it keeps 20 mm.
 FixedArm slide_before_wall() {
@@ -246,9 +278,80 @@ TEST_CASE("limit: a block before a wall goes to its stop distance, and from insi
   for (const double metres : {0.58, 0.6, 0.57, 0.6, 0.56, 0.6}) {
     const double floor = slide.guard.floor(0) * kSlideCell / 256;
     (void)slide.command(metres);
-    CHECK(0.6 - slide.metres() > floor - 0.002 - 0.001);
+    CHECK(0.6 - slide.metres() > floor - 0.002 - 0.0001);
   }
   CHECK(slide.metres() < 0.6 - 0.018);
+}
+
+TEST_CASE("update: an arm inside its stop distance is leaving until it gets deeper than it was") {
+  Slide slide;
+  const auto verdict_at = [&](double metres, std::uint32_t work = UINT32_MAX) {
+    const JointCoordinate at = slide.coordinate(metres);
+    return slide.guard.update(&at, work).verdict;
+  };
+  slide.start(0.59);  // 10 mm apart; a tenth of the stop distance is 2 mm
+  CHECK(verdict_at(0.59) == Verdict::leaving);
+  CHECK(verdict_at(0.591) == Verdict::leaving);
+  CHECK(verdict_at(0.594) == Verdict::stop);
+  CHECK(verdict_at(0.59) == Verdict::stop);  // it came from there
+  CHECK(verdict_at(0.59) == Verdict::leaving);
+  CHECK(verdict_at(0.57) == Verdict::leaving);  // it was inside in this period
+  CHECK(verdict_at(0.57) == Verdict::warn);
+  CHECK(verdict_at(0.585) == Verdict::stop);  // 30 mm apart before, and never nearer than 20 again
+  CHECK(verdict_at(0.585) == Verdict::stop);
+  CHECK(verdict_at(0.4) == Verdict::stop);
+  CHECK(verdict_at(0.4) == Verdict::free);
+
+  slide.start(0.61);  // intersects
+  CHECK(verdict_at(0.61) == Verdict::stop);
+  REQUIRE(slide.guard.release(0, {256}) == Status::done);
+  CHECK(verdict_at(0.611) == Verdict::leaving);
+  slide.at = slide.coordinate(0.61);
+  while (slide.metres() > 0.5) {
+    (void)slide.command(0.3);
+    CHECK(verdict_at(slide.metres()) <= Verdict::leaving);
+  }
+  CHECK(verdict_at(0.3) == Verdict::free);
+}
+
+TEST_CASE("limit: an obstacle that comes near lowers a floor by its way, and no arm creeps in") {
+  Model model;
+  add_joint(model, kNoJoint, {}, JointType::prismatic, -0.5, 0.7);
+  add_link(model, kNoJoint, box({-0.1, -0.1, -3.0}, {0.1, 0.1, -2.9}));
+  add_link(model, 0, box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+  const FixedArm arm(model, kWorkcellCell, {{0, 1, 0.02, 0.05}});
+  Random random(test_seed());
+  const Body body(random);
+  AnyWorkcell memory;
+  Workcell workcell(arm.robot(), memory);
+  const double top = body.low[2];
+  const auto frame_at = [&](double z) { return fixed_frame(shifted({0, 0, z - top})); };
+  std::uint8_t obstacle = 0;
+  REQUIRE(workcell.add(body.mesh(), {kBase, frame_at(0.5)}, obstacle) == Status::done);
+  const auto fine = [](double metres) {
+    return FineLength{static_cast<std::uint32_t>(metres / kWorkcellCell * 256) + 2};
+  };
+  REQUIRE(workcell.keep_apart(1, obstacle, fine(0.3), fine(0.35)) == Status::done);
+  WorkcellState state{};
+  Guard guard(workcell.robot(), state);
+  JointCoordinate at = 0;
+  REQUIRE(guard.prime(&at).verdict == Verdict::free);
+  const double unit = arm.unit_of(0);
+  double wall = 0.5;
+  double came = 0;
+  double least = 1;
+  for (int command = 0; command < 300; ++command) {
+    const double way = real_between(random, -3e-4, 3e-4);
+    wall += way;
+    came += std::max(0.0, -way);
+    REQUIRE(workcell.move(obstacle, frame_at(wall), fine(std::abs(way))) == Status::done);
+    const JointCoordinate wanted = std::min<JointCoordinate>(
+        at + static_cast<JointCoordinate>(0.01 / unit), arm.robot().joints[0].upper);
+    (void)guard.limit(&wanted, &at, command % 3 == 0 ? 40 : UINT32_MAX);
+    least = std::min(least, wall - 0.1 - at * unit);
+    REQUIRE(least > 0.3 - came);
+  }
+  CHECK(least < 0.33);
 }
 
 TEST_CASE("limit: too little work slows a command and does not stop it") {
@@ -290,7 +393,7 @@ TEST_CASE("limit: a released pair moves slowly until it is apart, and then keeps
   CHECK(slide.command(0.5).verdict == LimitVerdict::held);
   CHECK(slide.guard.release(1, {1}) == Status::guard_state_invalid);
   CHECK(slide.guard.release(0, {kMaxGuardDistance + 1}) == Status::distance_out_of_range);
-  REQUIRE(slide.guard.release(0, {256}) == Status::done);  // 1 mm a command
+  REQUIRE(slide.guard.release(0, {2560}) == Status::done);  // 1 mm a command
   int commands = 0;
   for (; slide.guard.floor(0) == 0 && commands < 100; ++commands) {
     const double before = slide.metres();

@@ -126,7 +126,7 @@ GuardAnswer prime_apart(Random& random, const FixedArm& arm, Guard& guard, int t
   do {
     values = arm.any_values(random);
     answer = guard.prime(values.data());
-  } while (answer.verdict == Verdict::stop && tries-- > 0);
+  } while (answer.verdict >= Verdict::leaving && tries-- > 0);
   return answer;
 }
 

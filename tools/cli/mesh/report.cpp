@@ -82,7 +82,7 @@ QueriedPair queried_pair(const Images& images, std::size_t a, std::size_t b,
     if (i % step == 0 || (touch && pair.verdicts.back() == '0')) {
       pair.drawn_poses.back() = joined(pose_numbers(poses[i], cell), shortest, " ");
       pair.names.back() = concat("pose ", i);
-      pair.verdicts.back() = touch ? '3' : '0';
+      pair.verdicts.back() = touch ? '4' : '0';
     }
   }
   return pair;
@@ -115,7 +115,7 @@ Headline headline_of(const QueriedPair& pair, const std::vector<std::string>& na
   const std::string& b = names[pair.b];
   return pair.touching == 0 ? Headline{0, concat(b, " does not touch ", a,
                                                  is_drawn ? ", as drawn" : " at any pose")}
-                            : Headline{3, concat(b, " touches ", a,
+                            : Headline{4, concat(b, " touches ", a,
                                                  is_drawn ? ", as drawn"
                                                           : concat(" at ", pair.touching, " of ",
                                                                    pair.poses, " poses"))};

@@ -9,8 +9,8 @@
 namespace flashbvh::tool {
 namespace {
 
-constexpr const char* kVerdictNames[kPeriodKinds] = {"free", "warn", "not_yet_known", "stop",
-                                                     "refused"};
+constexpr const char* kVerdictNames[kPeriodKinds] = {"free",          "warn", "leaving",
+                                                     "not_yet_known", "stop", "refused"};
 
 void add_pair(const GuardedTrajectory& guarded, std::uint16_t pair, Json& json) {
   const bool is_none = pair == kNoPair;

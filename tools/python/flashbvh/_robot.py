@@ -20,13 +20,14 @@ _CHECKED = np.dtype([("verdicts", "u1"), ("pairs", "i4"), ("distances", "f8"), (
 
 
 class Verdict(enum.IntEnum):
-    """A guard's verdict on a period, from the best to the worst. The robot may move only up to WARN."""
+    """A guard's verdict on a period, from the best to the worst. The robot may move up to WARN; LEAVING, only as limit() grants."""
 
     FREE = 0
     WARN = 1
-    NOT_YET_KNOWN = 2
-    STOP = 3
-    REFUSED = 4
+    LEAVING = 2
+    NOT_YET_KNOWN = 3
+    STOP = 4
+    REFUSED = 5
 
 
 class Robot(Image):

@@ -78,12 +78,12 @@ std::optional<ClosestMoment> closest_moment(const Robot& robot, const Trajectory
 std::size_t refused_joint(const Robot& robot, const float* values);
 
 /// The verdicts, and refused values.
-constexpr std::size_t kPeriodKinds = 5;
-constexpr std::size_t kRefusedKind = 4;
+constexpr std::size_t kPeriodKinds = 6;
+constexpr std::size_t kRefusedKind = 5;
 /// In the order of tables.
-constexpr std::array<std::size_t, kPeriodKinds> kKindsInOrder = {0, 1, 3, 2, 4};
-constexpr std::array<const char*, kPeriodKinds> kKindNames = {"free", "warn", "not yet known",
-                                                              "stop", "refused"};
+constexpr std::array<std::size_t, kPeriodKinds> kKindsInOrder = {0, 1, 2, 4, 3, 5};
+constexpr std::array<const char*, kPeriodKinds> kKindNames = {"free",          "warn", "leaving",
+                                                              "not yet known", "stop", "refused"};
 std::size_t kind_of(const GuardAnswer& answer);
 /// "free", "hit", "close".
 const char* outcome_name(MotionOutcome outcome);

@@ -9,7 +9,7 @@ namespace {
 
 /// Larger weights are shown sooner. Refused values are reported elsewhere, too.
 auto weight(const Stretch& stretch) {
-  constexpr std::size_t kWeights[kPeriodKinds] = {0, 1, 3, 4, 2};
+  constexpr std::size_t kWeights[kPeriodKinds] = {0, 1, 2, 4, 5, 3};
   return std::tuple(kWeights[stretch.kind], stretch.last - stretch.first);
 }
 

@@ -60,6 +60,8 @@ enum class LimitVerdict : uint8_t {
 
 using LimitAnswer = flashbvh_limit_answer;
 
+/// A pair's floor before it was measured.
+constexpr uint32_t kNoFloor = (1u << 31) - 1;
 /// In place of GuardPair::granted: limit() has to measure it.
 constexpr uint32_t kNotMeasured = UINT32_MAX;
 /// update() measured the certificate, so the robot has been where it was measured.
@@ -239,8 +241,8 @@ class Guard {
   /// the URDF's links, but inside the stop distance those of the baked links.
   ///
   /// Too little `work` shortens the motion. The first call measures the pairs near their stop
-  /// distance where the robot is, and grants nothing until they are known. An obstacle that moves
-  /// lowers its pairs' floors by as much.
+  /// distance where the robot is, and grants nothing until they are known. A floor falls only if an
+  /// obstacle comes nearer than it allows.
   LimitAnswer limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work);
 
   /// Lets a pair that intersects, or that is as far apart as it gets nearby, move without regard to
@@ -255,7 +257,7 @@ class Guard {
   /// released.
   uint32_t floor(uint16_t pair) const {
     const uint32_t floor = pairs_[pair].floor;
-    return is_released(floor) ? 0 : floor;
+    return is_released(floor) || floor == kNoFloor ? 0 : floor;
   }
 
   /// Explains a pair's distance at the end of the period. `changes`: variable_count derivatives of
@@ -335,6 +337,7 @@ class Guard {
   int32_t step_from(int32_t from, uint32_t joint) const;
   uint32_t room_of(uint16_t pair, uint32_t first, uint32_t cap) const;
   Bounds bounds_of(uint16_t pair, uint32_t first) const;
+  void know(uint16_t pair, uint32_t distance);
   Status know_floors(uint32_t& work);
   Status measure_at_next(uint16_t pair, uint32_t needed, bool is_for_floor, uint32_t& work);
   Status walk_on(uint32_t needed, uint32_t& work);
