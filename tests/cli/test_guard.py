@@ -102,7 +102,7 @@ class GuardTest(Case):
         self.assertEqual(page_data("page.html")["facts"], [said])
         verdicts = out.each("verdict")
         self.assertEqual(said["periods"],
-                         {kind: verdicts.count(kind) for kind in ("free", "warn", "stop", "not_yet_known", "refused")})
+                         {kind: verdicts.count(kind) for kind in ("free", "warn", "leaving", "stop", "not_yet_known", "refused")})
         outcomes = [line["motion"]["outcome"] for line in out.lines if "motion" in line]
         self.assertEqual(len(said["motions"]), len(outcomes) - outcomes.count("free"))
         shutil.copytree(".", "elsewhere")

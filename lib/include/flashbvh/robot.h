@@ -120,8 +120,8 @@ flashbvh_guard_limit(flashbvh_guard* guard, const flashbvh_joint_coordinate* wan
 
 /** Guard::release(): lets a pair that intersects move, by at most this in each command.
  * GUARD_STATE_INVALID, DISTANCE_OUT_OF_RANGE. */
-flashbvh_status flashbvh_guard_release(flashbvh_guard* guard, uint16_t pair,
-                                       flashbvh_fine_length a_command);
+FLASHBVH_NODISCARD flashbvh_status flashbvh_guard_release(flashbvh_guard* guard, uint16_t pair,
+                                                          flashbvh_fine_length a_command);
 
 /** Guard::explain(); `changes` has variable_count entries. GUARD_STATE_INVALID: there was no period
  * yet, or no such pair. */

@@ -252,7 +252,8 @@ uint32_t Guard::lowest_of(uint16_t i, bool is_current) const {
   const uint32_t seen = greater(known.seen & ~kOwn, is_own ? known.lower : 0);
   const Give give = give_of(i);
   const uint32_t floor = smaller(seen, limit + give.most);
-  return smaller(limit, floor - give.of(floor) + give.rounding);
+  const uint32_t kept = greater(floor - give.of(floor), give.rounding);  // less may be contact
+  return smaller(limit, kept + give.rounding);
 }
 
 /// Upper bound on how far the joints move the pair in this period, in 1/256 cell.

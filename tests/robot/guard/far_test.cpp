@@ -173,7 +173,7 @@ TEST_CASE("what was measured where a period ends is known in the next, however f
 }
 
 TEST_CASE("gantries that jump anywhere: no call fails to end, and no verdict is contradicted") {
-  long verdicts[5] = {};
+  long verdicts[6] = {};
   long far = 0;
   for_rounds(rounds(40, 200), [&](Random& random, int) {
     const Gantry gantry = any_gantry(random);
@@ -205,9 +205,9 @@ TEST_CASE("gantries that jump anywhere: no call fails to end, and no verdict is 
       before = now;
     }
   });
-  CAPTURE(verdicts[0], verdicts[1], verdicts[2], verdicts[3]);
+  CAPTURE(verdicts[0], verdicts[1], verdicts[3], verdicts[4]);
   CHECK(verdicts[0] > 0);
-  CHECK(verdicts[2] > 0);
   CHECK(verdicts[3] > 0);
+  CHECK(verdicts[4] > 0);
   CHECK(far > 0);
 }

@@ -17,16 +17,15 @@ std::int64_t least_between(std::int64_t began, std::int64_t ended, std::int64_t 
 
 TEST_CASE("what is kept of a period is the least between its ends") {
   for_rounds(rounds(20000, 200000), [](Random& random, int) {
-    const std::uint32_t slack = random.below(8);
     const std::uint32_t way = random.below(60);
     const std::uint32_t ended = random.below(200);
     // The distances at the two ends differ by at most the travel.
     const std::int64_t other =
         std::int64_t{ended} + random.between(-static_cast<int>(way), static_cast<int>(way));
     const auto began = static_cast<std::uint32_t>(std::max<std::int64_t>(0, other));
-    const std::uint32_t kept = detail::kept_of(ended + slack, began, way + slack, slack);
+    const std::uint32_t kept = detail::kept_of(ended, began, way);
     const std::int64_t least = least_between(began, ended, way);
-    CAPTURE(slack, way, began, ended, kept, least);
+    CAPTURE(way, began, ended, kept, least);
     REQUIRE(kept <= least);
     REQUIRE(kept + 1 >= least);
   });
@@ -34,14 +33,12 @@ TEST_CASE("what is kept of a period is the least between its ends") {
 
 TEST_CASE("what lasts a period keeps the pair beyond the limit, and less does not") {
   for_rounds(rounds(20000, 200000), [](Random& random, int) {
-    const std::uint32_t slack = random.below(8);
     const std::uint32_t way = random.below(60);
     const std::uint32_t limit = random.below(200);
     const std::uint32_t began = random.below(300);
-    const std::uint32_t lost = way + slack;
-    const std::uint32_t enough = detail::lasting(limit, began, way + detail::kRateMargin, slack);
-    CAPTURE(slack, way, limit, began, enough);
-    REQUIRE(detail::kept_of(enough, began, lost, slack) > limit);
-    REQUIRE(detail::kept_of(enough - detail::kRateMargin, began, lost, slack) <= limit);
+    const std::uint32_t enough = detail::lasting(limit, began, way + detail::kRateMargin);
+    CAPTURE(way, limit, began, enough);
+    REQUIRE(detail::kept_of(enough, began, way) > limit);
+    REQUIRE(detail::kept_of(enough - detail::kRateMargin, began, way) <= limit);
   });
 }
