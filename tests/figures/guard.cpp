@@ -117,6 +117,27 @@ bool guard_motions(const char* name, uint32_t percent) {
   return good;
 }
 
+/// Returns whether limit() lets each command through and update() agrees.
+bool limit_motions(uint32_t percent) {
+  Motions motions(percent);
+  Guard guard(robot, guard_memory);
+  bool good = guard.prime(motions.values()).verdict == Verdict::free;
+  JointCoordinate granted[kJoints];
+  for (uint32_t i = 0; i < kPeriods; ++i) {
+    motions.next();
+    LimitAnswer limited = {};
+    GuardAnswer answer = {};
+    measure({{"guard", "limited"}}, [&] {
+      limited = guard.limit(motions.values(), granted, kWork);
+      answer = guard.update(granted, kWork);
+    });
+    add_to_digest(limited.work + limited.share);
+    add_to_digest(answer.work);
+    good = good && limited.status == Status::done && answer.verdict != Verdict::stop;
+  }
+  return good;
+}
+
 /// Certifies motions of up to 1 radian per joint. Returns whether some are free.
 bool certify_motions() {
   constexpr int32_t radian = 42722830;
@@ -217,7 +238,8 @@ bool measure_guard() {
   measure_fixed_part();
   const bool half = guard_motions("half", 50);
   const bool tenth = guard_motions("tenth", 10);
-  return certify_motions() && opened && half && tenth;
+  const bool limited = limit_motions(50);
+  return certify_motions() && opened && half && tenth && limited;
 }
 
 }  // namespace figures

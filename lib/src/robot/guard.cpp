@@ -56,6 +56,7 @@ void Guard::forget() {
   core_->walked_pair = kNoPair;
   core_->has_values = 0;
   core_->roaming = 0;
+  core_->rounding = rounding();
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     before_[i] = step_[i] = granted_[i] = 0;
   }
@@ -77,6 +78,11 @@ bool Guard::has_values() const {
 Status Guard::refusal() const {
   const Status why = status();
   return why == Status::done ? Status::guard_state_invalid : why;
+}
+
+/// The part of Robot::slack that is not the links' deviation.
+uint32_t Guard::rounding() const {
+  return difference_of(robot_->slack, 2 * detail::largest_deviation(*robot_));
 }
 
 /// Returns whether all indices of the state are in the robot's arrays, and all numbers in range.
@@ -111,6 +117,7 @@ Status Guard::resume() {
     forget();
     return refusal();
   }
+  core_->rounding = rounding();
   forget_obstacles();  // they may have moved without a count: their workcell may be a new one
   if (core_->walked_pair != kNoPair) {  // the stored pose is not checked but made again
     set_frames(*robot_, walked_, frames_);
@@ -131,17 +138,11 @@ bool Guard::has_obstacle(uint16_t i) const {
   return is_obstacle(robot_->pairs[i].a) || is_obstacle(robot_->pairs[i].b);
 }
 
-/// limit() has to measure the pairs with obstacles again, if any moved to the next coordinates.
-void Guard::follow_obstacles() {
-  bool has_moved = false;
-  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
-    if (robot_->joints[i].type == JointType::fixed) {
-      has_moved = has_moved || granted_[i] != next_[i];
-      granted_[i] = next_[i];
-    }
-  }
-  for (uint16_t i = 0; has_moved && i < robot_->pair_count; ++i) {
-    core_->roaming = 0;
+/// Follows an obstacle that moved: limit() has to measure its pairs again.
+void Guard::follow_obstacle(uint32_t joint) {
+  granted_[joint] = next_[joint];
+  core_->roaming = 0;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     if (has_obstacle(i) && !is_released(pairs_[i].floor)) {
       pairs_[i].granted = kNotMeasured;
     }
@@ -215,30 +216,29 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
                           : difference_of(measured, now.moved);
   };
   now.distance = kept(known.lower);
-  now.lowest = pair.stop + robot_->slack;
-  now.left = difference_of(now.distance, now.lowest);
-  now.is_inside = now.left == 0;
+  now.left = difference_of(now.distance, pair.stop + robot_->slack);
   // A joint that returns faster to a pose with a small certificate may need a larger one, if it can
   // be had. A pair measured where the period ends is settled: aim() in guard_measure.cpp.
-  uint32_t sought = pair.warn + robot_->slack;
-  const bool is_known = now.distance > sought || known.lower >= kMaxGuardDistance;
-  if (now.is_inside) {
-    sought = now.lowest;
-    now.lowest = lowest_of(i, now.is_current);
-    now.left = difference_of(now.distance, now.lowest);
-    sought = now.left != 0 ? sought : now.lowest;
-  }
-  now.is_settled = now.is_current && !is_unknown(known) &&
-                   (is_known || kept(difference_of(known.upper, kRateMargin)) <= sought);
-  if (now.is_inside && is_released(known.floor)) {
-    now.left = 1;
-    now.is_settled = true;
+  const auto is_settled = [&](uint32_t sought) {
+    return now.is_current && !is_unknown(known) &&
+           (now.distance > pair.warn + robot_->slack || known.lower >= kMaxGuardDistance ||
+            kept(difference_of(known.upper, kRateMargin)) <= sought);
+  };
+  now.is_settled = is_settled((now.left != 0 ? pair.warn : pair.stop) + robot_->slack);
+  if (now.left == 0) {
+    const uint32_t lowest = lowest_of(i, now.is_current);
+    now.left = difference_of(now.distance, lowest);
+    now.is_settled = now.left != 0 ? now.is_settled : is_settled(lowest);
+    if (is_released(known.floor)) {
+      now.left = 1;
+      now.is_settled = true;
+    }
   }
   return now;
 }
 
 Guard::Give Guard::give_of(uint16_t i) const {
-  const uint32_t rounding = difference_of(robot_->slack, 2 * detail::largest_deviation(*robot_));
+  const uint32_t rounding = core_->rounding;
   return {greater(robot_->pairs[i].stop / kGive, kRoundings * rounding), rounding};
 }
 
@@ -274,6 +274,18 @@ uint32_t Guard::longest_step() const {
   return longest;
 }
 
+Verdict Guard::verdict_of(uint16_t i, const Left& now) const {
+  const RobotPair& pair = robot_->pairs[i];
+  if (now.distance > pair.warn + robot_->slack) {
+    return Verdict::free;
+  }
+  if (now.left != 0) {
+    return now.distance > pair.stop + robot_->slack ? Verdict::warn : Verdict::leaving;
+  }
+  const bool is_near = sum_of(pairs_[i].upper, now.moved) <= lowest_of(i, now.is_current);
+  return now.is_settled || is_near ? Verdict::stop : Verdict::not_yet_known;
+}
+
 Guard::Found Guard::look() {
   Found found = {Verdict::free, kNoPair, UINT32_MAX, kNoPair, 0, 1, 0, kNoPair, UINT32_MAX, 1};
   const uint32_t longest = longest_step();
@@ -304,13 +316,7 @@ Guard::Found Guard::look() {
     if (now.distance == 0 && !now.is_current) {
       known.lower = 0;  // expired for good: the count of an obstacle's motion wraps at 32 bits
     }
-    const bool is_stopped =
-        now.left == 0 && (now.is_settled || sum_of(known.upper, now.moved) <= now.lowest);
-    found.take(now.left == 0          ? is_stopped ? Verdict::stop : Verdict::not_yet_known
-               : now.is_inside        ? Verdict::leaving
-               : now.distance <= warn ? Verdict::warn
-                                      : Verdict::free,
-               i, difference_of(now.distance, robot_->slack));
+    found.take(verdict_of(i, now), i, difference_of(now.distance, robot_->slack));
     found.walked_left = i == core_->walked_pair ? now.left : found.walked_left;
   }
   if (found.due == kNoPair) {
@@ -365,9 +371,12 @@ Status Guard::move_to(const JointCoordinate* values) {
     const int32_t step = is_first ? 0 : step_to_next(i);
     before_[i] = detail::difference(next_[i], step);
     step_[i] = step;
-    granted_[i] = is_first ? next_[i] : granted_[i];
+    if (is_first) {
+      granted_[i] = next_[i];
+    } else if (robot_->joints[i].type == JointType::fixed && granted_[i] != next_[i]) {
+      follow_obstacle(i);
+    }
   }
-  follow_obstacles();
   for (uint32_t i = 0; i < robot_->pair_count; ++i) {
     pairs_[i].began = 0;
   }

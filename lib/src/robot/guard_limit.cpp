@@ -68,7 +68,7 @@ Guard::Keep Guard::keep_of(uint16_t i) const {
           sum_of(floor - give.of(floor), give.rounding), floor - give.of(floor) / 2};
 }
 
-/// Checks the wanted values and follows obstacles.
+/// Checks the wanted values.
 Status Guard::begin_command(const JointCoordinate* wanted) {
   if (!has_values()) {
     return refusal();
@@ -89,11 +89,10 @@ Status Guard::begin_command(const JointCoordinate* wanted) {
   if (((laps - core_->laps) & detail::kLapMask) >= detail::kTooManyLaps) {
     return Status::joint_jumped;
   }
-  follow_obstacles();
   return Status::done;
 }
 
-/// Sets values at a share of the way, cut towards the granted ones, and their coordinates.
+/// Sets values at a share of the way, cut towards the granted ones.
 void Guard::set_share(const JointCoordinate* wanted, uint32_t share, JointCoordinate* granted) {
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     const RobotJoint& joint = robot_->joints[i];
@@ -106,8 +105,6 @@ void Guard::set_share(const JointCoordinate* wanted, uint32_t share, JointCoordi
     granted[joint.variable] =
         share == kWhole ? wanted[joint.variable] : from + static_cast<JointCoordinate>(part);
   }
-  (void)set_coordinates(*robot_, granted, next_);
-  core_->has_frames = 0;
 }
 
 /// How far each joint may go beyond this motion, in units of its coordinate, before the pair's
@@ -202,6 +199,14 @@ void Guard::know(uint16_t i, uint32_t distance) {
   }
   known.floor = greater(known.floor, smaller(distance, keep.cap));
   known.granted = distance;
+}
+
+bool Guard::knows_floors() const {
+  bool knows = true;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    knows = knows && pairs_[i].granted != kNotMeasured;
+  }
+  return knows;
 }
 
 /// Measures the distances that are not known where the robot was sent last.
@@ -352,20 +357,25 @@ LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted
   }
   uint32_t longest = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    if (robot_->joints[i].type == JointType::fixed && granted_[i] != next_[i]) {
+      follow_obstacle(i);
+    }
     longest = greater(longest, detail::magnitude(step_from(granted_[i], i)));
   }
   uint32_t share = kWhole;
-  set_share(wanted, share, granted);
   Status status = Status::done;
   if (longest < core_->roaming) {
     const uint32_t roaming = core_->roaming - longest;
     accept();
     core_->roaming = roaming;
   } else {
-    status = know_floors(work);
-    share = status == Status::done ? kWhole : 0;
+    if (!knows_floors()) {
+      status = know_floors(work);
+      share = status == Status::done ? kWhole : 0;
+      (void)set_coordinates(*robot_, wanted, next_);
+      core_->has_frames = 0;
+    }
     for (int tries = 1; share != 0; ++tries) {
-      set_share(wanted, share, granted);
       const Try tried = try_all(work);
       if (tried.status == Status::done) {
         accept();
@@ -378,10 +388,13 @@ LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted
       share = tries == kMostTries  ? 0
               : tries > kManyTries ? smaller(less, share / kFaster)
                                    : smaller(less, share - 1);
+      set_share(wanted, share, granted);
+      (void)set_coordinates(*robot_, granted, next_);
+      core_->has_frames = 0;
     }
   }
-  if (share == 0) {
-    set_share(wanted, 0, granted);
+  if (share == kWhole || share == 0) {
+    set_share(wanted, share, granted);
   }
   core_->has_frames = 0;
   answer.share = static_cast<uint16_t>(share);

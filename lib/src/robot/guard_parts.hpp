@@ -52,9 +52,7 @@ struct Guard::Measured {
 struct Guard::Left {
   uint32_t moved;     ///< the links' motion towards each other since then, at most
   uint32_t distance;  ///< the links are farther apart than this
-  uint32_t lowest;    ///< the distance to keep: for the stop distance; or, inside it, for the floor
-  uint32_t left;      ///< `distance` less `lowest`
-  bool is_inside;     ///< `lowest` is below the stop distance
+  uint32_t left;      ///< `distance` less the stop distance, or, inside it, less lowest_of()
   bool is_current;    ///< the certificate was measured where the period ends
   bool is_settled;    ///< measuring the pair again would prove no more of the period
 };

@@ -48,7 +48,7 @@ GuardAnswer = struct("GuardAnswer", ("status", c_uint8), ("verdict", c_uint8), (
 
 def guard_state_size(joints, pairs, pair_joints):
     """FLASHBVH_GUARD_STATE_SIZE."""
-    return 116 + 68 * joints + 28 * pairs + 4 * pair_joints + (joints + pair_joints + 3) // 4 * 4
+    return 120 + 68 * joints + 28 * pairs + 4 * pair_joints + (joints + pair_joints + 3) // 4 * 4
 
 
 _library = ctypes.CDLL(str(Path(__file__).with_name("_flashbvh.so")))

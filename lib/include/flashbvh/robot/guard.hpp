@@ -89,10 +89,11 @@ struct GuardCore {
   uint16_t walked_pair;  ///< the pair that is being measured, or kNoPair
   uint8_t has_values;    ///< 0 or not; no bool, since a damaged state may hold any value
   uint8_t has_frames;
-  uint32_t asked;    ///< distance tested in the measurement, in 1/256 cell
-  uint32_t nearest;  ///< distance of `witness`, rounded up
-  uint32_t kept;     ///< distance that limit() wants to know of; 0: update() measures
-  uint32_t roaming;  ///< motion of each joint from the granted values that no pair has to fear
+  uint32_t asked;     ///< distance tested in the measurement, in 1/256 cell
+  uint32_t nearest;   ///< distance of `witness`, rounded up
+  uint32_t kept;      ///< distance that limit() wants to know of; 0: update() measures
+  uint32_t rounding;  ///< Guard::rounding()
+  uint32_t roaming;   ///< motion of each joint from the granted values that no pair has to fear
   Witness<uint16_t> witness;
   QueryCursor<uint16_t> cursor;
   Pose pose = Pose::translated(0, 0, 0);
@@ -289,7 +290,7 @@ class Guard {
   Status refusal() const;
   bool is_obstacle(uint8_t link) const;
   bool has_obstacle(uint16_t pair) const;
-  void follow_obstacles();
+  void follow_obstacle(uint32_t joint);
   void forget_obstacles();
   bool has_triangles(uint16_t pair, const Witness<uint16_t>& witness) const;
   Status move_to(const JointCoordinate* values);
@@ -299,12 +300,14 @@ class Guard {
   uint32_t motion_of(const RobotPair& pair, uint32_t first, bool& is_fresh) const;
   uint32_t motion_by_levers(const RobotPair& pair, uint32_t first) const;
   Left left_of(uint16_t pair, uint32_t first, bool by_levers) const;
+  uint32_t rounding() const;
   Give give_of(uint16_t pair) const;
   uint32_t lowest_of(uint16_t pair, bool is_current) const;
   uint32_t distance_where_begun(uint16_t pair) const;
   uint32_t moved_in_walk() const;
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
+  Verdict verdict_of(uint16_t pair, const Left& now) const;
   Found look();
   uint32_t first_between(uint16_t pair) const;
   void start_walk(uint16_t pair, uint32_t& work);
@@ -338,6 +341,7 @@ class Guard {
   uint32_t room_of(uint16_t pair, uint32_t first, uint32_t cap) const;
   Bounds bounds_of(uint16_t pair, uint32_t first) const;
   void know(uint16_t pair, uint32_t distance);
+  bool knows_floors() const;
   Status know_floors(uint32_t& work);
   Status measure_at_next(uint16_t pair, uint32_t needed, bool is_for_floor, uint32_t& work);
   Status walk_on(uint32_t needed, uint32_t& work);
