@@ -216,25 +216,32 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
                           : difference_of(measured, now.moved);
   };
   now.distance = kept(known.lower);
-  now.left = difference_of(now.distance, pair.stop + robot_->slack);
+  const uint32_t warn = pair.warn + robot_->slack;
+  const uint32_t stop = pair.stop + robot_->slack;
+  now.left = difference_of(now.distance, stop);
   // A joint that returns faster to a pose with a small certificate may need a larger one, if it can
   // be had. A pair measured where the period ends is settled: aim() in guard_measure.cpp.
-  const auto is_settled = [&](uint32_t sought) {
-    return now.is_current && !is_unknown(known) &&
-           (now.distance > pair.warn + robot_->slack || known.lower >= kMaxGuardDistance ||
-            kept(difference_of(known.upper, kRateMargin)) <= sought);
-  };
-  now.is_settled = is_settled((now.left != 0 ? pair.warn : pair.stop) + robot_->slack);
+  const uint32_t sought = now.left != 0 ? warn : stop;
+  now.is_settled = now.is_current && !is_unknown(known) &&
+                   (now.distance > warn || known.lower >= kMaxGuardDistance ||
+                    kept(difference_of(known.upper, kRateMargin)) <= sought);
   if (now.left == 0) {
-    const uint32_t lowest = lowest_of(i, now.is_current);
-    now.left = difference_of(now.distance, lowest);
-    now.is_settled = now.left != 0 ? now.is_settled : is_settled(lowest);
-    if (is_released(known.floor)) {
-      now.left = 1;
-      now.is_settled = true;
-    }
+    look_inside(i, kept(difference_of(known.upper, kRateMargin)), now);
   }
   return now;
+}
+
+/// Looks at what is left of a pair inside its stop distance. `most`: the largest distance that
+/// could be had.
+void Guard::look_inside(uint16_t i, uint32_t most, Left& now) const {
+  const uint32_t lowest = lowest_of(i, now.is_current);
+  now.left = difference_of(now.distance, lowest);
+  if (is_released(pairs_[i].floor)) {
+    now.left = 1;
+    now.is_settled = true;
+  } else if (now.left == 0) {
+    now.is_settled = now.is_settled && (pairs_[i].lower >= kMaxGuardDistance || most <= lowest);
+  }
 }
 
 Guard::Give Guard::give_of(uint16_t i) const {
@@ -274,11 +281,9 @@ uint32_t Guard::longest_step() const {
   return longest;
 }
 
+/// The verdict of a pair that may be inside its warn distance.
 Verdict Guard::verdict_of(uint16_t i, const Left& now) const {
   const RobotPair& pair = robot_->pairs[i];
-  if (now.distance > pair.warn + robot_->slack) {
-    return Verdict::free;
-  }
   if (now.left != 0) {
     return now.distance > pair.stop + robot_->slack ? Verdict::warn : Verdict::leaving;
   }
@@ -316,7 +321,8 @@ Guard::Found Guard::look() {
     if (now.distance == 0 && !now.is_current) {
       known.lower = 0;  // expired for good: the count of an obstacle's motion wraps at 32 bits
     }
-    found.take(verdict_of(i, now), i, difference_of(now.distance, robot_->slack));
+    found.take(now.distance > warn ? Verdict::free : verdict_of(i, now), i,
+               difference_of(now.distance, robot_->slack));
     found.walked_left = i == core_->walked_pair ? now.left : found.walked_left;
   }
   if (found.due == kNoPair) {

@@ -307,7 +307,8 @@ class Guard {
   uint32_t moved_in_walk() const;
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
-  Verdict verdict_of(uint16_t pair, const Left& now) const;
+  FLASHBVH_NOINLINE void look_inside(uint16_t pair, uint32_t most, Left& now) const;
+  FLASHBVH_NOINLINE Verdict verdict_of(uint16_t pair, const Left& now) const;
   Found look();
   uint32_t first_between(uint16_t pair) const;
   void start_walk(uint16_t pair, uint32_t& work);
