@@ -102,7 +102,8 @@ void check_limited(flashbvh_guard& c, Guard& guard, const JointCoordinate* wante
   const LimitAnswer found = flashbvh_guard_limit(&c, wanted, c_granted, work);
   REQUIRE((found.status == known.status && found.verdict == known.verdict));
   REQUIRE((found.share == known.share && found.pair == known.pair && found.work == known.work));
-  REQUIRE(found.opposed == known.opposed);
+  REQUIRE((found.opposed == known.opposed && found.floor == known.floor));
+  REQUIRE(found.distance == known.distance);
   REQUIRE(same(granted, c_granted, kVariables));
 }
 

@@ -96,6 +96,32 @@ class GuardTest(Case):
         out.err.contains("half.csv:3: a joint without limits turns by half a turn")
 
     # From any folder, with no external address and no path.
+    def test_an_arm_that_begins_inside_its_stop_distance_goes_where_limit_lets_it_and_gets_no_deeper(self):
+        # Folded 4 mm beyond its stop distance, then further, then out, then folded until it would touch.
+        line_up("in.csv", "turn,grip,fold", (0, 0.05, 2.2), (0, 0.05, 2.28), 10)
+        line_up("out.csv", "turn,grip,fold", (0, 0.05, 2.28), (0, 0.05, 1.2), 200)
+        rows = text("in.csv").splitlines() + text("out.csv").splitlines()[1:] + text("folded.csv").splitlines()[121:]
+        write("wanted.csv", "\n".join(rows))
+        self.assertIn("leaving", flashbvh("guard image/arm.robot wanted.csv", code=1))
+        out = flashbvh("guard image/arm.robot wanted.csv --limit granted.csv --json")
+        limits = [line["limit"] for line in out.lines]
+        self.assertLessEqual({"granted", "shortened"}, {limit["verdict"] for limit in limits})
+        self.assertEqual(set(out.each("verdict")), {"free", "warn", "leaving"})
+        self.assertEqual({kind["verdict"]: kind["periods"] for kind in out.lines[0]["limits"]},
+                         {kind: sum(limit["verdict"] == kind for limit in limits)
+                          for kind in ("granted", "shortened", "held", "not_yet_known", "refused")})
+        floors = [limit["floor"] for limit in limits if limit.get("a") == "upper"]
+        self.assertTrue(0 < floors[0] < 0.01 < floors[-1] <= 0.0115, floors)
+        self.assertEqual(floors, sorted(floors))
+        # What was granted is a trajectory of its own, which leaves by itself.
+        self.assertNotIn("stop", flashbvh("guard image/arm.robot granted.csv --json", code=1).each("verdict"))
+        flashbvh("guard image/arm.robot wanted.csv --limit granted.csv").matches("^shortened  .* upper - fore$")
+        line_up("inside.csv", "turn,grip,fold", (0, 0.05, 3), (0, 0.05, 2), 20)
+        flashbvh("guard image/arm.robot inside.csv --limit granted.csv", code=1).contains(
+            "upper - fore, which touch: only release() lets them apart")
+        refuse("guard image/arm.robot wanted.csv --limit granted.csv --core Cortex-M4F --hz 1000 --clock 100",
+               "--limit excludes --core")
+
     def test_a_page_has_what_json_says(self):
         out = flashbvh("guard image/arm.robot folded.csv --motion --work 40 --json --report page.html", code=1)
         said = {name: out.lines[0][name] for name in ("periods", "not_guarded", "stretches", "deviation", "motions")}

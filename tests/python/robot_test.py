@@ -66,6 +66,27 @@ class RobotTest(Case):
             self.assertEqual((answer.verdict, pair, answer.distance, answer.work), found[i].tolist())
             self.assertEqual(answer.links or (None, None), (periods[i]["a"], periods[i]["b"]))
 
+    def test_commands_are_let_through_as_the_program_does(self):
+        rows = np.array([[0.1 * i / 40, 1 + 2 * i / 40, 0.05] for i in range(40)] + [[0, 1, 0.05]] * 3)
+        (self.folder / "wanted.csv").write_text("turn,fold,grip\n" + "".join(
+            ",".join(map(repr, row)) + "\n" for row in rows.tolist()))
+        self.robot.save(self.folder / "limited.robot")
+        periods = lines("guard", self.folder / "limited.robot", self.folder / "wanted.csv", "--limit",
+                        self.folder / "granted.csv", exits=(0, 1))
+        granted = np.loadtxt(self.folder / "granted.csv", delimiter=",", skiprows=1)
+        guard = flashbvh.Guard(self.robot)
+        guard.update(rows[0])
+        for row, period, values in zip(rows, periods, granted):
+            answer = guard.limit(row)
+            said = period["limit"]
+            self.assertEqual((answer.verdict.name.lower(), answer.share), (said["verdict"], said["share"]))
+            self.assertEqual(answer.links, (said["a"], said["b"]) if answer.links else None)
+            np.testing.assert_allclose(answer.granted, values, atol=1e-6)
+            guard.update(answer.granted)
+        self.assertLess({"granted", "shortened"}, {period["limit"]["verdict"] for period in periods} | {"held"})
+        self.refused(Error, "^pair: guard_state_invalid", guard.release, 99, 0.001)
+        guard.release(0, 0.001)
+
     def test_a_period_goes_on(self):
         guard = flashbvh.Guard(self.robot)
         self.assertEqual(guard.go_on().verdict, Verdict.REFUSED)

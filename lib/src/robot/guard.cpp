@@ -211,8 +211,9 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
   Left now;
   const uint32_t by_reaches = motion_of(pair, first, now.is_current);
   now.moved = by_levers ? motion_by_levers(pair, first) : by_reaches;
+  const uint32_t began = (known.began & kOfNext) == 0 ? known.began : 0;
   const auto kept = [&](uint32_t measured) {
-    return now.is_current ? detail::kept_of(measured, known.began, now.moved)
+    return now.is_current ? detail::kept_of(measured, began, now.moved)
                           : difference_of(measured, now.moved);
   };
   now.distance = kept(known.lower);
@@ -384,7 +385,7 @@ Status Guard::move_to(const JointCoordinate* values) {
     }
   }
   for (uint32_t i = 0; i < robot_->pair_count; ++i) {
-    pairs_[i].began = 0;
+    pairs_[i].began &= pairs_[i].began < kOfNext ? 0 : ~kOfNext;
   }
   core_->has_values = 1;
   return Status::done;

@@ -348,7 +348,7 @@ Status Guard::release(uint16_t pair, FineLength a_command) {
 
 LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work) {
   const uint32_t budget = work;
-  LimitAnswer answer = {begin_command(wanted), LimitVerdict::refused, 0, kNoPair, kNoPair, 0};
+  LimitAnswer answer = {begin_command(wanted), LimitVerdict::refused, 0, kNoPair, kNoPair, 0, 0, 0};
   if (answer.status != Status::done) {
     if (has_values()) {
       set_share(granted, 0, granted);
@@ -403,6 +403,12 @@ LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted
                    : share == 0                  ? LimitVerdict::held
                                                  : LimitVerdict::shortened;
   answer.status = status == Status::full || status == Status::suspended ? Status::done : status;
+  if (answer.pair != kNoPair) {
+    const GuardPair& known = pairs_[answer.pair];
+    const bool is_known = known.granted != kNotMeasured && !is_released(known.floor);
+    answer.floor = floor(answer.pair);
+    answer.distance = is_known ? known.granted : 0;
+  }
   answer.work = budget - work;
   return answer;
 }

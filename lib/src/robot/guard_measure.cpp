@@ -63,18 +63,23 @@ uint32_t Guard::first_between(uint16_t i) const {
   return first;
 }
 
-/// Lower bound on the pair's distance at the period's begin, in 1/256 cell.
-uint32_t Guard::distance_where_begun(uint16_t i) const {
+/// Lower bound on the pair's distance at the period's begin, in 1/256 cell; or, with kOfNext, at
+/// its end, where the next one begins.
+uint32_t Guard::distance_where_begun(uint16_t i, uint32_t of_next) const {
   const uint32_t first = first_between(i);
   const JointCoordinate* certified = certified_ + first;
   const uint8_t* share = shares_ + first;
   detail::LeverTravel since;
   detail::for_each_between(*robot_, robot_->pairs[i], [&](uint32_t joint, uint32_t reach) {
-    const int32_t way = detail::difference(before_[joint], *certified++);
+    const int32_t end = detail::difference(0, step_[joint]);
+    const int32_t began = detail::difference(before_[joint], of_next != 0 ? end : 0);
+    const int32_t way = detail::difference(began, *certified++);
     since.add(robot_->joints[joint], reach, *share++,
               detail::magnitude(is_free(joint) ? detail::wrapped(way) : way));
   });
-  return detail::greater(difference_of(pairs_[i].lower, since.fine()), pairs_[i].began);
+  const uint32_t began = pairs_[i].began;
+  const uint32_t known = (began & kOfNext) == of_next ? began & ~kOfNext : 0;
+  return detail::greater(difference_of(pairs_[i].lower, since.fine()), known);
 }
 
 /// Stores a certificate, and what its last one says of the largest distance since the start. `at`:
@@ -82,7 +87,8 @@ uint32_t Guard::distance_where_begun(uint16_t i) const {
 /// there. `shares`: of the reaches there; null: whole reaches.
 void Guard::certify(uint16_t i, const JointCoordinate* at, const Measured& measured, bool is_own,
                     const uint8_t* shares) {
-  const uint32_t began = distance_where_begun(i);
+  const uint32_t of_next = is_own ? 0 : kOfNext;
+  const uint32_t began = smaller(distance_where_begun(i, of_next), kMaxGuardDistance) | of_next;
   const uint32_t first = first_between(i);
   JointCoordinate* to = certified_ + first;
   uint8_t* share = shares_ + first;
@@ -228,7 +234,7 @@ void Guard::aim(uint32_t nearest) {
                          : moved >= over  ? difference_of(over, uint32_t{1}) / 16 * kLastShare
                          : moved >= least ? most
                                           : detail::greater(moved * kMaxPeriods, least);
-  const uint32_t began = distance_where_begun(i);
+  const uint32_t began = distance_where_begun(i, 0);
   const uint32_t for_warn = detail::lasting(warn, began, moved);
   const uint32_t for_stop = detail::lasting(stop, began, moved);
   const uint32_t for_floor = detail::lasting(lowest_of(i, true), began, moved);

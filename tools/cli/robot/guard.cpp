@@ -67,6 +67,23 @@ void print_counts(const GuardedTrajectory& guarded) {
                      word_column("", "first")});
 }
 
+/// Prints what limit() made of the lines.
+void print_limits(const GuardedTrajectory& guarded) {
+  std::cout << "\n";
+  print_table(limits_json(guarded),
+              {word_column("limit", "verdict"),
+               number_column("periods", "periods"),
+               {"", [](const Json& row) {
+                  return row["line"].is_null()
+                             ? ""
+                             : concat("first at line ", row["line"].dump(),
+                                      row["a"].is_null() ? "" : ", " + pair_text(row),
+                                      row["touches"] == true
+                                          ? ", which touch: only release() lets them apart"
+                                          : "");
+                }}});
+}
+
 /// Prints the stretches that are not free.
 void print_stretches(const GuardedTrajectory& guarded) {
   const std::vector<Stretch> stretches =
@@ -160,6 +177,9 @@ void print_refused(const GuardedTrajectory& guarded) {
 void print_guarded(const GuardedTrajectory& guarded) {
   print_head(guarded);
   print_counts(guarded);
+  if (!guarded.limits.empty()) {
+    print_limits(guarded);
+  }
   print_stretches(guarded);
   print_closest(guarded);
   print_work(guarded);
@@ -171,15 +191,16 @@ void print_guarded(const GuardedTrajectory& guarded) {
   }
 }
 
-/// kCheckFailed if any period is `stop` or `not_yet_known`, or a motion is not free; kRefusedValues
-/// if firmware refuses any values.
+/// kCheckFailed if any period is `stop` or `not_yet_known`, or `leaving` without limit(), or a
+/// motion is not free; kRefusedValues if firmware refuses any values.
 ExitCode exit_code_of(const GuardedTrajectory& guarded) {
+  const Verdict best = guarded.limits.empty() ? Verdict::warn : Verdict::leaving;
   bool is_free_all = std::all_of(guarded.motions.begin(), guarded.motions.end(), is_free);
   for (const GuardAnswer& answer : guarded.answers) {
     if (answer.status != Status::done) {
       return kRefusedValues;
     }
-    is_free_all = is_free_all && answer.verdict <= Verdict::warn;
+    is_free_all = is_free_all && answer.verdict <= best;
   }
   return is_free_all ? kSuccess : kCheckFailed;
 }
@@ -187,6 +208,7 @@ ExitCode exit_code_of(const GuardedTrajectory& guarded) {
 struct GuardArguments : RobotRequest {
   std::string trajectory;
   std::string page;
+  std::string limit;
   std::uint32_t work = kAllWork;
   std::string core;
   double hz = 0;
@@ -234,7 +256,10 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
   GuardedTrajectory guarded = is_robot_file_name(arguments.urdf)
                                   ? opened(arguments, command, warnings)
                                   : baked(arguments, warnings);
-  guarded.answers = replay(guarded.robot(), guarded.trajectory, arguments.work);
+  guarded.answers =
+      arguments.limit.empty()
+          ? replay(guarded.robot(), guarded.trajectory, arguments.work)
+          : replay_limited(guarded.robot(), guarded.trajectory, arguments.work, guarded.limits);
   if (!arguments.core.empty()) {
     guarded.cost = cost_json(guarded, arguments.core, arguments.clock * 1e6 / arguments.hz);
   }
@@ -243,6 +268,9 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
     guarded.motions = certify(guarded.robot(), guarded.trajectory);
   }
   FileSet files(guarded.inputs);
+  if (!arguments.limit.empty()) {
+    files.add(arguments.limit, trajectory_csv(guarded));
+  }
   if (!arguments.page.empty()) {
     files.add(arguments.page, guard_page(guarded));
   }
@@ -260,9 +288,11 @@ void add_guard(CLI::App& app) {
   auto [command, a] = add_command<GuardArguments>(
       app, "guard",
       "Print what a robot's guard answers along a trajectory, by the firmware's own code.\n"
-      "Exit code 0: all periods are free or warned of; 1: in some the guard says stop, or the "
-      "work\n"
-      "budget was too small, or a motion is not free; 3: firmware refuses some values.",
+      "Exit code 0: all periods are free or warned of; 1: in some the guard says stop or leaving, "
+      "or the\n"
+      "work budget was too small, or a motion is not free; 3: firmware refuses some values. With "
+      "--limit,\n"
+      "leaving is no failure.",
       [&app](const GuardArguments& given) {
         return guard_trajectory(given, *app.get_subcommand("guard"));
       });
@@ -289,6 +319,12 @@ void add_guard(CLI::App& app) {
   for (CLI::Option* const needed : {hz, clock}) {
     core->needs(needed->check(CLI::Range(1.0, 1e6))->needs(core));
   }
+  add_option(
+      command, "--limit", a.limit, "GRANTED.csv",
+      "Let the robot go as far towards each line as no pair comes nearer than its stop distance, "
+      "or "
+      "gets\ndeeper; write the values granted, and guard these; --work is for each of both calls")
+      ->excludes("--core");
   command.add_flag("--motion", a.motion,
                    "Certify the straight motion of all joints from each line to the next, too");
   add_option(command, "--report", a.page, "PAGE.html",

@@ -19,6 +19,27 @@ void add_pair(const GuardedTrajectory& guarded, std::uint16_t pair, Json& json) 
   json["b"] = is_none ? Json() : Json(guarded.model.links[links.b].name);
 }
 
+constexpr std::array<const char*, 5> kLimitNames = {"granted", "shortened", "held", "not_yet_known",
+                                                    "refused"};
+
+std::size_t limit_kind(const LimitAnswer& answer) {
+  return static_cast<std::size_t>(answer.verdict);
+}
+
+Json metres_json(const GuardedTrajectory& guarded, std::optional<std::uint32_t> fine) {
+  return fine ? Json(unit_length(*fine, cell_of(guarded.robot()))) : Json();
+}
+
+Json limit_json(const GuardedTrajectory& guarded, const LimitAnswer& answer) {
+  Json json = {{"verdict", kLimitNames[limit_kind(answer)]}, {"share", answer.share / 4096.0}};
+  if (answer.pair != kNoPair) {
+    add_pair(guarded, answer.pair, json);
+    json["floor"] = metres_json(guarded, answer.floor);
+    json["distance"] = metres_json(guarded, answer.distance);
+  }
+  return json;
+}
+
 Json motion_json(const GuardedTrajectory& guarded, const CertifiedMotion& motion) {
   const MotionAnswer& answer = motion.answer;
   if (answer.status != Status::done) {
@@ -39,10 +60,6 @@ Json motion_json(const GuardedTrajectory& guarded, const CertifiedMotion& motion
   return json;
 }
 
-Json metres_json(const GuardedTrajectory& guarded, std::optional<std::uint32_t> fine) {
-  return fine ? Json(unit_length(*fine, cell_of(guarded.robot()))) : Json();
-}
-
 Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
   const GuardAnswer& answer = guarded.answers[i];
   Json json = {{"line", guarded.trajectory.lines[i]}};
@@ -54,6 +71,9 @@ Json period_json(const GuardedTrajectory& guarded, std::size_t i) {
   json["distance"] = answer.pair == kNoPair ? Json() : metres_json(guarded, answer.distance);
   json["work"] = answer.work;
   json["status"] = answer.status == Status::done ? "ok" : status_name(answer.status);
+  if (!guarded.limits.empty()) {
+    json["limit"] = limit_json(guarded, guarded.limits[i]);
+  }
   if (i != 0 && guarded.has_motions) {
     json["motion"] = motion_json(guarded, guarded.motions[i - 1]);
   }
@@ -113,6 +133,42 @@ Json motions_json(const GuardedTrajectory& guarded) {
   return all;
 }
 
+Json limits_json(const GuardedTrajectory& guarded) {
+  Json all = Json::array();
+  for (std::size_t kind = 0; kind < kLimitNames.size(); ++kind) {
+    const auto is_of_kind = [&](const LimitAnswer& answer) { return limit_kind(answer) == kind; };
+    const auto& limits = guarded.limits;
+    const auto first = std::find_if(limits.begin(), limits.end(), is_of_kind);
+    Json row = {{"verdict", kLimitNames[kind]},
+                {"periods", std::count_if(limits.begin(), limits.end(), is_of_kind)},
+                {"line", nullptr}};
+    if (kind != 0 && first != limits.end()) {
+      row["line"] = guarded.trajectory.lines[static_cast<std::size_t>(first - limits.begin())];
+      add_pair(guarded, first->pair, row);
+      row["touches"] = first->verdict == LimitVerdict::held && first->floor == 0;
+    }
+    all.push_back(row);
+  }
+  return all;
+}
+
+std::string trajectory_csv(const GuardedTrajectory& guarded) {
+  const Trajectory& trajectory = guarded.trajectory;
+  const bool has_times = !trajectory.times.empty();
+  std::string text = has_times ? trajectory.time_name + "," : "";
+  text += joined(
+      guarded.model.variables, [&](std::size_t joint) { return guarded.model.joints[joint].name; },
+      ",");
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    const float* const values = trajectory.values(i);
+    const std::vector<double> row(values, values + trajectory.variables);
+    text += "\n" + (has_times ? shortest(trajectory.times[i]) + "," : "") +
+            joined(
+                row, [](double value) { return significant(value, 9); }, ",");
+  }
+  return text + "\n";
+}
+
 Json guarded_facts(const GuardedTrajectory& guarded) {
   Json json = {
       {"periods", Json::object()},
@@ -123,6 +179,9 @@ Json guarded_facts(const GuardedTrajectory& guarded) {
   const ReplaySummary summary = summary_of(guarded.answers);
   for (const std::size_t kind : kKindsInOrder) {
     json["periods"][kVerdictNames[kind]] = summary.periods[kind];
+  }
+  if (!guarded.limits.empty()) {
+    json["limits"] = limits_json(guarded);
   }
   const Json motions = motions_json(guarded);
   if (!motions.empty()) {

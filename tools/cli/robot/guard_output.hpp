@@ -20,6 +20,7 @@ struct GuardedTrajectory {
   Trajectory trajectory;
   std::vector<std::string> inputs;  ///< all files that were read
   std::vector<GuardAnswer> answers{};
+  std::vector<LimitAnswer> limits{};  ///< of --limit, or empty
   bool has_motions = false;
   std::vector<CertifiedMotion> motions{};  ///< from line to line; may be empty
   Json cost{};                             ///< of cost_json(), if requested
@@ -32,6 +33,11 @@ std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair);
 
 /// The largest distance in metres of a point of a link from the meshes that it was baked from.
 double links_deviation(const Robot& robot);
+
+/// The trajectory as a CSV that read_trajectory() reads.
+std::string trajectory_csv(const GuardedTrajectory& guarded);
+/// The periods of each of limit()'s verdicts, and the first that was not all granted.
+Json limits_json(const GuardedTrajectory& guarded);
 
 /// The error in the values of a period, and how to fix it.
 std::string why_refused(const GuardedTrajectory& guarded, std::size_t period);

@@ -14,7 +14,7 @@ from ._c import Error
 from ._mesh import Baked, Mesh, bake
 from ._program import BakeWarning
 from ._queries import closer_than, distance, inside, intersects, pairs, solids_intersect
-from ._robot import ALL_WORK, Guard, GuardAnswer, Robot, Verdict
+from ._robot import ALL_WORK, Guard, GuardAnswer, LimitAnswer, LimitVerdict, Robot, Verdict
 
-__all__ = ["ALL_WORK", "BakeWarning", "Baked", "Error", "Guard", "GuardAnswer", "Mesh", "Robot", "Verdict", "bake",
-           "closer_than", "distance", "inside", "intersects", "pairs", "solids_intersect"]
+__all__ = ["ALL_WORK", "BakeWarning", "Baked", "Error", "Guard", "GuardAnswer", "LimitAnswer",
+           "LimitVerdict", "Mesh", "Robot", "Verdict", "bake", "closer_than", "distance", "inside", "intersects", "pairs", "solids_intersect"]

@@ -8,6 +8,7 @@ UNITS = ("", "nm", "um", "mm", "cm", "m", "mil", "in", "ft")
 NO_PAIR, NO_LIMIT, OUTSIDE = 0xFFFF, 0xFFFFFFFF, 0
 DONE, FULL = 0, 2
 MAX_TRANSLATION, ROTATION_ONE, FINE_ONE = 1 << 29, 1 << 30, 256
+FULL_TURN, FRAME_CELL = 1 << 28, 2048  # units of a coordinate: of a turn, of a cell
 TOO_LONG = 0xFFFFFFFF  # a length that every query refuses
 
 
@@ -44,6 +45,8 @@ Robot = struct(
     ("distance_table_bytes", c_uint32), ("hash", c_uint32), ("cell_bits", c_uint64))
 GuardAnswer = struct("GuardAnswer", ("status", c_uint8), ("verdict", c_uint8), ("pair", c_uint16),
                      ("distance", c_uint32), ("work", c_uint32))
+LimitAnswer = struct("LimitAnswer", ("status", c_uint8), ("verdict", c_uint8), ("share", c_uint16), ("pair", c_uint16),
+                     ("opposed", c_uint16), ("floor", c_uint32), ("distance", c_uint32), ("work", c_uint32))
 
 
 def guard_state_size(joints, pairs, pair_joints):
@@ -53,7 +56,7 @@ def guard_state_size(joints, pairs, pair_joints):
 
 _library = ctypes.CDLL(str(Path(__file__).with_name("_flashbvh.so")))
 _sizes = [ctypes.sizeof(kind) for kind in (Mesh, Pose, Query, Pair, Witness, RunResult, Clearance, Point, Robot,
-                                           GuardObject, GuardAnswer)] + [guard_state_size(5, 7, 11)]
+                                           GuardObject, GuardAnswer, LimitAnswer)] + [guard_state_size(5, 7, 11)]
 if list((c_uint32 * len(_sizes)).in_dll(_library, "flashbvh_python_layout")) != _sizes:
     raise ImportError("flashbvh: _flashbvh.so has other structs than this package; build both again")
 
@@ -81,6 +84,8 @@ open_robot = _function("open_robot", c_int, c_void_p, c_size_t, POINTER(Mesh), c
 set_values = _function("set_values", None, POINTER(Robot), c_void_p, c_void_p)
 guard_init = _function("guard_init", c_int, POINTER(GuardObject), POINTER(Robot), c_void_p, c_size_t)
 guard_update = _function("guard_update", GuardAnswer, POINTER(GuardObject), c_void_p, c_uint32)
+guard_limit = _function("guard_limit", LimitAnswer, POINTER(GuardObject), c_void_p, c_void_p, c_uint32)
+guard_release = _function("guard_release", c_int, POINTER(GuardObject), c_uint16, FineLength)
 guard_go_on = _function("guard_go_on", GuardAnswer, POINTER(GuardObject), c_uint32)
 
 

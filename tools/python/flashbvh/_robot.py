@@ -20,7 +20,8 @@ _CHECKED = np.dtype([("verdicts", "u1"), ("pairs", "i4"), ("distances", "f8"), (
 
 
 class Verdict(enum.IntEnum):
-    """A guard's verdict on a period, from the best to the worst. The robot may move up to WARN; LEAVING, only as limit() grants."""
+    """A guard's verdict on a period, from the best to the worst. Up to WARN the robot may move; if LEAVING, only where
+    `Guard.limit` lets it."""
 
     FREE = 0
     WARN = 1
@@ -28,6 +29,16 @@ class Verdict(enum.IntEnum):
     NOT_YET_KNOWN = 3
     STOP = 4
     REFUSED = 5
+
+
+class LimitVerdict(enum.IntEnum):
+    """What a guard made of a command."""
+
+    GRANTED = 0
+    SHORTENED = 1
+    HELD = 2
+    NOT_YET_KNOWN = 3
+    REFUSED = 4
 
 
 class Robot(Image):
@@ -71,6 +82,12 @@ class Robot(Image):
     def _variables(self):
         joints = [joint for joint in self._description["joints"] if "multiplier" not in joint]
         return sorted(joints, key=lambda joint: joint["variable"])
+
+    @functools.cached_property
+    def _units(self):
+        """A unit of firmware's coordinates of each variable, in radians or metres."""
+        return np.array([self.cell / _c.FRAME_CELL if joint["type"] == "prismatic" else math.tau / _c.FULL_TURN
+                         for joint in self._variables])
 
     @property
     def name(self) -> str:
@@ -123,6 +140,25 @@ class GuardAnswer(NamedTuple):
     """done, or why the values were refused."""
 
 
+class LimitAnswer(NamedTuple):
+    """A guard's answer to a command."""
+
+    verdict: LimitVerdict
+    granted: np.ndarray
+    """(n,): the values to send, in radians and metres."""
+    share: float
+    """The part of the way to the wanted values, 0 to 1."""
+    pair: Optional[int]
+    """Index into `Robot.pairs`: the pair that allows no more; None if there is none."""
+    links: Optional[tuple]
+    floor: float
+    """The largest distance of the pair so far, in metres; 0 also while it touches, or is released."""
+    distance: float
+    """The pair's distance at the granted values, at least."""
+    work: int
+    status: str
+
+
 class Guard:
     """Keeps a robot from hitting itself: firmware's guard with its state. Only one thread at a time may call it.
 
@@ -150,6 +186,24 @@ class Guard:
     def go_on(self, work: int = ALL_WORK) -> GuardAnswer:
         """Continues the last period with more work."""
         return self._answer(_c.guard_go_on(byref(self._guard), _budget(work)))
+
+    def limit(self, values, work: int = ALL_WORK) -> LimitAnswer:
+        """Lets a command through as far as no pair comes nearer than its stop distance, or gets deeper inside it.
+
+        The command begins at the values granted last, the first time at those of the first `update`.
+        """
+        wanted = self._coordinates(values, "values", 1)
+        granted = np.zeros_like(wanted)
+        answer = _c.guard_limit(byref(self._guard), wanted.ctypes.data, granted.ctypes.data, _budget(work))
+        pair, links = self._pair(answer)
+        lengths = (fine * self.robot.cell / _c.FINE_ONE for fine in (answer.floor, answer.distance))
+        return LimitAnswer(LimitVerdict(answer.verdict), granted * self.robot._units, answer.share / 4096, pair, links,
+                           *lengths, answer.work, _c.name_of(answer.status))
+
+    def release(self, pair: int, a_command: float) -> None:
+        """Lets a pair that touches move, by at most this many metres in each command, until it is apart again."""
+        _c.check(_c.guard_release(byref(self._guard), pair,
+                                  _c.FineLength(int(a_command / self.robot.cell * _c.FINE_ONE))), "pair")
 
     def forget(self) -> None:
         """Forgets the robot's position and all known distances."""
@@ -186,9 +240,12 @@ class Guard:
             _c.set_values(byref(self.robot._robot), floats[row].ctypes.data, coordinates[row].ctypes.data)
         return coordinates
 
-    def _answer(self, answer):
+    def _pair(self, answer):
         pair = None if answer.pair == _c.NO_PAIR else answer.pair
-        links = None if pair is None else (self.robot.pairs[pair].a, self.robot.pairs[pair].b)
+        return pair, None if pair is None else (self.robot.pairs[pair].a, self.robot.pairs[pair].b)
+
+    def _answer(self, answer):
+        pair, links = self._pair(answer)
         return GuardAnswer(Verdict(answer.verdict), pair, links, answer.distance * self.robot.cell / _c.FINE_ONE,
                            answer.work, _c.name_of(answer.status))
 

@@ -127,6 +127,41 @@ std::vector<GuardAnswer> replay(const Robot& robot, const Trajectory& trajectory
   return answers;
 }
 
+std::vector<GuardAnswer> replay_limited(const Robot& robot, Trajectory& trajectory,
+                                        std::uint32_t work, std::vector<LimitAnswer>& limits) {
+  const auto state = std::make_unique<AnyGuardState>();
+  Guard guard(robot, *state);
+  std::vector<GuardAnswer> answers;
+  std::vector<JointCoordinate> granted;
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    const std::vector<JointCoordinate> wanted = coordinates_of(robot, trajectory.values(i));
+    const bool is_first = granted.empty();
+    GuardAnswer answer = {};
+    if (is_first) {
+      answer = guard.prime(wanted.data());
+      granted = answer.status == Status::done ? wanted : granted;
+    }
+    LimitAnswer limit = {answer.status, LimitVerdict::refused, 0, kNoPair, kNoPair, 0, 0, 0};
+    if (!granted.empty()) {
+      limit = guard.limit(wanted.data(), granted.data(), is_first ? kAllWork : work);
+    }
+    if (!is_first && limit.status == Status::done) {
+      answer = guard.update(granted.data(), work);
+    } else if (!is_first) {
+      answer = {limit.status, Verdict::refused, kNoPair, 0, 0};
+    }
+    answer.work += limit.work;
+    answers.push_back(answer);
+    limits.push_back(limit);
+    const std::vector<double> lengths =
+        granted.empty() ? std::vector<double>() : lengths_of(robot, granted);
+    std::copy(
+        lengths.begin(), lengths.end(),
+        trajectory.all_values.begin() + static_cast<std::ptrdiff_t>(i * trajectory.variables));
+  }
+  return answers;
+}
+
 std::vector<CertifiedMotion> certify(const Robot& robot, const Trajectory& trajectory) {
   const auto state = std::make_unique<AnyMotionState>();
   std::vector<CertifiedMotion> motions;

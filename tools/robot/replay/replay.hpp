@@ -52,6 +52,13 @@ constexpr std::uint32_t kAllWork = UINT32_MAX - 1;
 std::vector<GuardAnswer> replay(const Robot& robot, const Trajectory& trajectory,
                                 std::uint32_t work);
 
+/// replay() of a robot that goes where Guard::limit() lets it, from each line towards the next one.
+/// Sets the trajectory's values to those granted, and `limits` to what limit() answers. `work`: for
+/// each of both calls, whose work adds up in the answers. Where limit() refuses values the robot
+/// stands still.
+std::vector<GuardAnswer> replay_limited(const Robot& robot, Trajectory& trajectory,
+                                        std::uint32_t work, std::vector<LimitAnswer>& limits);
+
 /// The motion from the line before to this one.
 struct CertifiedMotion {
   MotionAnswer answer;

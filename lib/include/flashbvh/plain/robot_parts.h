@@ -184,8 +184,10 @@ typedef struct FLASHBVH_KEEP flashbvh_limit_answer {
   FLASHBVH_BYTE(LimitVerdict) verdict; /**< a flashbvh_limit_verdict */
   uint16_t share;                      /**< of the motion, in 1/4,096 */
   uint16_t pair;                       /**< the pair that allows no more, or FLASHBVH_NO_PAIR */
-  uint16_t opposed; /**< another pair that allowed less than all, or FLASHBVH_NO_PAIR */
-  uint32_t work;    /**< work spent */
+  uint16_t opposed;  /**< another pair that allowed less than all, or FLASHBVH_NO_PAIR */
+  uint32_t floor;    /**< of `pair`, in 1/256 cell; 0 also while it touches, or is released */
+  uint32_t distance; /**< of `pair` at the granted values, at least */
+  uint32_t work;     /**< work spent */
 } flashbvh_limit_answer;
 
 /** The result of a motion query's run. */

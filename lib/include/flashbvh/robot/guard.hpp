@@ -66,6 +66,8 @@ constexpr uint32_t kNoFloor = (1u << 31) - 1;
 constexpr uint32_t kNotMeasured = UINT32_MAX;
 /// update() measured the certificate, so the robot has been where it was measured.
 constexpr uint32_t kOwn = 1u << 31;
+/// limit() measured the certificate, so `began` is of the next period.
+constexpr uint32_t kOfNext = 1u << 31;
 /// With a floor's other bits the motion that a released pair may make in a command.
 constexpr uint32_t kReleased = 1u << 31;
 
@@ -303,7 +305,7 @@ class Guard {
   uint32_t rounding() const;
   Give give_of(uint16_t pair) const;
   uint32_t lowest_of(uint16_t pair, bool is_current) const;
-  uint32_t distance_where_begun(uint16_t pair) const;
+  uint32_t distance_where_begun(uint16_t pair, uint32_t of_next) const;
   uint32_t moved_in_walk() const;
   uint32_t rate_of(const RobotPair& pair) const;
   uint32_t longest_step() const;
