@@ -14,7 +14,7 @@ struct Motion {
   Waypoint from;
   Waypoint to;
   int milliseconds;
-  bool stops;  ///< the guard stops it
+  bool stops;  ///< the guard holds the arm on the way
 };
 
 /// Joint values after so many milliseconds, on a cubic that begins and ends at rest.

@@ -120,7 +120,7 @@ class GuardTest(Case):
         flashbvh("guard image/arm.robot inside.csv --limit granted.csv", code=1).contains(
             "upper - fore, which touch: only release() lets them apart")
         refuse("guard image/arm.robot wanted.csv --limit granted.csv --core Cortex-M4F --hz 1000 --clock 100",
-               "--limit excludes --core")
+               "--core excludes --limit")
 
     def test_a_page_has_what_json_says(self):
         out = flashbvh("guard image/arm.robot folded.csv --motion --work 40 --json --report page.html", code=1)

@@ -16,4 +16,5 @@ constexpr Motion kMotions[] = {
     {"from side to side", {-1.2f, 0.5f, 1, 0}, {1.2f, 0.3f, 1.3f, 7}, 1500, false},
     {"folded into itself", {0, 0, 0.5f, 1.5f}, {0, 0.2f, 2.9f, 1.5f}, 1500, true},
     {"into the fence", {-0.6f, 0.5f, 1, 0}, {0.3f, 1.2f, 0.5f, 0}, 1200, true},
+    {"away from the fence", {-0.146f, 0.853f, 0.748f, 0}, {-0.6f, 0.5f, 1, 0}, 1200, false},
 };

@@ -346,6 +346,15 @@ Status Guard::release(uint16_t pair, FineLength a_command) {
   return Status::done;
 }
 
+/// The longest way of a joint from the granted to the next coordinates.
+uint32_t Guard::longest_way() const {
+  uint32_t longest = 0;
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    longest = greater(longest, detail::magnitude(step_from(granted_[i], i)));
+  }
+  return longest;
+}
+
 LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work) {
   const uint32_t budget = work;
   LimitAnswer answer = {begin_command(wanted), LimitVerdict::refused, 0, kNoPair, kNoPair, 0, 0, 0};
@@ -355,13 +364,12 @@ LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted
     }
     return answer;
   }
-  uint32_t longest = 0;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     if (robot_->joints[i].type == JointType::fixed && granted_[i] != next_[i]) {
       follow_obstacle(i);
     }
-    longest = greater(longest, detail::magnitude(step_from(granted_[i], i)));
   }
+  const uint32_t longest = longest_way();
   uint32_t share = kWhole;
   Status status = Status::done;
   if (longest < core_->roaming) {
@@ -391,6 +399,7 @@ LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted
       set_share(wanted, share, granted);
       (void)set_coordinates(*robot_, granted, next_);
       core_->has_frames = 0;
+      share = longest_way() != 0 ? share : 0;
     }
   }
   if (share == kWhole || share == 0) {
