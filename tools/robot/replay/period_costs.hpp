@@ -17,9 +17,9 @@ struct PeriodCosts {
 };
 /// By core.
 const std::map<std::string, PeriodCosts> kPeriodCosts = {
-    {"Cortex-M3", {177, 76, 234, 27, 2302, 335}},
-    {"Cortex-M4F", {180, 76, 233, 26, 2332, 297}},
-    {"RV32IMAC", {265, 72, 221, 34, 3552, 416}},
+    {"Cortex-M3", {170, 81, 236, 27, 2302, 338}},
+    {"Cortex-M4F", {172, 81, 238, 26, 2332, 303}},
+    {"RV32IMAC", {268, 81, 237, 34, 3552, 422}},
 };
 
 }  // namespace flashbvh::tool

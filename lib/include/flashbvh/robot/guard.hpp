@@ -15,6 +15,11 @@
 // again in slices of work, the first to expire first. If the budget is too small, the verdict is
 // `not_yet_known`, never `free`; the caller treats it as `stop`.
 //
+// A pair that has been inside its stop distance since the start has a floor instead, the largest
+// distance that update() measured. While it gets no nearer than that less a tenth of the stop
+// distance, the verdict is `leaving`, which permits only what limit() grants. Floors never fall:
+// prime() forgets them.
+//
 // The guard tests surfaces: a link inside another one is as far from it as from its wall.
 //
 // Stack of update() on Cortex-M3 to M55 at -O2: 1,136 bytes.
@@ -208,8 +213,8 @@ class Guard {
   Status resume();
 
   /// Stores checksums of the guard, of the robot's view, of its meshes' views and of the whole
-  /// state for verify(). Call it after each update() or go_on(), and after the robot's view or a
-  /// mesh's changes.
+  /// state for verify(). Call it after each update(), go_on(), limit() and release(), and after the
+  /// robot's view or a mesh's changes.
   void seal();
 
   /// `done`: nothing changed since seal(). `not_open`: the robot was not, so nothing was sealed.
