@@ -99,8 +99,8 @@ class GuardTest(Case):
     def test_an_arm_that_begins_inside_its_stop_distance_goes_where_limit_lets_it_and_gets_no_deeper(self):
         # Folded 4 mm beyond its stop distance, then further, then out, then folded until it would touch.
         line_up("in.csv", "turn,grip,fold", (0, 0.05, 2.2), (0, 0.05, 2.28), 10)
-        line_up("out.csv", "turn,grip,fold", (0, 0.05, 2.28), (0, 0.05, 1.2), 200)
-        rows = text("in.csv").splitlines() + text("out.csv").splitlines()[1:] + text("folded.csv").splitlines()[121:]
+        line_up("way.csv", "turn,grip,fold", (0, 0.05, 2.28), (0, 0.05, 1.2), 200)
+        rows = text("in.csv").splitlines() + text("way.csv").splitlines()[1:] + text("folded.csv").splitlines()[121:]
         write("wanted.csv", "\n".join(rows))
         self.assertIn("leaving", flashbvh("guard image/arm.robot wanted.csv", code=1))
         out = flashbvh("guard image/arm.robot wanted.csv --limit granted.csv --json")
