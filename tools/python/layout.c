@@ -2,9 +2,16 @@
 #include "flashbvh/robot.h"
 
 extern const uint32_t flashbvh_python_layout[];
-const uint32_t flashbvh_python_layout[] = {
-    sizeof(flashbvh_mesh),      sizeof(flashbvh_pose),         sizeof(flashbvh_query),
-    sizeof(flashbvh_pair),      sizeof(flashbvh_witness),      sizeof(flashbvh_run_result),
-    sizeof(flashbvh_clearance), sizeof(flashbvh_point),        sizeof(flashbvh_robot),
-    sizeof(flashbvh_guard),     sizeof(flashbvh_guard_answer), sizeof(flashbvh_limit_answer),
-    FLASHBVH_GUARD_STATE_SIZE(5, 7, 11)};
+const uint32_t flashbvh_python_layout[] = {sizeof(flashbvh_mesh),
+                                           sizeof(flashbvh_pose),
+                                           sizeof(flashbvh_query),
+                                           sizeof(flashbvh_pair),
+                                           sizeof(flashbvh_witness),
+                                           sizeof(flashbvh_run_result),
+                                           sizeof(flashbvh_clearance),
+                                           sizeof(flashbvh_point),
+                                           sizeof(flashbvh_robot),
+                                           sizeof(flashbvh_guard),
+                                           sizeof(flashbvh_guard_answer),
+                                           sizeof(flashbvh_limit_answer),
+                                           FLASHBVH_GUARD_STATE_SIZE(5, 7, 11)};
