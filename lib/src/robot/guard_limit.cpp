@@ -96,7 +96,7 @@ Status Guard::begin_command(const JointCoordinate* wanted) {
 void Guard::set_share(const JointCoordinate* wanted, uint32_t share, JointCoordinate* granted) {
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     const RobotJoint& joint = robot_->joints[i];
-    if (joint.shift != 0 || joint.type == JointType::fixed) {
+    if (joint.shift != 0) {  // a mimic's, or an obstacle's
       continue;
     }
     const JointCoordinate from = granted_[i];
@@ -193,9 +193,9 @@ void Guard::know(uint16_t i, uint32_t distance) {
   const Give give = give_of(i);
   if (known.floor == kNoFloor) {
     known.floor = smaller(distance, keep.cap);
-  } else if (known.upper != UINT32_MAX) {
+  } else {
     const uint32_t apart = sum_of(known.upper, 2 * give.rounding);
-    known.floor = smaller(known.floor, apart + smaller(give.most / 2, apart / 3));
+    known.floor = smaller(known.floor, sum_of(apart, smaller(give.most / 2, apart / 3)));
   }
   known.floor = greater(known.floor, smaller(distance, keep.cap));
   known.granted = distance;
@@ -355,6 +355,37 @@ uint32_t Guard::longest_way() const {
   return longest;
 }
 
+/// Tries smaller and smaller shares of the way, until all pairs keep what they have to. Sets the
+/// pairs of the answer, and why the way was not granted whole.
+uint32_t Guard::find_share(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t& work,
+                           LimitAnswer& answer) {
+  uint32_t share = kWhole;
+  for (int tries = 1; share != 0; ++tries) {
+    const Try tried = try_all(work);
+    if (tried.status == Status::done) {
+      accept();
+      break;
+    }
+    const bool is_first = answer.status == Status::done || tried.status != Status::full;
+    answer.status = is_first ? tried.status : answer.status;
+    answer.opposed = answer.pair != tried.pair ? answer.pair : answer.opposed;
+    answer.pair = tried.pair;
+    const uint32_t less = part_of(share, tried.up * kSafe, tried.down * 16);
+    share = tries == kMostTries  ? 0
+            : tries > kManyTries ? smaller(less, share / kFaster)
+                                 : smaller(less, share - 1);
+    set_share(wanted, share, granted);
+    (void)set_coordinates(*robot_, granted, next_);
+    core_->has_frames = 0;
+    share = longest_way() != 0 ? share : 0;
+  }
+  if (answer.pair != kNoPair) {
+    answer.floor = floor(answer.pair);
+    answer.distance = is_released(pairs_[answer.pair].floor) ? 0 : pairs_[answer.pair].granted;
+  }
+  return share;
+}
+
 LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work) {
   const uint32_t budget = work;
   LimitAnswer answer = {begin_command(wanted), LimitVerdict::refused, 0, kNoPair, kNoPair, 0, 0, 0};
@@ -371,53 +402,29 @@ LimitAnswer Guard::limit(const JointCoordinate* wanted, JointCoordinate* granted
   }
   const uint32_t longest = longest_way();
   uint32_t share = kWhole;
-  Status status = Status::done;
   if (longest < core_->roaming) {
     const uint32_t roaming = core_->roaming - longest;
     accept();
     core_->roaming = roaming;
   } else {
     if (!knows_floors()) {
-      status = know_floors(work);
-      share = status == Status::done ? kWhole : 0;
+      answer.status = know_floors(work);
       (void)set_coordinates(*robot_, wanted, next_);
       core_->has_frames = 0;
     }
-    for (int tries = 1; share != 0; ++tries) {
-      const Try tried = try_all(work);
-      if (tried.status == Status::done) {
-        accept();
-        break;
-      }
-      status = status == Status::done || tried.status != Status::full ? tried.status : status;
-      answer.opposed = answer.pair != tried.pair ? answer.pair : answer.opposed;
-      answer.pair = tried.pair;
-      const uint32_t less = part_of(share, tried.up * kSafe, tried.down * 16);
-      share = tries == kMostTries  ? 0
-              : tries > kManyTries ? smaller(less, share / kFaster)
-                                   : smaller(less, share - 1);
-      set_share(wanted, share, granted);
-      (void)set_coordinates(*robot_, granted, next_);
-      core_->has_frames = 0;
-      share = longest_way() != 0 ? share : 0;
-    }
+    share = answer.status == Status::done ? find_share(wanted, granted, work, answer) : 0;
   }
   if (share == kWhole || share == 0) {
     set_share(wanted, share, granted);
   }
   core_->has_frames = 0;
   answer.share = static_cast<uint16_t>(share);
-  answer.verdict = share == kWhole               ? LimitVerdict::granted
-                   : status == Status::suspended ? LimitVerdict::not_yet_known
-                   : share == 0                  ? LimitVerdict::held
-                                                 : LimitVerdict::shortened;
-  answer.status = status == Status::full || status == Status::suspended ? Status::done : status;
-  if (answer.pair != kNoPair) {
-    const GuardPair& known = pairs_[answer.pair];
-    const bool is_known = known.granted != kNotMeasured && !is_released(known.floor);
-    answer.floor = floor(answer.pair);
-    answer.distance = is_known ? known.granted : 0;
-  }
+  answer.verdict = share == kWhole                      ? LimitVerdict::granted
+                   : answer.status == Status::suspended ? LimitVerdict::not_yet_known
+                   : share == 0                         ? LimitVerdict::held
+                                                        : LimitVerdict::shortened;
+  const bool is_error = answer.status != Status::full && answer.status != Status::suspended;
+  answer.status = is_error ? answer.status : Status::done;
   answer.work = budget - work;
   return answer;
 }

@@ -274,13 +274,19 @@ TEST_CASE("limit: a block before a wall goes to its stop distance, and from insi
 
   slide.start(0.59);  // 10 mm apart
   CHECK(slide.command(0.61).share < 4096);
-  CHECK(slide.metres() < 0.592);  // a tenth of the stop distance, in all
+  CHECK(slide.metres() < 0.5912);  // a tenth of the stop distance in all, half of it at the end
   for (const double metres : {0.58, 0.6, 0.57, 0.6, 0.56, 0.6}) {
     const double floor = slide.guard.floor(0) * kSlideCell / 256;
     (void)slide.command(metres);
     CHECK(0.6 - slide.metres() > floor - 0.002 - 0.0001);
   }
   CHECK(slide.metres() < 0.6 - 0.018);
+
+  slide.start(0.599);  // 1 mm apart: less than a tenth of the stop distance
+  for (int i = 0; i < 20; ++i) {
+    (void)slide.command(0.61);
+  }
+  CHECK(slide.metres() < 0.5995);  // no nearer than half
 }
 
 TEST_CASE("update: an arm inside its stop distance is leaving until it gets deeper than it was") {
@@ -352,10 +358,21 @@ TEST_CASE("limit: an obstacle that comes near lowers a floor by its way, and no 
     REQUIRE(least > 0.3 - came);
   }
   CHECK(least < 0.33);
+  REQUIRE(guard.release(1, fine(0.01)) == Status::done);
+  REQUIRE(workcell.move(obstacle, frame_at(wall + 1e-3), fine(1e-3)) == Status::done);
+  const JointCoordinate zero = 0;
+  while (at != 0) {
+    const JointCoordinate before = at;
+    (void)guard.limit(&zero, &at, UINT32_MAX);
+    REQUIRE(at < before);
+  }
 }
 
 TEST_CASE("limit: too little work slows a command and does not stop it") {
   Slide slide;
+  slide.start(0.55);
+  CHECK(slide.command(0.5, 0).verdict == LimitVerdict::not_yet_known);
+  CHECK(slide.metres() == Approx(0.55));
   slide.start(-0.4);
   int commands = 0;
   for (; slide.metres() < 0.55 && commands < 2000; ++commands) {
@@ -394,10 +411,11 @@ TEST_CASE("limit: a released pair moves slowly until it is apart, and then keeps
   CHECK(slide.guard.release(1, {1}) == Status::guard_state_invalid);
   CHECK(slide.guard.release(0, {kMaxGuardDistance + 1}) == Status::distance_out_of_range);
   REQUIRE(slide.guard.release(0, {2560}) == Status::done);  // 1 mm a command
+  REQUIRE(slide.guard.release(0, {2560}) == Status::done);
   int commands = 0;
   for (; slide.guard.floor(0) == 0 && commands < 100; ++commands) {
     const double before = slide.metres();
-    (void)slide.command(0.3);
+    (void)slide.command(0.3, commands < 3 ? 0 : UINT32_MAX);
     REQUIRE(before - slide.metres() <= 0.001 + 1e-6);
   }
   CHECK((commands > 18 && commands < 40));

@@ -347,6 +347,8 @@ class Guard {
   void set_share(const JointCoordinate* wanted, uint32_t share, JointCoordinate* granted);
   int32_t step_from(int32_t from, uint32_t joint) const;
   uint32_t longest_way() const;
+  uint32_t find_share(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t& work,
+                      LimitAnswer& answer);
   uint32_t room_of(uint16_t pair, uint32_t first, uint32_t cap) const;
   Bounds bounds_of(uint16_t pair, uint32_t first) const;
   void know(uint16_t pair, uint32_t distance);
