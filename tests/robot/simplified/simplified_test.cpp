@@ -1,10 +1,10 @@
 // A guard of simplified links, judged by the original links in doubles: it never reports a larger
 // distance than promised, and stops no earlier than documented.
-#include "drawn_mesh.hpp"
 #include "robot/baked/bake_links.hpp"
 #include "robot/matrix/joint_zone.hpp"
 #include "simplify/zoo.hpp"
 #include "support/arms/guarded_arm.hpp"
+#include "support/oracles/drawn_mesh.hpp"
 
 using namespace flashbvh::tool;
 
