@@ -145,6 +145,10 @@ class RobotTest(Case):
         out = flashbvh("robot two.urdf -o stopped --stop 0.5 --zone turn=0")
         out.err.contains("two.urdf: warning: links 'base' and 'upper-arm' are nowhere found farther apart than the "
                          "stop")
+        refuse("robot two.urdf -o out --stop 0.5 --zone turn=0 --limit",
+               "two.urdf: --limit: links 'base' and 'upper-arm' are nowhere found farther apart than their stop "
+               "distance, 0.5 m, and a tenth; limit() could never let them out; lower it")
+        flashbvh("robot two.urdf -o stopped --stop 0.5 --limit")
         out = flashbvh("robot two.urdf -o stopped --warn 0.5 --zone turn=0")
         out.err.contains("farther apart than the warn distance, 0.5 m, so they are not warned of; --pair "
                          "base,upper-arm=STOP,WARN warns")

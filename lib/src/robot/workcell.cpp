@@ -184,6 +184,17 @@ uint32_t Workcell::rounding_with(const Mesh& mesh) const {
   return detail::vertex_rounding(most);
 }
 
+/// The slack of the robot with one more body. `error`: of sweep().
+uint32_t Workcell::slack_with(const RobotLink& body, const Mesh& mesh, uint32_t error) const {
+  const uint32_t rounding = rounding_with(mesh);
+  const uint32_t deviation = detail::largest_deviation(robot_);
+  const uint32_t others = ((robot_.slack - 2 * deviation) << 8) - rounding_with(robot_.meshes[0]);
+  const uint32_t kinematics = detail::greater(2 * error, others);
+  // Its origin may lie farther than those of the others, which all of them may meet.
+  const uint32_t slack =
+      ((rounding + kinematics + 0xFF) >> 8) + 2 * detail::greater(body.deviation, deviation);
+}
+
 Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
   if (!is_open(robot_) || !has_cell(mesh)) {
     return Status::not_open;
@@ -224,13 +235,7 @@ Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
       !sweep(body, reaches_ + robot_.reach_count, error)) {
     return Status::translation_out_of_range;
   }
-  const uint32_t rounding = rounding_with(mesh);
-  const uint32_t deviation = detail::largest_deviation(robot_);
-  const uint32_t others = ((robot_.slack - 2 * deviation) << 8) - rounding_with(robot_.meshes[0]);
-  const uint32_t kinematics = detail::greater(2 * error, others);
-  // Its origin may lie farther than those of the others, which all of them may meet.
-  const uint32_t slack =
-      ((rounding + kinematics + 0xFF) >> 8) + 2 * detail::greater(body.deviation, deviation);
+  const uint32_t slack = slack_with(body, mesh, error);
   if (slack > kMaxGuardDistance) {
     return Status::distance_out_of_range;
   }

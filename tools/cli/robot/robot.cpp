@@ -137,6 +137,9 @@ void add_robot(CLI::App& app) {
   add_described_options(command, "URDF", a);
   add_distances(command, a);
   add_baking_options(command, a);
+  command.add_flag("--limit", a.limits,
+                   "Firmware calls limit(): links that are nowhere farther apart than their stop "
+                   "distance and a\ntenth, so that it could never let them out, are an error");
   add_option(command, "-o,--output", a.folder, "DIR",
              "Folder for the results; made if there is none");
   command.add_flag("--dry-run", a.dry_run,

@@ -89,9 +89,9 @@ class Decider {
       return;
     }
     if (pair.zone) {
-      add_stops(stop + options_.early, pair);
+      add_stops(stop + options_.early + options_.tenth(stop), pair);
     } else {
-      pair.is_stopped = is_within(stop + options_.early);
+      pair.is_stopped = is_within(stop + options_.early + options_.tenth(stop));
       pair.is_warned = !pair.is_stopped && is_within(warn);
     }
   }

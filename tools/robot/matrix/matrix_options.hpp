@@ -35,6 +35,9 @@ struct MatrixOptions {
   double stop = 0;
   double warn = 0;   ///< in cells: a guard warns as near as this. Not part of the verdict, either
   double early = 0;  ///< in cells: how much earlier a guard of simplified links may stop them
+  /// In cells, beyond a stop distance: only there does Guard::limit() hold a pair to it.
+  double tenth(double distance) const { return limits ? std::max(distance / 10, 10.0) : 0; }
+  bool limits = false;
   std::vector<StopDistance> stops;  ///< for pairs with other distances
   /// In cells: a joint box with this much motion or less is not cut again.
   double resolution = 0.5;

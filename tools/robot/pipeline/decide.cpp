@@ -72,6 +72,7 @@ Decided decide(const Prepared& robot, const RobotRequest& request, double early,
   decided.options = matrix_options(robot, meshes, decided.reaches);
   check_slack_for_simplify(decided.options.slack, robot.cell, request);
   decided.options.early = early / robot.cell;
+  decided.options.limits = request.limits;
   told("joint zones", 0);
   decided.options.deadline = until(kPartForZones);
   FoundZones found = joint_zones(robot.model, meshes, robot.cell, decided.options, robot.radii);

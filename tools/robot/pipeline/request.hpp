@@ -26,6 +26,7 @@ struct RobotRequest {
   std::vector<std::string> pairs;  ///< pairs with their own distances
   std::vector<std::string> zones;  ///< zones of joints
   std::optional<std::string> time;
+  bool limits = false;  ///< firmware calls Guard::limit()
   std::uint32_t leaf_size = bake::kDefaultLeafSize;
   bool has_leaf_size = false;           ///< the user chose the leaf size
   std::optional<std::string> simplify;  ///< the largest deviation of firmware's meshes

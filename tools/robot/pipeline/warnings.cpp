@@ -26,6 +26,22 @@ std::string way_out(const PairVerdict& pair, const std::string& a, const std::st
                                               : "");
 }
 
+/// UserError if limit() could let no arm out from between two links.
+void check_limits(const Divided& robot, const RobotRequest& request) {
+  for (const PairVerdict& pair : robot.pairs) {
+    if (request.limits && (pair.is_stopped || pair.share() == 1)) {
+      const std::string& a = robot.model.links[pair.a].name;
+      const std::string& b = robot.model.links[pair.b].name;
+      throw UserError(request.urdf, "--limit: links '", a, "' and '", b,
+                      "' are nowhere found farther apart than their stop distance, ",
+                      shortest(distances_of(robot.distances, pair).stop),
+                      " m, and a tenth; limit() could never let them out; lower it (--stop, "
+                      "--pair), or ",
+                      way_out(pair, a, b));
+    }
+  }
+}
+
 /// Warns of neighbours that stop a guard in much of their joint's range.
 void warn_of_shares(const Divided& robot, const std::string& path, Warnings& warnings) {
   for (const PairVerdict& pair : robot.pairs) {
@@ -78,6 +94,7 @@ void warn_of_near(const Divided& robot, const RobotRequest& request, Warnings& w
 }  // namespace
 
 void warn_of_guard(const Divided& robot, const RobotRequest& request, Warnings& warnings) {
+  check_limits(robot, request);
   warn_of_unguarded(robot.model, robot.unguarded, request.urdf, warnings);
   warn_of_fixed(robot, request.urdf, warnings);
   warn_of_shares(robot, request.urdf, warnings);

@@ -117,6 +117,7 @@ class Workcell {
   void copy();
   bool sweep(const RobotLink& body, uint32_t* reaches, uint32_t& error) const;
   uint32_t rounding_with(const Mesh& mesh) const;
+  uint32_t slack_with(const RobotLink& body, const Mesh& mesh, uint32_t error) const;
   uint32_t joints_on_branch(uint8_t joint) const;
   uint64_t branch_of(const RobotLink& link) const;
   uint8_t joints_beside(const RobotLink& link, uint64_t other, uint64_t& sum) const;
