@@ -191,8 +191,7 @@ uint32_t Workcell::slack_with(const RobotLink& body, const Mesh& mesh, uint32_t 
   const uint32_t others = ((robot_.slack - 2 * deviation) << 8) - rounding_with(robot_.meshes[0]);
   const uint32_t kinematics = detail::greater(2 * error, others);
   // Its origin may lie farther than those of the others, which all of them may meet.
-  const uint32_t slack =
-      ((rounding + kinematics + 0xFF) >> 8) + 2 * detail::greater(body.deviation, deviation);
+  return ((rounding + kinematics + 0xFF) >> 8) + 2 * detail::greater(body.deviation, deviation);
 }
 
 Status Workcell::add(const Mesh& mesh, const Mount& mount, uint8_t& link) {
