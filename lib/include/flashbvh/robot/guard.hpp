@@ -244,9 +244,10 @@ class Guard {
   /// `granted`, variable_count values: a share of the way of all joints. A pair's floor is the
   /// largest distance that was measured so far, at most its stop distance and a tenth. At each
   /// moment of the granted motion, each joint monotone, no pair is nearer than its floor less a
-  /// tenth of the stop distance, or half the floor if that is nearer. So pairs outside, as measured, keep their
-  /// stop distance, and pairs inside get no deeper than a tenth of it, ever. Distances are those of
-  /// the URDF's links, but inside the stop distance those of the baked links.
+  /// tenth of the stop distance, or half the floor if that is nearer. So pairs outside, as
+  /// measured, keep their stop distance, and pairs inside get no deeper than a tenth of it, ever.
+  /// Distances are those of the URDF's links, but inside the stop distance those of the baked
+  /// links.
   ///
   /// Too little `work` shortens the motion. The first call measures the pairs near their stop
   /// distance where the robot is, and grants nothing until they are known. A floor falls only if an
