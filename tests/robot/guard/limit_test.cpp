@@ -287,6 +287,12 @@ TEST_CASE("limit: a block before a wall goes to its stop distance, and from insi
     (void)slide.command(0.61);
   }
   CHECK(slide.metres() < 0.5995);  // no nearer than half
+  for (int i = 0; i < 100; ++i) {  // towards the wall by two units: all of a share is some motion
+    const JointCoordinate before = slide.at;
+    const LimitAnswer answer = slide.command(slide.metres() + 2 * slide.arm.unit_of(0));
+    REQUIRE((answer.share == 0 || slide.at != before));
+  }
+  CHECK(slide.command(0.5).verdict == LimitVerdict::granted);
 }
 
 TEST_CASE("update: an arm inside its stop distance is leaving until it gets deeper than it was") {
@@ -307,6 +313,11 @@ TEST_CASE("update: an arm inside its stop distance is leaving until it gets deep
   CHECK(verdict_at(0.585) == Verdict::stop);
   CHECK(verdict_at(0.4) == Verdict::stop);
   CHECK(verdict_at(0.4) == Verdict::free);
+
+  slide.start(0.59);  // the drives do not follow a command: what it would reach raises no floor
+  CHECK(slide.command(0.5).verdict == LimitVerdict::granted);
+  CHECK(verdict_at(0.5902) == Verdict::leaving);
+  CHECK(verdict_at(0.59) == Verdict::leaving);
 
   slide.start(0.61);  // intersects
   CHECK(verdict_at(0.61) == Verdict::stop);
