@@ -99,8 +99,8 @@ struct GuardCore {
   uint32_t asked;     ///< distance tested in the measurement, in 1/256 cell
   uint32_t nearest;   ///< distance of `witness`, rounded up
   uint32_t kept;      ///< distance that limit() wants to know of; 0: update() measures
-  uint32_t rounding;  ///< Guard::rounding()
-  uint32_t roaming;   ///< motion of each joint from the granted values that no pair has to fear
+  uint32_t rounding;  ///< the slack without the links' deviation, in 1/256 cell
+  uint32_t roaming;   ///< way of any joint from the granted values within which all pairs are free
   Witness<uint16_t> witness;
   QueryCursor<uint16_t> cursor;
   Pose pose = Pose::translated(0, 0, 0);
@@ -241,10 +241,10 @@ class Guard {
   /// is inside its stop distance, and the way in for none.
   ///
   /// The motion leads from the last granted values, the first ones after prime(), to `wanted`. Sets
-  /// `granted`, variable_count values: a share of the way of all joints. A pair's floor is the
-  /// largest distance that was measured so far, at most its stop distance and a tenth. At each
-  /// moment of the granted motion, each joint monotone, no pair is nearer than its floor less a
-  /// tenth of the stop distance, or half the floor if that is nearer. So pairs outside, as
+  /// `granted`, variable_count values in another array: a share of the way of all joints. A pair's
+  /// floor is the largest distance that was measured so far, at most its stop distance and a tenth.
+  /// At each moment of the granted motion, each joint monotone, no pair is nearer than its floor
+  /// less a tenth of the stop distance, or half the floor if that is nearer. So pairs outside, as
   /// measured, keep their stop distance, and pairs inside get no deeper than a tenth of it, ever.
   /// Distances are those of the URDF's links, but inside the stop distance those of the baked
   /// links.
@@ -262,8 +262,8 @@ class Guard {
   /// kMaxGuardDistance.
   Status release(uint16_t pair, FineLength a_command);
 
-  /// The pair's floor, as measured, in 1/256 cell; 0 before limit() measured it, and while it is
-  /// released.
+  /// The floor of a pair below pair_count, as measured, in 1/256 cell; 0 before limit() measured
+  /// it, and while it is released.
   uint32_t floor(uint16_t pair) const {
     const uint32_t floor = pairs_[pair].floor;
     return is_released(floor) || floor == kNoFloor ? 0 : floor;
