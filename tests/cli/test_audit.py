@@ -106,7 +106,7 @@ class AuditTest(Case):
             "^left - right .* refuted .*; triangle 0 of pad.obj and triangle [0-9]* of box",
             "^palm - tip .* refuted")
         out.contains("2 lines: 0 proven, 0 contact, 0 default, 0 believed, 2 refuted, 0 undecided;")
-        # What "Default" promises holds of the fingers alone. A believed line stays, a needless one is told.
+        # What "Default" promises holds of the fingers alone. A believed line stays, a needless one is warned of.
         lines = disables("left", "right", "Default") + disables("palm", "tip", "Default")
         write("fist.srdf", f'<robot name="fist">{lines}{disables("palm", "left")}</robot>')
         out = flashbvh("audit fist.urdf fist.srdf --write kept.srdf", code=1)
