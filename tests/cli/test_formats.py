@@ -8,28 +8,21 @@ import subprocess
 import zipfile
 from pathlib import Path
 
-from cli import Case, fixture, flashbvh, refuse, refuse_each, same, text, write
-from inputs import box, meshes, vertices
+from cli import Case, fixture, flashbvh, refuse, refuse_each, text, write
+from inputs import meshes, vertices
 
 
+# One triangle in inches.
 @fixture
 def parts():
-    write("3mf/[Content_Types].xml", """
-        <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
-        <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
-        <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>""")
     write("3mf/_rels/.rels", """
-        <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
-        <Relationship Target="/3D/3dmodel.model" Id="r"
+        <Relationships><Relationship Target="/3D/3dmodel.model" Id="r"
         Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>""")
     write("3mf/3D/3dmodel.model", """
         <model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>
         <object id="1" type="model"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
-        <vertex x="0" y="2" z="3"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object>
-        <object id="2" type="model"><components>
-        <component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 50"/></components></object>
-        </resources><build><item objectid="2" transform="0 1 0 -1 0 0 0 0 1 10 20 30"/>
-        <item objectid="1" transform="1 0 0 0 1 0 0 0 1 5 6 7"/></build></model>""")
+        <vertex x="0" y="2" z="5"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object>
+        </resources><build><item objectid="1"/></build></model>""")
     os.rename(shutil.make_archive("parts", "zip", "3mf"), "parts.3mf")
 
 
@@ -54,24 +47,6 @@ def lattice(mesh, cell):
 
 
 class FormatsTest(Case):
-    # Groups, materials, normals, colours and comments beside the mesh.
-    def test_an_obj_and_a_ply_of_a_box_are_one_mesh(self):
-        lines = box(size=2).splitlines()
-        corners, sides = [line[2:] for line in lines[:8]], [line[2:] for line in lines[8:]]
-        write("box.obj", "\n".join([
-            "# a box", "mtllib missing.mtl", "o first", *(f"v {corner}" for corner in corners[:6]),
-            f"v {corners[6]} 1.0", f"v {corners[7]} 0.5 0.5 0.5", "vn 0 0 1", "usemtl red", f"f {sides[0]}", "g one",
-            "f " + " ".join(f"{corner}//1" for corner in sides[1].split()), "o second",
-            *(f"  f {side}" for side in sides[2:])]))
-        write("box.ply", "\n".join([
-            "ply", "format ascii 1.0", "comment a box", "element vertex 8", "property float x", "property float y",
-            "property float z", "element face 6", "property list uchar int vertex_indices", "end_header", *corners,
-            *("4 " + " ".join(str(int(corner) - 1) for corner in side.split()) for side in sides)]))
-        flashbvh("bake box.obj -o obj --cell 0.25 --format image")
-        flashbvh("bake box.ply -o ply --cell 0.25 --format image")
-        same("obj", "ply")
-        flashbvh("check obj/box.fbvh --mesh box.ply").contains("12 triangles")
-
     # A triangle (0 0 0), (1 0 0), (0 1 0), a million away.
     def test_gltf_is_read_as_floats_which_is_said_where_they_are_coarser_than_half_a_cell(self):
         write("far.gltf", gltf(1000000, INLINE))
@@ -113,23 +88,18 @@ class FormatsTest(Case):
         os.rename("part.glb", "part.GLB")
         flashbvh("bake part.GLB --dry-run")
 
-    def test_3mf_objects_placed_by_items_and_components_numbers_as_they_are_without_unit(self):
-        parts()
-        self.assertEqual(lattice("parts.3mf", 1),
-                         [(10, 20, 80), (10, 21, 80), (8, 20, 83), (5, 6, 7), (6, 6, 7), (5, 8, 10)])
-
     def test_the_unit_that_a_file_carries_converts_it(self):
         parts()
         write("part.gltf", gltf(1, INLINE))
         write("b.obj", "v 0 0 0\nv 900 0 0\nv 0 900 0\nf 1 2 3\n")
         out = flashbvh("bake part.gltf parts.3mf b.obj --cell 0.1 --unit mm -o mm --json")
         self.assertEqual([mesh["size"] for mesh in out.json["meshes"]],
-                         [[1000, 1000, 0], [127, 381, 1930.3999999999999], [900, 900, 0]])
+                         [[1000, 1000, 0], [25.4, 50.8, 127], [900, 900, 0]])
         out.err.lacks("unit")
         flashbvh("check mm/parts.fbvh --mesh parts.3mf --unit mm")
         flashbvh("check mm/parts.fbvh --mesh parts.3mf", code=1)
         out = flashbvh("bake parts.3mf --unit mm --unit parts.3mf=m -o taken --json")
-        self.assertEqual(out.json["meshes"][0]["size"], [5000, 15000, 76000])
+        self.assertEqual(out.json["meshes"][0]["size"], [1000, 2000, 5000])
         out.err.contains("parts.3mf: warning: carries the unit in, but --unit FILE=m takes its numbers for m")
         refuse("bake part.gltf parts.3mf -o out",
                "parts.3mf: carries the unit in, part.gltf m; give the unit of the results")

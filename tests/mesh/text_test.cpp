@@ -227,6 +227,15 @@ TEST_CASE("PLY: what is malformed") {
         "file: has triangle strips ('tristrips'); export the mesh as polygons");
 }
 
+TEST_CASE("OBJ: weights of 1, colours, normals and materials change nothing") {
+  const FileMesh file = tool::read_obj(
+      "mtllib missing.mtl\nv 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0\nvn 0 0 1\nusemtl red\n"
+      "  f 1//1 2//1 3//1\ng two\nf 1/1/1 3/1 2\n",
+      "file");
+  CHECK(file.mesh.vertices.size() == 3);
+  CHECK(file.mesh.triangles.size() == 2);
+}
+
 TEST_CASE("OBJ: a corner is an integer") {
   for (const std::string corner : {".5", "1.0", "1.", "0", "4", "-4", "18446744073709551617", "1e0",
                                    "+", "x", "/1", "9223372036854775807", "-9223372036854775808"}) {
