@@ -2,7 +2,7 @@
 runs them.
 
 The environment sets, by default for build/native-sanitize: FLASHBVH, the program; TOOLS, the folder of the tests' own
-programs; WORK, where tests run; INCLUDE; CC, CXX and NM.
+programs; WORK, where tests run; INCLUDE; CC and CXX.
 """
 import fcntl
 import filecmp
@@ -20,7 +20,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build/native-sanitize"
-for variable, value in (("FLASHBVH", BUILD / "bin/flashbvh"), ("TOOLS", BUILD / "tests/cli"), ("NM", "nm"),
+for variable, value in (("FLASHBVH", BUILD / "bin/flashbvh"), ("TOOLS", BUILD / "tests/cli"),
                         ("WORK", BUILD / "tests/cli/by_hand"), ("INCLUDE", ROOT / "lib/include"), ("CC", "clang"),
                         ("CXX", "clang++")):
     os.environ.setdefault(variable, str(value))

@@ -8,9 +8,6 @@ from pathlib import Path
 from cli import compiled, fixture, flashbvh, run, text, write
 from meshes import write_large_meshes, write_meshes
 
-# Of images baked with --layout post and pre, all traversals.
-ALGORITHMS = [*(("post", name) for name in ("ranked", "stackless-post", "volume-stack", "alternating-stack", "leaf")),
-              *(("pre", name) for name in ("stackless", "volume-stack", "alternating-stack", "leaf"))]
 HOME = "1 0 0 0 1 0 0 0 1"  # not rotated
 
 
@@ -70,13 +67,6 @@ def faces(file):
     """The faces of an OBJ file, with vertex numbers from 0; negative numbers unchanged."""
     return [tuple(int(word) - (int(word) > 0) for word in line.split()[1:]) for line in text(file).splitlines()
             if line.startswith("f ")]
-
-
-def edit_vertices(source, target, change):
-    """Copies an OBJ file with the words of each vertex changed."""
-    lines = (line.split() for line in text(source).splitlines())
-    write(target, "\n".join(" ".join(["v", *map(str, change(*words[1:]))] if words[0] == "v" else words)
-                            for words in lines if words[0] in ("v", "f")))
 
 
 def box(x=0, y=0, z=0, size=1, first=0, inwards=False):

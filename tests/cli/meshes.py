@@ -1,6 +1,5 @@
-"""meshes.py FOLDER: writes the meshes of the command line's tests."""
+"""The meshes of the command line's tests."""
 import struct
-import sys
 from math import cos, inf, nan, pi, sin
 from pathlib import Path
 
@@ -54,7 +53,3 @@ def write_large_meshes(folder):
     for name, triangles in (("many_nodes", torus(200, 100)), ("many_vertices", loose(22000)),
                             ("many_triangles", torus(200, 165))):
         write_stl(folder / f"{name}.stl", triangles)
-
-
-if __name__ == "__main__":
-    write_meshes(sys.argv[1])
