@@ -17,9 +17,6 @@
 /** A call that returns yes or no. */
 #define CHECK_YES(call, wanted) CHECK((call) == FLASHBVH_STATUS_DONE && yes == (wanted))
 
-/** A call that refuses, and writes that the answer may be yes. */
-#define CHECK_NOT_OPEN(call) CHECK((yes = false, (call) == FLASHBVH_STATUS_NOT_OPEN && yes))
-
 static long failures;
 static bool yes;
 static flashbvh_mesh block;
@@ -180,77 +177,7 @@ static void bending(void) {
   CHECK_YES(flashbvh_intersects_itself(&bent.mesh, &yes), true);
 }
 
-/** A mesh that nobody opened, or whose image is bad, permits nothing; on boards address 0 is
- * readable, so nothing faults. */
-static void not_open(const flashbvh_mesh* none) {
-  const flashbvh_segment ray = {{0, 0, 100}, {0, 0, -100}};
-  const flashbvh_point at = {0, 0, 0};
-  const flashbvh_pose pose = translated(0, 0, 0);
-  flashbvh_segment_shape point;
-  flashbvh_pair found[1];
-  flashbvh_clearance distance;
-  flashbvh_point_side side;
-  flashbvh_hit hit;
-  for (int i = 0; i < 3; ++i) {
-    const flashbvh_mesh* const a = i == 0 ? &block : none;
-    const flashbvh_mesh* const b = i == 1 ? &block : none;
-    CHECK_NOT_OPEN(flashbvh_intersects(a, b, &pose, &yes));
-    CHECK_NOT_OPEN(flashbvh_closer_than(a, b, &pose, fine(2560), &yes));
-    CHECK_NOT_OPEN(flashbvh_one_is_inside(a, b, &pose, &yes));
-    CHECK_IS(flashbvh_distance(a, b, &pose, NULL, &distance), NOT_OPEN);
-    CHECK_IS(flashbvh_find_pairs(a, b, &pose, found, 1).status, NOT_OPEN);
-  }
-  CHECK_NOT_OPEN(flashbvh_nearest_hit(none, &ray, FLASHBVH_NO_HINT, &yes, &hit));
-  CHECK_NOT_OPEN(flashbvh_intersects_itself(none, &yes));
-  CHECK_IS(flashbvh_inside(none, &at, &side), NOT_OPEN);
-  CHECK(side == FLASHBVH_POINT_INSIDE);
-  CHECK_IS(flashbvh_segment_shape_make(&point, none, &at, &at), NOT_OPEN);
-  CHECK_NOT_OPEN(flashbvh_intersects(&block, &point.mesh, &pose, &yes));
-}
-
-/** Objects that nobody started permit nothing, either. */
-static void not_started(void) {
-  static flashbvh_query query;
-  static flashbvh_clearance_query clearance;
-  static flashbvh_first_contact_query contact;
-  static flashbvh_body_motion motion;
-  static flashbvh_deformable bent;
-  flashbvh_pair found[1];
-  uint32_t work = UINT32_MAX;
-  uint32_t vertex;
-  CHECK_IS(flashbvh_query_run(&query, UINT32_MAX, found, 1).status, NOT_OPEN);
-  CHECK_IS(flashbvh_clearance_run(&clearance, &work), NOT_OPEN);
-  CHECK_IS(flashbvh_first_contact_run(&contact, UINT32_MAX).status, NOT_OPEN);
-  CHECK_IS(flashbvh_first_contact_start(&contact, &block, &blade, &motion, fine(0)), NOT_OPEN);
-  CHECK_IS(flashbvh_deformable_refit(&bent, UINT32_MAX, &vertex), NOT_OPEN);
-}
-
 #ifdef STORY_HAS_ROBOT
-/** A guard, a motion and a workcell refuse a robot that nobody opened. */
-static void no_robot(const flashbvh_robot* robot) {
-  static uint32_t state[c_arm_GUARD_STATE_SIZE / 4];
-  static uint32_t motion_state[c_arm_MOTION_STATE_SIZE / 4];
-  static uint64_t memory[FLASHBVH_WORKCELL_SIZE(1, 1, 1, 1) / 8];
-  const flashbvh_workcell_room room = {1, 1, 1, 1};
-  const flashbvh_mount mount = {FLASHBVH_BASE, {{{0}}, {0}}};
-  const flashbvh_joint_coordinate values[c_arm_VARIABLE_COUNT] = {0};
-  flashbvh_guard guard;
-  flashbvh_motion motion;
-  flashbvh_workcell workcell;
-  flashbvh_guard_answer answer;
-  uint8_t link;
-  CHECK_IS(flashbvh_guard_init(&guard, robot, state, sizeof state), NOT_OPEN);
-  answer = flashbvh_guard_update(&guard, values, UINT32_MAX);
-  CHECK(answer.status == FLASHBVH_STATUS_NOT_OPEN && answer.verdict == FLASHBVH_VERDICT_REFUSED);
-  answer = flashbvh_guard_go_on(&guard, UINT32_MAX);
-  CHECK(answer.status == FLASHBVH_STATUS_NOT_OPEN && answer.verdict == FLASHBVH_VERDICT_REFUSED);
-  CHECK_IS(flashbvh_motion_init(&motion, robot, motion_state, sizeof motion_state), NOT_OPEN);
-  CHECK_IS(flashbvh_motion_start(&motion, values, values), NOT_OPEN);
-  CHECK_IS(flashbvh_motion_run(&motion, UINT32_MAX).status, NOT_OPEN);
-  CHECK_IS(flashbvh_workcell_init(&workcell, robot, memory, sizeof memory, &room), NOT_OPEN);
-  CHECK_IS(flashbvh_workcell_add(&workcell, &block, &mount, &link), NOT_OPEN);
-}
-
 /** An arm moves from rest until it folds into itself. */
 static void robots(void) {
   static uint32_t state[c_arm_GUARD_STATE_SIZE / 4];
@@ -264,13 +191,6 @@ static void robots(void) {
   flashbvh_guard guard;
   flashbvh_motion motion;
   flashbvh_motion_answer answer;
-  static const flashbvh_robot none;
-  static const uint32_t bad[4] = {1, 2, 3, 4};
-  no_robot(&none);
-  flashbvh_view_robot_unchecked(c_arm_robot_image, links, &robot);
-  CHECK_IS(flashbvh_open_robot(bad, sizeof bad, links, c_arm_LINK_COUNT, &robot),
-           IMAGE_NOT_FLASHBVH);
-  no_robot(&robot);
   flashbvh_view_robot_unchecked(c_arm_robot_image, links, &robot);
   flashbvh_set_values(&robot, rest, from);
   flashbvh_set_values(&robot, folded, to);
@@ -285,9 +205,6 @@ static void robots(void) {
 #endif
 
 int main(void) {
-  static const uint32_t bad[4] = {1, 2, 3, 4};
-  static flashbvh_mesh none;
-  flashbvh_mesh failed;
   flashbvh_pose standing;
   flashbvh_pose above;
   meshes();
@@ -299,11 +216,6 @@ int main(void) {
   rays();
   solids_and_shapes();
   bending();
-  not_open(&none);
-  failed = block;
-  CHECK_IS(flashbvh_open(bad, sizeof bad, &failed), IMAGE_NOT_FLASHBVH);
-  not_open(&failed);
-  not_started();
 #ifdef STORY_HAS_ROBOT
   robots();
 #endif
