@@ -17,86 +17,70 @@ def boxes():
 
 
 class MotionTest(Case):
+    inputs = boxes,
+
     def test_where_bodies_touch_first_at_each_width_of_the_indices(self):
-        boxes()
         for folder in ("baked", "wide"):
             way = f"motion {folder}/a.fbvh {folder}/b.fbvh --from '0 0 15' --to"
             with self.subTest(folder):
-                out = flashbvh(f"{way} '0 0 5' --json", code=1)
-                found = out.json
+                found = flashbvh(f"{way} '0 0 5' --json", code=1).json
                 self.assertEqual((found["outcome"], found["unit"]), ("contact", "mm"))
-                self.assertTrue(0.5 - 0.001 < found["from"] < 0.5)
-                self.assertLess(abs(found["to"] - 0.5), 0.001)
+                self.assertTrue(0.499 < found["from"] < 0.5)
+                self.assertAlmostEqual(found["to"], 0.5, delta=0.001)
                 self.assertEqual(found["to_pose"][:11], [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0])
-                self.assertLess(abs(found["to_pose"][11] - 10), 0.01)
+                self.assertAlmostEqual(found["to_pose"][11], 10, delta=0.01)
                 self.assertLess(max(found["triangles"]), 12)
-                out = flashbvh(f"{way} '0 0 5' --within 2 --json", code=1)
-                self.assertTrue(0.3 - 0.001 < out.json["from"] < 0.3)
-                self.assertLess(abs(out.json["to"] - 0.3), 0.001)
-                free = flashbvh(f"{way} '20 0 15' --within 4.97 --json")
-                self.assertEqual(free, '{"outcome":"free","unit":"mm"}\n')
-                out = flashbvh(f"{way} '20 0 15' --within 4.97")
-                self.assertEqual(out, "a and b, within 4.97 mm: free\n")
-                out = flashbvh(f"{way} '0 0 5'", code=1)
-                out.matches(r"\Aa and b: contact$", r"^contact  0\.49\d+ +0\.5\d* +\d+, \d+ +0 0 (10|9\.99\d*)$")
+                found = flashbvh(f"{way} '0 0 5' --within 2 --json", code=1).json
+                self.assertAlmostEqual(found["to"], 0.3, delta=0.001)
+        self.assertEqual(flashbvh(f"{way} '20 0 15' --within 4.97 --json"), '{"outcome":"free","unit":"mm"}\n')
+        self.assertEqual(flashbvh(f"{way} '20 0 15' --within 4.97"), "a and b, within 4.97 mm: free\n")
+        flashbvh(f"{way} '0 0 5'", code=1).matches(
+            r"\Aa and b: contact$", r"^contact  0\.49\d+ +0\.5\d* +\d+, \d+ +0 0 (10|9\.99\d*)$")
 
     # An edge of B, which is rotated, moves down across an edge of A.
     def test_close_how_near_at_most_and_what_comes_behind_it(self):
-        boxes()
         turned = "-0.552008 -0.218820 0.804615 0.599278 0.566843 0.565293 -0.579787 0.794234 -0.181768"
-        way = f'baked/a.fbvh baked/b.fbvh --from "{turned} 6.1148 3 16.1148"'
-        out = flashbvh(f'motion {way} --to "{turned} 16.1148 4 6.1148" --json', code=1)
-        self.assertEqual(out.json["outcome"], "close")
-        self.assertEqual(out.json["distance_at_most"], 0.02015625)  # two cells, and 4 / 256 of the path
-        self.assertTrue(0.494 < out.json["from"] < out.json["to"] < 0.4952)
-        self.assertLess(out.json["to"] - out.json["from"], 0.01 / 14)
-        out = flashbvh(f'motion {way} --to "{turned} 16.1148 4 6.1148" --json --all', code=1)
-        self.assertEqual(set(out.each("outcome")[:-1]), {"close"})
-        self.assertEqual(out.lines[-1]["outcome"], "contact")
-        self.assertGreaterEqual(out.lines[-1]["from"], out.lines[-2]["to"])
-        self.assertLess(out.lines[-1]["to"], 0.496)
-        out = flashbvh(f'motion {way} --to "{turned} 16.1148 4 6.1148" --all', code=1)
-        out.matches(r"\Aa and b: contact$", r"^close .*\n(.*\n)*contact\s")
+        way = f'motion baked/a.fbvh baked/b.fbvh --from "{turned} 6.1148 3 16.1148" --to "{turned}'
+        *close, contact = flashbvh(f'{way} 16.1148 4 6.1148" --json --all', code=1).lines
+        self.assertEqual({found["outcome"] for found in close}, {"close"})
+        self.assertEqual(close[0]["distance_at_most"], 0.02015625)  # two cells, and 4 / 256 of the path
+        self.assertTrue(0.494 < close[0]["from"] < close[0]["to"] < 0.4952)
+        self.assertEqual(contact["outcome"], "contact")
+        self.assertTrue(close[-1]["to"] <= contact["from"] <= contact["to"] < 0.496)
+        flashbvh(f'{way} 16.1148 4 6.1148" --all', code=1).matches(r"\Aa and b: contact$",
+                                                                   r"^close .*\n(.*\n)*contact\s")
         # To where they are close: the motion is free outside that interval.
-        out = flashbvh(f'motion {way} --to "{turned} 11.0638 3.4949 11.1658" --json --all', code=1)
-        self.assertEqual((out.lines[0]["outcome"], out.lines[0]["to"]), ("close", 1))
-        self.assertEqual(out.lines[1:], [{"outcome": "free", "unit": "mm"}])
-        out = flashbvh(f'motion {way} --to "{turned} 11.0638 3.4949 11.1658" --all', code=1)
+        found = flashbvh(f'{way} 11.0638 3.4949 11.1658" --json --all', code=1).lines
+        self.assertEqual((found[0]["outcome"], found[0]["to"]), ("close", 1))
+        self.assertEqual(found[1:], [{"outcome": "free", "unit": "mm"}])
+        out = flashbvh(f'{way} 11.0638 3.4949 11.1658" --all', code=1)
         out.matches(r"\Aa and b: close, at most 0\.020156[23] mm apart$")
         out.lacks("free")
 
     def test_a_pose_in_a_file_and_moves_a_quarter_about_an_edge_of_a_and_a_screw(self):
-        boxes()
         write("there", "# B over A\n1 0 0 0 1 0 0 0 1  0 0 15\n")
         write("down", "0 0 5\n")
         out = flashbvh("motion baked/a.fbvh baked/b.fbvh --from there --to down --json", code=1)
-        self.assertTrue(0.5 - 0.001 < out.json["from"] < 0.5)
-        self.assertLess(abs(out.json["to"] - 0.5), 0.001)
+        self.assertAlmostEqual(out.json["to"], 0.5, delta=0.001)
         # Turning about the z axis, B goes round A's corner from the face x = 10 to the face y = 10, or on a screw from
         # above.
         write("turn", "0 0 0  0 0 2  90  0 0 0   # the direction has any length\n")
         out = flashbvh('motion baked/a.fbvh baked/b.fbvh --from "10.5 0 3" --moves turn --json', code=1)
         angle = out.json["to"] * math.radians(90)
         there = out.json["to_pose"]
-        self.assertLess(abs(there[0] - math.cos(angle)), 1e-6)
-        self.assertLess(abs(there[10] - 10.5 * math.sin(angle)), 0.01)
+        self.assertAlmostEqual(there[0], math.cos(angle), delta=1e-6)
+        self.assertAlmostEqual(there[10], 10.5 * math.sin(angle), delta=0.01)
         flashbvh('motion baked/a.fbvh baked/b.fbvh --from "14.2 0 3" --moves turn')
-        write("screw", "0 0 0  0 0 1  -90  0 0 -9\n")
-        flashbvh('motion baked/a.fbvh baked/b.fbvh --from "12 0 12" --moves screw')
-        write("screw", "0 0 0  0 0 1  45  0 0 -9\n")
-        out = flashbvh('motion baked/a.fbvh baked/b.fbvh --from "12 0 12" --moves screw --json', code=1)
-        self.assertEqual(out.json["outcome"], "contact")
+        for angle, code in (-90, 0), (45, 1):
+            write("screw", f"0 0 0  0 0 1  {angle}  0 0 -9\n")
+            flashbvh('motion baked/a.fbvh baked/b.fbvh --from "12 0 12" --moves screw', code=code)
 
     def test_what_is_no_motion_is_refused_with_the_place_and_the_remedy(self):
-        boxes()
-        write("empty", "# none\n")
-        write("two", "0 0 1\n0 0 2\n")
-        write("short", "1 2 3\n")
-        write("bad", "0 0 0  0 0 1  90  0 0 0\n0 0 0  0 0 1  x  0 0 0\n")
-        write("still", "0 0 0  0 0 0  90  0 0 0\n")
-        write("fast", "0 0 0  0 0 1  2880  0 0 0\n")
-        write("far", "0 0 0  0 0 1  1  0 0 1e9\n")
-        write("many", "0 0 0  0 0 1  1  0 0 0\n" * 65)
+        for file, content in {
+                "empty": "# none", "two": "0 0 1\n0 0 2", "short": "1 2 3", "still": "0 0 0  0 0 0  90  0 0 0",
+                "bad": "0 0 0  0 0 1  90  0 0 0\n0 0 0  0 0 1  x  0 0 0", "fast": "0 0 0  0 0 1  2880  0 0 0",
+                "far": "0 0 0  0 0 1  1  0 0 1e9", "many": "0 0 0  0 0 1  1  0 0 0\n" * 65}.items():
+            write(file, content)
         refuse_each("motion baked/a.fbvh baked/b.fbvh", {
             '--to "0 0 1"': "--from is required",
             '--from "0 0 1"': "--to or --moves",
