@@ -51,7 +51,7 @@ def fixture(make):
     """Marks a function that makes files. They are made once; a call copies them into the current folder."""
     @functools.wraps(make)
     def copied():
-        folder = WORK / "fixtures" / make.__name__
+        folder = WORK / "fixtures" / f"{make.__module__}.{make.__name__}"
         folder.parent.mkdir(parents=True, exist_ok=True)
         with open(f"{folder}.lock", "w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)

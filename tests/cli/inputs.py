@@ -5,7 +5,7 @@ import shutil
 from math import sqrt
 from pathlib import Path
 
-from cli import compiled, fixture, flashbvh, run, text, write
+from cli import fixture, flashbvh, text, write
 from meshes import write_large_meshes, write_meshes
 
 HOME = "1 0 0 0 1 0 0 0 1"  # not rotated
@@ -131,17 +131,3 @@ def two_fingers():
     shutil.copy("meshes/ring.stl", "parts")
     write("json", flashbvh(f"robot arm.urdf -o first {OPTIONS} --json --report page.html"))
     flashbvh(f"robot arm.urdf -o image {OPTIONS} --format image")
-    # Used like in firmware.
-    write("bytes.cpp", """
-        #include "two_fingers.robot.h"
-        #include <cstdio>
-        #include "flashbvh/robot/guard.hpp"
-        #include "flashbvh/robot/motion.hpp"
-        int main() {
-          using GuardState = flashbvh::GuardStateOf<two_fingers_JOINT_COUNT, two_fingers_PAIR_COUNT,
-                                                    two_fingers_PAIR_JOINT_COUNT>;
-          using MotionState = flashbvh::MotionStateOf<two_fingers_VARIABLE_COUNT, two_fingers_JOINT_COUNT>;
-          std::printf("%zu %zu", sizeof(GuardState), sizeof(MotionState));
-        }""")
-    compiled("-std=c++17", "-Ifirst", "bytes.cpp", "-o", "bytes")
-    write("bytes_of_ram", run("./bytes"))

@@ -1,7 +1,6 @@
 """inside, ray, clearance, and what else collide has: contacts, poses of floats, bounds. Answers in the images' unit and
 as frame; what can't be answered. Answers themselves: tests/query."""
 import math
-import re
 
 from cli import Case, fixture, flashbvh, HERE, refuse, refuse_each, text, write
 from inputs import any_poses, box, HOME, images, numbers, vertices
