@@ -3,7 +3,6 @@ import re
 
 from cli import Case, fixture, flashbvh, long, refuse, refuse_each, same, text, write
 from inputs import box_of, disables, joint, large_meshes, link, robot, shape
-from meshes import torus
 
 
 # A turret in its base; a hook that slides in the base, too, but is not its neighbour; an arm that can be lowered into
@@ -28,6 +27,12 @@ def crane():
         </robot>""")
 
 
+def summary(lines, missing, **counts):
+    """The last line of an audit."""
+    kinds = ("proven", "contact", "default", "believed", "refuted", "undecided")
+    return f"{lines} lines: {', '.join(f'{counts.get(kind, 0)} {kind}' for kind in kinds)}; {missing} pairs are missing"
+
+
 class AuditTest(Case):
     inputs = crane,
 
@@ -42,19 +47,15 @@ class AuditTest(Case):
                 "tried; sampled, not proven$",
             "^turret - hook  *Adjacent  proven",
             "^turret - arm  *Adjacent  proven",
-            "^crane.srdf: 3 lines: 0 proven, 2 contact, 0 default, 0 believed, 1 refuted, 0 undecided; 2 pairs are missing$")
+            f"^crane.srdf: {summary(3, 2, contact=2, refuted=1)}$")
         out.lacks("hook - arm")
-        out = flashbvh("audit crane.urdf crane.srdf --json", code=1)
-        said = out.json
+        said = flashbvh("audit crane.urdf crane.srdf --json", code=1).json
         self.assertEqual((said["ok"], said["refuted"], said["missing"][0]["b"]), (False, 1, "hook"))
         self.assertEqual([line["witness"] for line in said["lines"][::2]], 2 * [{"spin": 0, "slide": 0.01, "lift": 0}])
         bad = said["lines"][1]
         self.assertEqual((bad["verdict"], bad["line"], bad["srdf_reason"]), ("refuted", 6, "Never"))
+        self.assertEqual(["box" in triangle["source"] for triangle in bad["triangles"]], [True, True])
         at = bad["witness"]
-        self.assertEqual(list(at), ["spin", "slide", "lift"])
-        self.assertTrue(-1 <= at["lift"] <= 1)
-        self.assertIn("box", bad["triangles"][0]["source"])
-        self.assertEqual(len(bad["triangles"]), 2)
         write("at.csv", ",".join(at) + "\n" + ",".join(map(str, at.values())))
         write("slot.srdf", f'<robot name="crane">{disables("base", "hook")}</robot>')
         flashbvh("robot crane.urdf -o image --format image --srdf slot.srdf --believe base,hook")
@@ -65,20 +66,16 @@ class AuditTest(Case):
         out.matches(
             "^base - turret .* undecided  no time was left to find a zone about spin$",
             "^base - arm  *6  *Never  *undecided  neither proven nor found to intersect after 0 joint "
-                "boxes, when its time was up$")
-        out.contains("crane.srdf: 3 lines: 0 proven, 0 contact, 0 default, 0 believed, 0 refuted, 3 undecided; 0 pairs are missing")
+                "boxes, when its time was up$",
+            f"^crane.srdf: {summary(3, 0, undecided=3)}$")
         out.err.contains("no time was left to find a zone about spin: links that touch there are undecided; give more "
                          "--time")
-        out = flashbvh("audit crane.urdf crane.srdf --time 1000", code=1)
-        out.contains("crane.srdf: 3 lines: 0 proven, 2 contact, 0 default, 0 believed, 1 refuted, 0 undecided; 2 pairs are missing")
+        flashbvh("audit crane.urdf crane.srdf --time 1000", code=1).contains(summary(3, 2, contact=2, refuted=1))
 
     def test_write_makes_one_of_which_every_line_holds_with_an_srdf_or_without(self):
         flashbvh("audit crane.urdf crane.srdf --write out/fixed.srdf", code=1)
-        out = flashbvh("audit crane.urdf out/fixed.srdf --write again.srdf")
-        out.contains("4 lines: 2 proven, 2 contact, 0 default, 0 believed, 0 refuted, 0 undecided; 0 pairs are missing")
-        same("again.srdf", "out/fixed.srdf")
-        out = flashbvh("audit crane.urdf --write made.srdf")
-        out.contains("crane.urdf: 0 lines: 0 proven, 0 contact, 0 default, 0 believed, 0 refuted, 0 undecided; 4 pairs are missing")
+        flashbvh("audit crane.urdf out/fixed.srdf").contains(summary(4, 0, proven=2, contact=2))
+        flashbvh("audit crane.urdf --write made.srdf").contains(f"crane.urdf: {summary(0, 4)}")
         write("wanted.srdf", """
             <?xml version="1.0"?>
             <robot name="crane">
@@ -101,27 +98,23 @@ class AuditTest(Case):
               joint("other", "prismatic", "palm", "right", '<axis xyz="0 1 0"/>', (0, 0.05)),
               joint("reach", "prismatic", "left", "tip", '<axis xyz="0 0 -1"/>', (0, 0.08)))
         write("fist.srdf", f'<robot name="fist">{disables("left", "right")}{disables("palm", "tip")}</robot>')
-        out = flashbvh("audit fist.urdf fist.srdf", code=1)
-        out.matches(
-            "^left - right .* refuted .*; triangle 0 of pad.obj and triangle [0-9]* of box",
-            "^palm - tip .* refuted")
-        out.contains("2 lines: 0 proven, 0 contact, 0 default, 0 believed, 2 refuted, 0 undecided;")
+        flashbvh("audit fist.urdf fist.srdf", code=1).matches(
+            "^left - right .* refuted .*; triangle 0 of pad.obj and triangle [0-9]* of box", "^palm - tip .* refuted")
         # What "Default" promises holds of the fingers alone. A believed line stays, a needless one is warned of.
         lines = disables("left", "right", "Default") + disables("palm", "tip", "Default")
         write("fist.srdf", f'<robot name="fist">{lines}{disables("palm", "left")}</robot>')
-        out = flashbvh("audit fist.urdf fist.srdf --write kept.srdf", code=1)
-        out.matches("^left - right .* default  *intersect at the default configuration, grip 0, other 0, as it says; at "
-                        "others they may be apart$",
-                    "^palm - tip .* refuted")
-        self.assertNotIn('link1="left" link2="right"', text("kept.srdf"))
+        flashbvh("audit fist.urdf fist.srdf --write kept.srdf", code=1).matches(
+            "^left - right .* default  *intersect at the default configuration, grip 0, other 0, as it says; at "
+                "others they may be apart$",
+            "^palm - tip .* refuted")
+        text("kept.srdf").lacks('link1="left" link2="right"')
         out = flashbvh("audit fist.urdf fist.srdf --believe tip,palm --believe left,palm --write kept.srdf")
         out.matches("^palm - tip .* believed  *intersect at grip 0[.0-9]*, reach 0[.0-9]*$",
-                    "^fist.srdf: 3 lines: 1 proven, 0 contact, 1 default, 1 believed, 0 refuted, 0 undecided;")
+                    f"^fist.srdf: {summary(3, 3, proven=1, default=1, believed=1)}$")
         out.err.contains("fist.srdf:1: warning: is proven, with or without --believe; leave that out")
         text("kept.srdf").contains('link1="palm" link2="tip"')
         said = flashbvh("audit fist.urdf fist.srdf --believe tip,palm --json").json
         self.assertEqual((said["ok"], said["default"], said["believed"]), (True, 1, 1))
-        self.assertEqual(said["lines"][0]["witness"], {"grip": 0, "other": 0, "reach": 0.04})
         refuse("audit fist.urdf fist.srdf --believe tip,left", "--believe tip,left: names a pair that no SRDF disables")
 
     def test_adjacent_is_said_of_links_that_one_joint_joins_never_of_whole_links_always_of_what_no_joint_moves(self):
@@ -136,8 +129,8 @@ class AuditTest(Case):
             ("top", "near", "Adjacent"), ("top", "far", "Adjacent"), ("top", "drop", "Adjacent"),
             ("top", "arm", "Default"), ("near", "far", "Never"), ("near", "drop", "Always"), ("near", "arm", "Never"),
             ("far", "drop", "Never"), ("far", "arm", "Never"), ("drop", "arm", "Never")]))
-        out = flashbvh("audit desk.urdf desk.srdf")
-        out.matches("^near - drop  *[0-9]*  *Always  *contact  *no joint moves them, intersecting$")
+        flashbvh("audit desk.urdf desk.srdf").matches(
+            "^near - drop  *[0-9]*  *Always  *contact  *no joint moves them, intersecting$")
 
     def test_what_is_refused_names_the_place_and_the_fix(self):
         write("macro.srdf", '<robot xmlns:xacro="http://ros.org/wiki/xacro" name="crane">\n<disable_collisions '
@@ -160,29 +153,16 @@ class AuditTest(Case):
     @long
     def test_a_link_of_more_triangles_than_firmwares_indices_reach_is_audited_and_refused_for_firmware_alone(self):
         large_meshes()
-
-        def torus(name, at):
-            return shape(f'<mesh filename="meshes/{name}.stl" scale="0.01 0.01 0.01"/>', at)
-
-
-        def arm(name, mesh):
-            return robot(name, link("base", torus(mesh, "0 0 0")), link("arm", box_of("0.3 0.02 0.02", "0.35 0 0.1")),
-                         joint("lift", "revolute", "base", "arm", '<axis xyz="0 1 0"/>', (-1, 1)))
-
-        arm("large", "many_triangles")
-        arm("leaves", "many_nodes")
+        base = link("base", shape('<mesh filename="meshes/many_triangles.stl" scale="0.01 0.01 0.01"/>'))
+        robot("large", base, link("arm", box_of("0.3 0.02 0.02", "0.35 0 0.1")),
+              joint("lift", "revolute", "base", "arm", '<axis xyz="0 1 0"/>', (-1, 1)))
         write("large.srdf", f'<robot name="large">{disables("base", "arm")}</robot>')
         write("at.csv", "lift\n0\n")
-        out = flashbvh("audit large.urdf large.srdf --json", code=1)
-        self.assertEqual(out.json["refuted"], 1)
-        self.assertTrue(0.1 < out.json["lines"][0]["witness"]["lift"] <= 1)
-        self.assertEqual(out.json["lines"][0]["triangles"][0]["source"], "meshes/many_triangles.stl")
+        [line] = flashbvh("audit large.urdf large.srdf --json", code=1).json["lines"]
+        self.assertEqual((line["verdict"], line["triangles"][0]["source"]), ("refuted", "meshes/many_triangles.stl"))
         refusal = "large.urdf, link 'base': 66000 triangles, but 16-bit indices reach 65535; use --simplify"
         # Refused before any decision, or the message would be the SRDF's.
         refuse("robot large.urdf -o out --srdf large.srdf", refusal)
         refuse("guard large.urdf at.csv", refusal)
         refuse("robot large.urdf -o out --simplify 0.001 --time 1e-9",
                "--time 1e-9: left too little to simplify 'base' to what firmware holds; give more")
-        refuse("robot leaves.urdf -o out --srdf large.srdf", "large.srdf:1: disables base - arm")
-        refuse("robot leaves.urdf -o out --srdf large.srdf --leaf-size 1",
-               "leaves.urdf, link 'base': 40000 leaves, but 16-bit indices reach 32768")
