@@ -117,6 +117,18 @@ TEST_CASE("a scene carries its unit: a 3MF millimetres unless it says another") 
         unit);
 }
 
+TEST_CASE("Collada: nodes are placed in the unit's metres, whatever the up axis") {
+  const std::string up =
+      GENERATE("", "<up_axis>Z_UP</up_axis>", "<up_axis>Y_UP</up_axis>", "<up_axis>X_UP</up_axis>");
+  const std::string placed = with(kCollada, "<scale>", "<translate>0 0 1</translate><scale>");
+  const std::string text = with(placed, "</asset>", up + "</asset>");
+  const FileMesh file = read_scene(text, written(text, "dae"));
+  REQUIRE(file.mesh.vertices.size() == 4);
+  CHECK(file.mesh.vertices[1][1] == Approx(0.0254));  // the second corner is (0 1 0)
+  CHECK(file.mesh.vertices[3][2] == Approx(2 * 0.0254));
+  CHECK(file.precision > 0);
+}
+
 TEST_CASE("glTF: what moves no vertex may be required") {
   CHECK(read_changed({"gltf", R"("scene":0)",
                       R"("extensionsRequired":["KHR_texture_transform","KHR_materials_ior",

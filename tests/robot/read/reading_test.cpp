@@ -15,23 +15,6 @@ std::string mesh(const std::string& name, const std::string& scale = "") {
          (scale.empty() ? "" : " scale=\"" + scale + "\"") + "/></geometry></collision>";
 }
 
-/// A unit square in inches, z up or y up, with a node moved by 1 along z.
-std::string collada(const std::string& up) {
-  return "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
-         "version=\"1.4.1\"><asset><unit name=\"inch\" meter=\"0.0254\"/><up_axis>" +
-         up +
-         "</up_axis></asset><library_geometries><geometry id=\"g\"><mesh>"
-         "<source id=\"p\"><float_array id=\"f\" count=\"9\">0 0 0 1 0 0 0 1 0</float_array>"
-         "<technique_common><accessor source=\"#f\" count=\"3\" stride=\"3\"><param name=\"X\" "
-         "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/>"
-         "</accessor></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
-         "source=\"#p\"/></vertices><triangles count=\"1\"><input semantic=\"VERTEX\" "
-         "source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles></mesh></geometry>"
-         "</library_geometries><library_visual_scenes><visual_scene id=\"s\"><node id=\"n\">"
-         "<translate>0 0 1</translate><instance_geometry url=\"#g\"/></node></visual_scene>"
-         "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
-}
-
 }  // namespace
 
 TEST_CASE("fixed joints are folded, whatever else they carry") {
@@ -183,22 +166,6 @@ TEST_CASE("meshes are found where the field keeps them") {
   CHECK(reads("../meshes/t.obj"));
   CHECK(reads("file://" + files.path("elsewhere/t.obj")));
   CHECK(reads(files.path("elsewhere/t.obj")));
-}
-
-TEST_CASE("Collada: units and nodes count, the up axis does not") {
-  RobotFiles files;
-  for (const std::string up : {"Z_UP", "Y_UP", "X_UP"}) {
-    files.write("t.dae", collada(up));
-    const tool::Model model = files.read(link_text("a", mesh("t.dae", "2 2 2")));
-    const auto& vertices = model.links[0].mesh.vertices;
-    REQUIRE(vertices.size() == 3);
-    for (std::size_t i = 0; i < 3; ++i) {
-      CHECK(std::fabs(vertices[i][0] - (i == 1 ? 0.0508 : 0)) < 1e-8);
-      CHECK(std::fabs(vertices[i][1] - (i == 2 ? 0.0508 : 0)) < 1e-8);
-      CHECK(std::fabs(vertices[i][2] - 0.0508) < 1e-8);
-    }
-    CHECK(model.links[0].precision > 0);
-  }
 }
 
 TEST_CASE("the unit that a 3MF carries is converted to metres") {
