@@ -54,12 +54,6 @@ class BakesTest(Case):
         same("before", "one/ring.fbvh")
         self.assertEqual(os.listdir("one"), ["ring.fbvh"])
 
-    def test_only_the_requested_files(self):
-        for form, files in (("image", "ring.fbvh"), ("c", "ring.fbvh.c ring.fbvh.h")):
-            with self.subTest(form):
-                flashbvh(f"bake meshes/ring.stl -o {form} --format {form}")
-                self.assertEqual(sorted(os.listdir(form)), files.split())
-
     def test_files_of_different_units_are_converted_to_one_unit_which_all_given_and_printed_lengths_use(self):
         ten_inches()
         out = flashbvh("bake parts/mm.obj parts/m.obj parts/in.obj -o out --cell 0.5 --unit mm --unit m.obj=m "
