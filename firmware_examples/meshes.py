@@ -4,6 +4,7 @@
     sheet COLUMNS ROWS PITCH LEAN HEIGHT    square meshes, 2 * COLUMNS * ROWS triangles, diagonals that
                                             alternate; stands on one edge along y, HEIGHT above the origin,
                                             each column LEAN further along x
+    room                                    5 x 4 x 2.5 m with a pillar, a table and shelves, in millimetres
     lump PARTS RADIUS                       a ball with bumps, 12 * PARTS^2 triangles, all well shaped
     gear TEETH RINGS RADIUS                 a spur gear with a bore, of well-shaped triangles
 """
@@ -69,6 +70,44 @@ def sheet(mesh, columns, rows, pitch, lean, height):
                 mesh.quad(a, a + 1, c + 1, c)
 
 
+def room(mesh):
+    """The walls are a box turned inside out: their triangles face inwards, the objects' outwards. So a sensor in
+    the room sees only front faces. Winding numbers add up: -1 in the room's air, and 0 in the pillar. inside()
+    finds the air, so no two parts overlap."""
+    def block(x0, y0, z0, x1, y1, z1, inwards=False):
+        a, b, c, d, e, f, g, h = (mesh.corner(x, y, z) for z in (z0, z1)
+                                  for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
+        for side in (((a, b, c, d), (e, h, g, f), (a, e, f, b), (c, g, h, d), (d, h, e, a), (b, f, g, c))
+                     if inwards else
+                     ((a, d, c, b), (e, f, g, h), (a, b, f, e), (c, d, h, g), (d, a, e, h), (b, c, g, f))):
+            mesh.quad(*side)
+
+    def pillar(x, y, radius, height, around):
+        low, high = [], []
+        for i in range(around):
+            turn = 2 * pi * i / around
+            foot = nearest(x + radius * cos(turn)), nearest(y + radius * sin(turn))
+            low.append(mesh.corner(*foot, 0))
+            high.append(mesh.corner(*foot, height))
+        mesh.band(low, high)
+        for i in range(1, around - 1):
+            mesh.face(low[0], low[i + 1], low[i])
+            mesh.face(high[0], high[i], high[i + 1])
+
+    block(0, 0, 0, 5000, 4000, 2500, inwards=True)
+    pillar(3000, 1500, 200, 2500, 16)
+    # The table: a top on four legs.
+    block(3500, 2500, 700, 4700, 3300, 740)
+    for x in 3540, 4600:
+        for y in 2540, 3200:
+            block(x, y, 0, x + 60, y + 60, 700)
+    # Shelves between two boards, at the wall x = 0.
+    block(0, 1000, 0, 350, 1020, 2000)
+    block(0, 2180, 0, 350, 2200, 2000)
+    for z in range(100, 2000, 450):
+        block(0, 1020, z, 350, 2180, z + 20)
+
+
 def lump(mesh, parts, radius):
     corners = {}
 
@@ -124,7 +163,7 @@ def gear(mesh, teeth, rings, radius):
 
 
 def main():
-    shapes = {"torus": (torus, 4), "sheet": (sheet, 5), "lump": (lump, 2), "gear": (gear, 3)}
+    shapes = {"torus": (torus, 4), "sheet": (sheet, 5), "room": (room, 0), "lump": (lump, 2), "gear": (gear, 3)}
     shape, sizes = shapes.get(sys.argv[1] if len(sys.argv) > 1 else "", (None, 0))
     if not shape or len(sys.argv) != 2 + sizes:
         sys.exit(__doc__)
