@@ -27,7 +27,7 @@ ensure_packages() {
 }
 
 host_packages="cmake ninja-build make g++ libassimp-dev libcli11-dev libexpat1-dev libmeshoptimizer-dev libminizip-dev
-  zlib1g-dev nlohmann-json3-dev catch2 python3"
+  zlib1g-dev liburdfdom-dev nlohmann-json3-dev catch2 python3"
 # Clang with its sanitizers; exact rationals for oracles.
 test_packages="clang lld libclang-rt-14-dev libgmp-dev"
 # The boards need C++ headers, not the library; the RISC-V compiler has none and uses those of Arm.

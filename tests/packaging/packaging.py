@@ -19,7 +19,7 @@ LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
 log = ""
 # No package but the compiler's: the build must not look for these.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=TRUE" for name in
-        ("assimp", "CLI11", "EXPAT", "nlohmann_json", "Catch2")]
+        ("assimp", "CLI11", "EXPAT", "nlohmann_json", "Catch2", "urdfdom")]
 IN_SOURCES = ["-DWAY=add_subdirectory", f"-DFLASHBVH_ROOT={ROOT}", f"-DFLASHBVH_HOST_TOOL={FLASHBVH}"]
 # Macros of Arduino, Windows, newlib, POSIX, CMSIS, vendors' kits and compilers for 8 and 16 bits, some with what no code
 # compiles with.

@@ -18,7 +18,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build/npm"
-SOURCES = "assimp expat meshoptimizer zlib".split()
+SOURCES = "assimp console-bridge expat meshoptimizer tinyxml urdfdom urdfdom-headers zlib".split()
 
 
 def run(*command, **more):

@@ -58,8 +58,8 @@ TEST_CASE("files that are no URDF") {
       {"<robot name=\"r\"><xacro:arm/></robot>", "is a xacro (it has <xacro:arm>)"},
       {"<mujoco/>", "is MJCF; convert it to a URDF"},
       {"<sdf version=\"1.9\"/>", "is SDF; convert it to a URDF"},
-      {"<robot><link name=\"a\"/></robot>", "has a <robot> without a name; add what it lacks"},
-      {"<robot name=\"r\"></robot>", "has a <robot> without links"},
+      {"<robot><link name=\"a\"/></robot>", "No name given"},
+      {"<robot name=\"r\"></robot>", "No link elements"},
       {repeated("<a>", 1001), "nests elements over 1000 deep"},
   }));
   CHECK_THAT(said_of_file(text), Contains(wanted));
@@ -122,9 +122,8 @@ TEST_CASE("joints that firmware can't hold, and what is missing of them") {
       {"continuous", R"(<axis xyz="0 0 0"/>)",
        "arm.urdf, joint 'j': moves along an axis of length 0, which has no direction; give its "
        "<axis> as in xyz=\"0 0 1\""},
-      {"continuous", R"(<axis xyz="0 0"/>)", "has <axis xyz=\"0 0\">; give three finite numbers"},
-      {"continuous", R"(<origin xyz="0 inf 0"/>)",
-       "has <origin xyz=\"0 inf 0\">; give three finite numbers"},
+      {"continuous", R"(<axis xyz="0 0"/>)", "axis element for joint [j]"},
+      {"continuous", R"(<origin xyz="0 inf 0"/>)", "[inf]"},
   }));
   check_said(said_of_joint(type, inside), wanted);
 }
@@ -157,8 +156,7 @@ TEST_CASE("mimics of nothing, of each other, and of joints that they can't follo
 
 TEST_CASE("graphs that are no tree") {
   RobotFiles files;
-  CHECK_THAT(files.refusal(kTwoLinks),
-             Contains("link 'b': hangs on no joint, nor does 'a'; a robot is a tree"));
+  CHECK_THAT(files.refusal(kTwoLinks), Contains("Two root links found"));
   CHECK_THAT(files.refusal(kTwoLinks + joint_text("j", "fixed", "a", "b") +
                            joint_text("k", "fixed", "b", "a")),
              Contains("hangs on a loop of joints"));
@@ -171,10 +169,23 @@ TEST_CASE("graphs that are no tree") {
         "of them out");
   CHECK_THAT(files.refusal(link_text("a") + joint_text("j", "fixed", "a", "gone")),
              Contains("joint 'j': has the child 'gone', which is no link of the robot"));
-  CHECK_THAT(files.refusal(link_texts("aa")), Contains("link 'a': has the name of another"));
+  CHECK_THAT(files.refusal(link_texts("aa")), Contains("link 'a' is not unique"));
   CHECK_THAT(files.refusal(kTwoLinks + link_text("c") + joint_text("j", "fixed", "a", "b") +
                            joint_text("j", "fixed", "b", "c")),
-             Contains("joint 'j': has the name of another"));
+             Contains("joint 'j' is not unique"));
+}
+
+TEST_CASE("what a robot says is no format of messages") {
+  CHECK_THAT(said_of_shape("<box size=\"1 %s%n 3\"/>"), Contains("%s%n"));
+  RobotFiles files;
+  CHECK(files.refusal(link_text("a%n") + link_text("%%s") + link_text("c") +
+                      joint_text("%n", "revolute", "a%n", "%%s", kLimit) +
+                      joint_text("k", "revolute", "%%s", "c",
+                                 kLimit + "<mimic joint=\"%n\" multiplier=\"0.5\"/>")) == "");
+  CHECK_THAT(files.refusal(link_text("a",
+                                     "<collision><geometry><mesh filename=\"50%n%%.stl\"/>"
+                                     "</geometry></collision>")),
+             Contains("no 50%n%%.stl;"));
 }
 
 TEST_CASE("shapes that are none") {
@@ -185,9 +196,9 @@ TEST_CASE("shapes that are none") {
        "arm.urdf, link 'a': has a box with an edge of 0; give a positive length"},
       {R"(<sphere radius="-1"/>)", "a radius of -1"},
       {R"(<cylinder radius="1" length="0"/>)", "length of 0"},
-      {R"(<sphere radius="nan"/>)", "has <sphere radius=\"nan\">; give a finite number"},
-      {R"(<sphere radius="1,5"/>)", "has <sphere radius=\"1,5\">"},
-      {"<sphere/>", "a radius of 0"},
+      {R"(<sphere radius="nan"/>)", "[nan]"},
+      {R"(<sphere radius="1,5"/>)", "[1,5]"},
+      {"<sphere/>", "Link [a]"},
       {R"(<capsule radius="1" length="1"/>)", "has a <capsule>"},
       {R"(<drake:capsule radius="1"/>)",
        "whose only shape, <drake:capsule>, is no URDF; use <box>"},
@@ -214,14 +225,14 @@ TEST_CASE("what URDF does not know of a pose, a size or a limit") {
       {"<pose>1 0 0 0 0 0</pose>", "", "has <pose> in <collision>"},
       {R"(<geometry><box size="2 2 2"/></geometry>)", "", "has two <geometry> in one <collision>"},
       {"", R"(<box size="1 1 1" scale="2 2 2"/>)", "<box scale=\"2 2 2\">"},
-      {"", R"(<box size="1 1"/>)", "has <box size=\"1 1\">; give three finite numbers"},
-      {"", R"(<box size="1m 1m 1m"/>)", "has <box size=\"1m 1m 1m\">"},
+      {"", R"(<box size="1 1"/>)", "Link [a]"},
+      {"", R"(<box size="1m 1m 1m"/>)", "[1m]"},
       {"", "<box><size>1 1 1</size></box>", "has <size> in <box>"},
       {"", R"(<sphere radius="1" diameter="1"/>)", "<sphere diameter=\"1\">"},
       {"", R"(<cylinder radius="1" lenght="1"/>)", "<cylinder lenght=\"1\">"},
-      {"", R"(<cylinder radius="1"/>)", "length of 0"},
+      {"", R"(<cylinder radius="1"/>)", "Link [a]"},
       {"", R"(<mesh filename="a.stl" scal="0.001 0.001 0.001"/>)", "<mesh scal="},
-      {"", R"(<mesh filename="a.stl" scale="0.001"/>)", "has <mesh scale=\"0.001\">"},
+      {"", R"(<mesh filename="a.stl" scale="0.001"/>)", "Link [a]"},
       {"", R"(<mesh filename="a.stl"><scale>2 2 2</scale></mesh>)", "has <scale> in <mesh>"},
       {"", R"(<origin xyz="1 0 0"/><box size="1 1 1"/>)", "without one shape in its <geometry>"},
   }));
@@ -261,7 +272,7 @@ TEST_CASE("what URDF does not know of a joint") {
       {R"(<mimic joint="k" multipler="2"/>)", "has <mimic multipler=\"2\">"},
       {R"(<safety_controller soft_lower_limt="0"/>)", "has <safety_controller soft_lower_limt="},
       {R"(<safety_controller soft_lower_limit="0 rad"/>)",
-       "has <safety_controller soft_lower_limit=\"0 rad\">; give a finite number"},
+       "soft_lower_limit that is no number, '0 rad'"},
       {R"(<dynamics damping="?" springs="1"/><gazebo><axes/></gazebo><transmission/><my:axis xzy="1"/>)",
        ""},
   }));
@@ -308,5 +319,5 @@ TEST_CASE("meshes that are not there or no meshes") {
   files.write("bad.step", "no mesh");
   CHECK_THAT(said("filename=\"bad.step\""), Contains("is no mesh by its extension"));
   CHECK_THAT(said("filename=\"bad.stl\" scale=\"1 0 1\""), Contains("with a scale of 0"));
-  CHECK_THAT(said("scale=\"1 1 1\""), Contains("the mesh '' is not there"));
+  CHECK_THAT(said("scale=\"1 1 1\""), Contains("Link [a]"));
 }

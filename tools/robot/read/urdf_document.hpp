@@ -70,4 +70,8 @@ UrdfRobot read_urdf_document(const std::string& path, bool visual_too, Warnings&
 /// UserError if a file's name ends like that of a mesh or of a CAD model.
 void check_no_mesh(const std::string& path);
 
+/// UserError if a link has two parent joints, or is part of a loop.
+void check_tree(const std::vector<UrdfLink>& links, const std::vector<UrdfJoint>& joints,
+                const std::string& path);
+
 }  // namespace flashbvh::tool
