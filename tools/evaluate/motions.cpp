@@ -1,5 +1,6 @@
 #include "evaluate/motions.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "evaluate/poses.hpp"
@@ -42,7 +43,7 @@ std::int32_t frame_length(double length, double cell, const std::string& place) 
   return static_cast<std::int32_t>(parts);
 }
 
-UnitMove parse_move(std::string_view line, const std::string& place) {
+Move move_of(std::string_view line, double cell, const std::string& place) {
   const std::vector<std::string_view> words = words_of(line);
   if (words.size() != kMoveNumbers) {
     throw UserError(place, "has ", words.size(),
@@ -53,7 +54,25 @@ UnitMove parse_move(std::string_view line, const std::string& place) {
   for (std::size_t i = 0; i < kMoveNumbers; ++i) {
     n[i] = number_of(words[i], place);
   }
-  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6] / kDegrees, {n[7], n[8], n[9]}};
+  const double turns = n[6] / kDegrees;
+  const double turn = std::round(turns * kFullTurn);
+  if (!(std::fabs(turn) < kTooManyTurns * kFullTurn)) {
+    throw UserError(place, "turns ", shortest(turns), " times; the most is less than 8");
+  }
+  const double length = std::hypot(n[3], n[4], n[5]);
+  if (turn != 0 && !(length > 0 && std::isfinite(length))) {
+    throw UserError(place, "turns about an axis without a direction; give one of another length");
+  }
+  Move made = {};
+  made.turn = static_cast<std::int32_t>(turn);
+  for (std::size_t i = 0; i < 3; ++i) {
+    made.point[i] = frame_length(n[i], cell, place);
+    made.travel[i] = frame_length(n[7 + i], cell, place);
+    if (turn != 0) {
+      made.axis[i] = static_cast<std::int32_t>(std::round(n[3 + i] / length * kRotationOne));
+    }
+  }
+  return made;
 }
 
 template <class Mesh>
@@ -91,33 +110,10 @@ Pose read_pose_argument(const std::string& given, double cell, const std::string
   return poses[0];
 }
 
-Move lattice_move(const UnitMove& move, double cell, const std::string& place) {
-  const auto& d = move.direction;
-  const double length = std::hypot(d[0], d[1], d[2]);
-  const double turn = std::round(move.turns * kFullTurn);
-  if (!(std::fabs(turn) < kTooManyTurns * kFullTurn)) {
-    throw UserError(place, "turns ", shortest(move.turns), " times; the most is less than 8");
-  }
-  if (turn != 0 && !(length > 0 && std::isfinite(length))) {
-    throw UserError(place, "turns about an axis without a direction; give one of another length");
-  }
-  Move made = {};
-  made.turn = static_cast<std::int32_t>(turn);
-  for (std::size_t i = 0; i < 3; ++i) {
-    made.point[i] = frame_length(move.point[i], cell, place);
-    made.travel[i] = frame_length(move.travel[i], cell, place);
-    if (turn != 0) {
-      made.axis[i] = static_cast<std::int32_t>(std::round(d[i] / length * kRotationOne));
-    }
-  }
-  return made;
-}
-
 std::vector<Move> read_moves(const std::string& path, double cell) {
-  auto moves = read_lines<Move>(path, "has no moves; write 10 numbers",
-                                [&](std::string_view line, const std::string& place) {
-                                  return lattice_move(parse_move(line, place), cell, place);
-                                });
+  auto moves = read_lines<Move>(
+      path, "has no moves; write 10 numbers",
+      [&](std::string_view line, const std::string& place) { return move_of(line, cell, place); });
   if (moves.size() > kMostMoves) {
     throw UserError(path, "has ", moves.size(), " moves; a motion has at most ", kMostMoves);
   }

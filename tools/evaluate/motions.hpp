@@ -1,7 +1,6 @@
 // Motions of a body, as text in the mesh's unit, and their first contacts.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,20 +14,10 @@ namespace flashbvh::tool {
 /// either. UserError, naming the option or the file, if it is none.
 Pose read_pose_argument(const std::string& given, double cell, const std::string& option);
 
-/// A Move in the mesh's unit; `direction` has any length, but not 0 if the move turns.
-struct UnitMove {
-  std::array<double, 3> point;
-  std::array<double, 3> direction;
-  double turns;  ///< 1 is a full turn
-  std::array<double, 3> travel;
-};
-
-/// Rounds to the nearest 1/2,048 cell and 2^-28 of a turn. UserError, naming `place`, if the result
-/// is out of range or the direction is 0.
-Move lattice_move(const UnitMove& move, double cell, const std::string& place);
-
-/// Reads one move per line, of 10 numbers: a point of the axis, its direction, degrees, the travel.
-/// UserError, naming the line, as above, or if there are no moves or more than kMostMoves.
+/// Reads one move per line, of 10 numbers: a point of the axis, its direction of any length,
+/// degrees, the travel; in the mesh's unit. Rounds to the nearest 1/2,048 cell and 2^-28 of a turn.
+/// UserError, naming the line, for other numbers, a result out of range, a turn about no direction,
+/// no moves or more than kMostMoves.
 std::vector<Move> read_moves(const std::string& path, double cell);
 
 struct FoundContact : FirstContactAnswerOf<std::uint32_t> {
