@@ -11,7 +11,7 @@ ALGORITHMS = [*(("post", name) for name in ("ranked", "stackless-post", "volume-
 
 @fixture
 def poses():
-    write("poses", any_poses(22, 1, 25))
+    write("poses", any_poses(22, 25))
 
 
 class CollideTest(Case):

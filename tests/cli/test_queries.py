@@ -172,7 +172,7 @@ class QueriesTest(Case):
         out = flashbvh(collide)
         out.matches("^any pose: at most [0-9]* work: [0-9]* visits, of which [0-9]* pairs of leaves")
         self.assertEqual(out.count("\n"), 3)
-        write("poses", any_poses(40, 5, 20))
+        write("poses", any_poses(40, 20))
         out = flashbvh(f"{collide} --poses poses")
         out.matches("^40 poses: at most [0-9]* work, 99 % of them at most [0-9]*, the mean [0-9]*$")
         self.assertEqual(out.count("\n"), 4)
