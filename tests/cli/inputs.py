@@ -89,6 +89,17 @@ def disables(a, b, reason="Never"):
     return f'<disable_collisions link1="{a}" link2="{b}" reason="{reason}"/>'
 
 
+ALONG_Y = '<axis xyz="0 1 0"/>'
+# An arm of boxes on a column that turns without limits; its forearm folds back onto the upper arm; one finger of its
+# hand mimics the other.
+ARM = (link("column", box_of("0.2 0.2 0.1")), link("upper", box_of("0.4 0.05 0.05", "0.25 0 0")),
+       link("fore", box_of("0.3 0.04 0.04", "0.2 0 0")),
+       link("left", box_of("0.02 0.02 0.1")), link("right", box_of("0.02 0.02 0.1")),
+       joint("turn", "continuous", "column", "upper", '<origin xyz="0 0 0.2"/><axis xyz="0 0 1"/>'),
+       joint("fold", "revolute", "upper", "fore", '<origin xyz="0.5 0 0"/>' + ALONG_Y, (-3, 3)),
+       joint("grip", "prismatic", "fore", "left", '<origin xyz="0.4 0.1 0"/>' + ALONG_Y, (-0.09, 0.1)),
+       joint("other", "prismatic", "fore", "right",
+             f'<origin xyz="0.4 -0.1 0"/>{ALONG_Y}<mimic joint="grip" multiplier="-1"/>', (-0.1, 0.09)))
 RING = shape('<mesh filename="package://parts/ring.stl" scale="0.01 0.01 0.01"/>')
 OPTIONS = "--srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01"
 

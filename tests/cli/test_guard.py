@@ -4,24 +4,13 @@ import shutil
 
 from cli import (ROOT, Case, elsewhere, fixture, flashbvh, headlines, page_data, refuse, refuse_each, same, search,
                  self_contained, text, write)
-from inputs import box_of, joint, link, robot
+from inputs import ARM, robot
 
 
-# An arm of boxes on a column that turns without limits; its forearm folds back onto the upper arm; one finger of its
-# hand mimics the other.
 @fixture
 def arm():
-    y = '<axis xyz="0 1 0"/>'
-    mimic = '<mimic joint="grip" multiplier="-1"/>'
-    column = link("column", box_of("0.2 0.2 0.1"))
-    robot("still", column)
-    robot("arm", column, link("upper", box_of("0.4 0.05 0.05", "0.25 0 0")),
-          link("fore", box_of("0.3 0.04 0.04", "0.2 0 0")),
-          link("left", box_of("0.02 0.02 0.1")), link("right", box_of("0.02 0.02 0.1")),
-          joint("turn", "continuous", "column", "upper", '<origin xyz="0 0 0.2"/><axis xyz="0 0 1"/>'),
-          joint("fold", "revolute", "upper", "fore", '<origin xyz="0.5 0 0"/>' + y, (-3, 3)),
-          joint("grip", "prismatic", "fore", "left", '<origin xyz="0.4 0.1 0"/>' + y, (-0.09, 0.1)),
-          joint("other", "prismatic", "fore", "right", '<origin xyz="0.4 -0.1 0"/>' + y + mimic, (-0.1, 0.09)))
+    robot("still", ARM[0])
+    robot("arm", *ARM)
     flashbvh("robot arm.urdf -o image --stop 0.01 --warn 0.05 --format image")
     line_up("free.csv", "fold,turn,grip", (-0.5, 0, 0.05), (0.5, 3, 0.05), 300)
     line_up("folded.csv", "turn,grip,fold", (0, 0.05, 0), (0, 0.05, 3), 300)

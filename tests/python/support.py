@@ -2,11 +2,15 @@
 import json
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
+
+sys.path.append(str(Path(__file__).parents[1] / "cli"))
+import inputs
 
 
 def lines(*arguments, exits=(0,)):
@@ -68,25 +72,4 @@ def translated(x, y, z):
     return pose
 
 
-def _link(name, size, at="0 0 0"):
-    return (f'<link name="{name}"><collision><origin xyz="{at}"/><geometry><box size="{size}"/></geometry>'
-            "</collision></link>")
-
-
-def _joint(name, kind, parent, child, at, axis="0 1 0", limits=(0, 0), more=""):
-    return (f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
-            f'<origin xyz="{at}"/><axis xyz="{axis}"/><limit lower="{limits[0]}" upper="{limits[1]}" effort="1" '
-            f'velocity="1"/>{more}</joint>')
-
-
-# An arm of boxes on a column, whose forearm folds back; its fingers mimic each other.
-ARM = "".join((
-    '<robot name="arm">',
-    _link("column", "0.2 0.2 0.1"), _link("upper", "0.4 0.05 0.05", "0.25 0 0"),
-    _link("fore", "0.3 0.04 0.04", "0.2 0 0"), _link("left", "0.02 0.02 0.1"), _link("right", "0.02 0.02 0.1"),
-    _joint("turn", "continuous", "column", "upper", "0 0 0.2", "0 0 1"),
-    _joint("fold", "revolute", "upper", "fore", "0.5 0 0", limits=(-3, 3)),
-    _joint("grip", "prismatic", "fore", "left", "0.4 0.1 0", limits=(-0.09, 0.1)),
-    _joint("other", "prismatic", "fore", "right", "0.4 -0.1 0", limits=(-0.1, 0.09),
-           more='<mimic joint="grip" multiplier="-1"/>'),
-    "</robot>\n"))
+ARM = f'<robot name="arm">{"".join(inputs.ARM)}</robot>\n'
