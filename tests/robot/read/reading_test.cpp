@@ -1,4 +1,7 @@
 // Features of real URDFs, read as intended.
+#include <clocale>
+#include <locale>
+
 #include "mesh/package.hpp"
 #include "support/arms/robot_files.hpp"
 #include "support/test.hpp"
@@ -63,13 +66,23 @@ TEST_CASE("what nothing here needs is not read, broken or not") {
   CHECK(model.links.size() == 2);
 }
 
-TEST_CASE("blanks of any kind part and surround numbers") {
-  RobotFiles files;
-  const tool::Model model =
-      files.read(link_text("a",
-                           "<collision><origin xyz=\" 1.5\t0\n\r 2.5 \"/><geometry><box "
-                           "size=\"1 1 1\"/></geometry></collision>"));
-  CHECK(model.links[0].mesh.vertices[7] == std::array<double, 3>{2, 0.5, 3});
+TEST_CASE("blanks of any kind part and surround numbers, whatever the locale") {
+  const auto read = [] {
+    RobotFiles files;
+    return files
+        .read(link_text("a",
+                        "<collision><origin xyz=\" 1.5\t0\n\r 2.5 \"/><geometry><box "
+                        "size=\"1 1 1\"/></geometry></collision>"))
+        .links[0]
+        .mesh.vertices[7];
+  };
+  CHECK(read() == std::array<double, 3>{2, 0.5, 3});
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+  };
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
+  CHECK(read() == std::array<double, 3>{2, 0.5, 3});
+  std::locale::global(before);
 }
 
 TEST_CASE("continuous joints turn on, with limits or without") {
