@@ -40,7 +40,8 @@ class AuditTest(Case):
         out = flashbvh("audit crane.urdf crane.srdf", code=1)
         out.matches(
             "^pair  *line  SRDF  *verdict  reason$",
-            "^base - turret  *5  *Adjacent  contact  outside 0[.][0-9]* m about spin: proven.*; touch inside at spin 0$",
+            "^base - turret  *5  *Adjacent  contact  outside 0[.][0-9]* m about spin: proven.*; touch inside at "
+                "spin 0$",
             "^base - arm  *6  *Never  *refuted  intersect at spin [-0-9.e]*, lift [0-9.]*; triangle "
                 "[0-9]+ of .*box.* and triangle [0-9]+ of .*$",
             "^base - hook  *7  *User  *contact  intersect at the default configuration and wherever "

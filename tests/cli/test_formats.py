@@ -1,5 +1,5 @@
-"""Meshes in formats other than STL: placements and units apply, and float coordinates are reported. What readers read and
-refuse: tests/mesh."""
+"""Meshes in formats other than STL: placements and units apply, and float coordinates are reported. What readers read
+and refuse: tests/mesh."""
 import base64
 import os
 import shutil

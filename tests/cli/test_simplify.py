@@ -35,8 +35,9 @@ class SimplifyTest(Case):
         flashbvh("bake meshes/ring.stl --fit 40000 -o ring").lacks("simplified")
         refuse_each("bake meshes/many_sides.stl -o out --fit", {
             "100": "--fit 100: is not reached by simplifying to",
-            "6000 --max-deviation 0.01": "--fit 6000: is not reached by simplifying to 0.01, --max-deviation; give more "
-                "bytes or a larger --max-deviation",
+            "6000 --max-deviation 0.01":
+                "--fit 6000: is not reached by simplifying to 0.01, --max-deviation; give more bytes or a larger "
+                "--max-deviation",
             # The limit that holds is named.
             "100 --max-deviation 1000": "a twentieth of the largest mesh; give more bytes or bake fewer meshes",
         })
@@ -66,7 +67,8 @@ class SimplifyTest(Case):
               link("arm", box_of("0.1 0.1 0.1")), joint("turn", "revolute", "base", "arm", "", (-1, 1)))
         late, less, full = (flashbvh(f"robot round.urdf --dry-run --json {options}") for options in
                             ("--simplify 0.0002 --time 1e-9", "--simplify 0.0002 --time 1000", ""))
-        late.err.contains("--time 1e-9: warning: left too little to simplify 'arm', 'base': they may have more triangles",
+        late.err.contains("--time 1e-9: warning: left too little to simplify 'arm', 'base': they may have more "
+                              "triangles",
                           "--time 1e-9: warning: left 1 of 1 pairs of links undecided; give more")
         less.err.lacks("--time")
         late, less, full = (out.json["links"][0]["triangles"] for out in (late, less, full))
