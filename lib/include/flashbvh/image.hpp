@@ -1,20 +1,5 @@
-// The binary image: a baked mesh in one block of bytes, used in place in flash.
-//
-// A header of 80 bytes, then the mesh's arrays in this order. Each array starts at a multiple of 4
-// bytes; gaps are filled with zeros:
-//
-//     nodes                 node_count      x 16 or 20 bytes (16 or 32-bit indices)
-//     levels                node_count      x index; absent unless kImageHasLevels
-//     parents (pre-indexed) or right child levels (post-indexed)
-//                           node_count      x index; absent unless kImageHasLevels
-//     triangles             triangle_count  x 3 indices, in order of their leaves
-//     triangle ids          triangle_count  x index
-//     leaf_offsets          leaf_count + 1  x index; absent if leaf_count = triangle_count
-//     vertices              vertex_count    x 3 x 16 bits
-//     shell vertices        shell_count     x index
-//     name                  name_size       x byte
-//
-// Little-endian. lib/docs/format.md has every bit.
+// The binary image: a baked mesh in one block of bytes, used in place in flash. A header, then the
+// mesh's arrays; lib/docs/format.md has every bit.
 #ifndef FLASHBVH_IMAGE_HPP
 #define FLASHBVH_IMAGE_HPP
 

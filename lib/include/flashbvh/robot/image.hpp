@@ -1,20 +1,5 @@
 // A robot's binary image: joints, links, the pairs that can collide and the links' meshes in one
-// block of bytes, used in place in flash.
-//
-// A header of 52 bytes, then these parts, each at a multiple of 4 bytes:
-//
-//     joints   joint_count  x 72 bytes, RobotJoint
-//     links    link_count   x 24 bytes, RobotLink
-//     pairs    pair_count   x 16 bytes, RobotPair
-//     reaches  reach_count  x  4 bytes
-//     mounts   mount_count  x 52 bytes, Mount
-//     unguarded  unguarded_count x 8 bytes, RobotUnguarded
-//     distance tables   distance_table_bytes  bytes
-//     names    names_size   bytes: the robot's, the joints', the links', the mounts', each
-//                           ended by a zero
-//     meshes   link_count   images (image.hpp), post-indexed, with 16-bit indices
-//
-// Little-endian. lib/docs/format.md has every bit.
+// block of bytes, used in place in flash. lib/docs/format.md has every bit.
 #ifndef FLASHBVH_ROBOT_IMAGE_HPP
 #define FLASHBVH_ROBOT_IMAGE_HPP
 
@@ -66,17 +51,10 @@ Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader&
 /// overflows or fails to end. After an error neither the robot nor any of the `mesh_capacity`
 /// meshes is open: guards, motions and queries on them return `not_open`.
 ///
-/// Checked: the joints' tree, types, limits, mimics and frames. Each link's reaches are in place,
-/// its sphere contains its mesh, and the slack covers its deviation. No part gets farther from the
-/// base than frames can represent. Each pair's joints between its links, the sum of their reaches,
-/// its distances, and its distance table's size. Each mount's joint. No unguarded pair is a guarded
-/// one, and a zone's joint is the one between its links. Each mesh, by open_image(). Equal cells
-/// and the hash.
-///
-/// Not checked, since other data do not determine it: the reaches of revolute joints, the contents
-/// of the distance tables, and that the other pairs never collide. Of the slack, only the links'
-/// deviations and the rounding of vertices are checked. A guard's guarantee depends on these data,
-/// which `flashbvh robot` computes.
+/// Checks each rule of lib/docs/format.md, of meshes as open_image() does, but four facts that
+/// other data do not determine: the reaches of revolute joints, the contents of the distance
+/// tables, that the other pairs never collide, and the links' deviations with the share of
+/// kinematics in the slack. A guard's guarantee depends on these, which `flashbvh robot` computes.
 ///
 /// Statuses: those of open_image(). `image_corrupt` also if the hash differs. `image_too_large`:
 /// the robot has more than `mesh_capacity` links. `cell_mismatch`: a mesh and the robot have
