@@ -25,6 +25,17 @@ class DrawnMesh {
     return is_nearer(0, {other, frame, inverse(frame), distance}, 0);
   }
 
+  /// Upper bound on how far a point of this mesh moves from one frame to another.
+  double way(const tool::Transform& from, const tool::Transform& to) const {
+    const Node& all = nodes_.front();
+    double turn = 0;
+    for (std::size_t i = 0; i < 9; ++i) {
+      turn += std::pow(to.rotation[i / 3][i % 3] - from.rotation[i / 3][i % 3], 2);
+    }
+    const Vector3 moved = minus(placed(to, all.centre), placed(from, all.centre));
+    return std::sqrt(squared(moved)) + std::sqrt(turn) * all.radius;
+  }
+
  private:
   /// The box and the ball of consecutive triangles. The left child follows its parent.
   struct Node {
