@@ -35,6 +35,23 @@ constexpr uint32_t part_of(uint32_t of, uint64_t up, uint64_t down) {
 
 }  // namespace
 
+/// What a pair has to keep in a command, as measured, in 1/256 cell.
+struct Guard::Keep {
+  uint32_t most;   ///< Give::most
+  uint32_t cap;    ///< of floors
+  uint32_t along;  ///< at each moment
+  uint32_t end;    ///< where the command ends
+};
+
+/// Bounds on a pair's distance from its certificate, while the joints go from the granted values to
+/// the next ones.
+struct Guard::Bounds {
+  uint32_t along;   ///< lower bound at each moment
+  uint32_t end;     ///< lower bound at the end
+  uint32_t motion;  ///< of the links towards each other, at most
+  bool is_current;  ///< the certificate was measured at the end
+};
+
 /// The result of trying a share.
 struct Guard::Try {
   Status status;  ///< `done`: all keep what they have to; `full`: `pair` does not; `suspended`:
@@ -43,6 +60,13 @@ struct Guard::Try {
   uint64_t up;  ///< up / down: the part of this share to try next
   uint64_t down;
 };
+
+Guard::Keep Guard::keep_of(uint16_t i) const {
+  const uint32_t floor = pairs_[i].floor;
+  const Give give = give_of(i);
+  return {give.most, sum_of(robot_->pairs[i].stop + robot_->slack, give.most),
+          sum_of(floor - give.of(floor), give.rounding), floor - give.of(floor) / 2};
+}
 
 /// Checks the wanted values.
 Status Guard::begin_command(const JointCoordinate* wanted) {
@@ -161,6 +185,56 @@ Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, ui
   return status;
 }
 
+/// Takes the distance at the granted values. A floor falls only if an obstacle came so near that
+/// the robot could not move at all: to where the robot may stay and get no nearer.
+void Guard::know(uint16_t i, uint32_t distance) {
+  GuardPair& known = pairs_[i];
+  const Keep keep = keep_of(i);
+  const Give give = give_of(i);
+  if (known.floor == kNoFloor) {
+    known.floor = smaller(distance, keep.cap);
+  } else {
+    const uint32_t apart = sum_of(known.upper, 2 * give.rounding);
+    known.floor = smaller(known.floor, sum_of(apart, smaller(give.most / 2, apart / 3)));
+  }
+  known.floor = greater(known.floor, smaller(distance, keep.cap));
+  known.granted = distance;
+}
+
+bool Guard::knows_floors() const {
+  bool knows = true;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    knows = knows && pairs_[i].granted != kNotMeasured;
+  }
+  return knows;
+}
+
+/// Measures the distances that are not known where the robot was sent last.
+Status Guard::know_floors(uint32_t& work) {
+  for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+    next_[i] = granted_[i];
+  }
+  core_->has_frames = 0;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    GuardPair& known = pairs_[i];
+    while (known.granted == kNotMeasured) {
+      const uint32_t cap = keep_of(i).cap;
+      const Bounds now = bounds_of(i, first_between(i));
+      const bool is_tight = now.is_current && known.upper != UINT32_MAX &&
+                            known.lower >= difference_of(known.upper, known.upper / 32 + 2);
+      if (now.end >= cap || is_tight) {
+        know(i, now.end);
+        break;
+      }
+      const Status status = work == 0 ? Status::suspended : measure_at_next(i, cap, true, work);
+      if (status != Status::done && (status != Status::suspended || work == 0)) {
+        return status;
+      }
+    }
+  }
+  return Status::done;
+}
+
 /// Tries the next coordinates for a released pair, and measures whether its floor holds again.
 Guard::Try Guard::try_released(uint16_t i, uint32_t first, uint32_t& work) {
   const Bounds now = bounds_of(i, first);
@@ -209,40 +283,27 @@ Guard::Try Guard::try_pair(uint16_t i, uint32_t first, const Keep& keep, uint32_
   }
 }
 
-/// Tries the next coordinates for all pairs. Work goes to the pair that allows the least share
-/// without it: another one may need more than one command's, over and over.
+/// Tries the next coordinates for all pairs.
 Guard::Try Guard::try_all(uint32_t& work) {
-  uint32_t none = 0;
-  for (bool is_again = false;; is_again = true) {
-    Try least = {Status::done, kNoPair, 1, 1};
-    uint32_t first = 0;
-    core_->roaming = UINT32_MAX;
-    for (uint16_t i = 0; i < robot_->pair_count; ++i) {
-      const Keep keep = keep_of(i);
-      const uint32_t room = pairs_[i].floor == keep.cap ? room_of(i, first, keep.cap) : 0;
-      core_->roaming = smaller(core_->roaming, room);
-      if (room != 0) {
-        pairs_[i].granted = keep.cap;  // at both ends and between
-      } else {
-        const Try tried = is_released(pairs_[i].floor)
-                              ? try_released(i, first, is_again ? none : work)
-                              : try_pair(i, first, keep, none);
-        const bool is_less = tried.up * least.down < least.up * tried.down;  // 0 / 0 is not
-        if (tried.status != Status::done && (is_less || least.status == Status::done)) {
-          least = tried;
-        }
-      }
-      first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
-    }
-    if (least.status == Status::suspended && work != 0) {
-      least = try_pair(least.pair, first_between(least.pair), keep_of(least.pair), work);
-      if (least.status == Status::done) {
-        continue;
+  uint32_t first = 0;
+  core_->roaming = UINT32_MAX;
+  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
+    const Keep keep = keep_of(i);
+    const uint32_t room = pairs_[i].floor == keep.cap ? room_of(i, first, keep.cap) : 0;
+    core_->roaming = smaller(core_->roaming, room);
+    if (room != 0) {
+      pairs_[i].granted = keep.cap;  // at both ends and between
+    } else {
+      const Try tried = is_released(pairs_[i].floor) ? try_released(i, first, work)
+                                                     : try_pair(i, first, keep, work);
+      if (tried.status != Status::done) {
+        core_->roaming = 0;
+        return tried;
       }
     }
-    core_->roaming = least.status == Status::done ? core_->roaming : 0;
-    return least;
+    first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
   }
+  return {Status::done, kNoPair, 1, 1};
 }
 
 /// Makes the next coordinates the granted ones.
@@ -253,9 +314,7 @@ void Guard::accept() {
     const Bounds now = bounds_of(i, first);
     const Keep keep = keep_of(i);
     if (!is_released(known.floor)) {
-      // An earlier walk may have ended since the pair was tried, and left a worse certificate.
-      const uint32_t by_begin = difference_of(known.granted, now.motion);
-      known.granted = greater(greater(now.end, by_begin), keep.end);
+      known.granted = greater(now.end, difference_of(known.granted, now.motion));
       known.floor = smaller(greater(known.floor, known.granted), keep.cap);
     } else if (now.end >= known.granted) {
       known.granted = now.end;
@@ -266,6 +325,25 @@ void Guard::accept() {
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     granted_[i] = next_[i];
   }
+}
+
+Status Guard::release(uint16_t pair, FineLength a_command) {
+  if (!has_values() || pair >= robot_->pair_count) {
+    return refusal();
+  }
+  if (a_command.count > kMaxGuardDistance) {
+    return Status::distance_out_of_range;
+  }
+  GuardPair& known = pairs_[pair];
+  if (!is_released(known.floor)) {
+    const Keep keep = keep_of(pair);
+    const uint32_t now = known.granted == kNotMeasured ? 0 : known.granted;
+    known.granted = smaller(sum_of(now, keep.most), keep.cap);
+    known.seen = 0;
+  }
+  known.floor = kReleased + a_command.count;
+  core_->roaming = 0;
+  return Status::done;
 }
 
 /// The longest way of a joint from the granted to the next coordinates.
