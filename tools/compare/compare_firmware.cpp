@@ -1,5 +1,5 @@
 // Measures instructions of a query by flashbvh, OPCODE and a tree of floats, for each pair of
-// links and class of poses in lib/docs/figures.md. Prints lines:
+// meshes of scenes.py and of links in lib/docs/figures.md, and each class of their poses. Prints:
 //     CORE A-B MOTION CLASS LIBRARY mean most pairs-found
 #include <initializer_list>
 
@@ -8,6 +8,8 @@
 #include "insn.hpp"
 #include "library.hpp"
 #include "links.hpp"
+#include "scenes.hpp"
+#include "support/rotations.hpp"
 #include "text.hpp"
 
 using namespace flashbvh;
@@ -45,10 +47,10 @@ struct Cost {
     most = instructions > most ? instructions : most;
     ++count;
   }
-  void print(const LinkPair& pair, const char* motion, const char* name,
-             const char* library) const {
-    port::print(FLASHBVH_CORE " ", pair.a_name, "-", pair.b_name, " ", motion, " ", name, " ",
-                library, " ", static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
+  void print(const ScenePair& pair, bool is_rotated, const char* name, const char* library) const {
+    port::print(FLASHBVH_CORE " ", pair.a_name, "-", pair.b_name,
+                is_rotated ? " rotated " : " translated ", name, " ", library, " ",
+                static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
   }
 };
 
@@ -57,18 +59,47 @@ struct Named {
   Library& library;
 };
 
-void query_class(PoseKey key, const Named& named) {
+/// A pair of meshes and its poses: of scenes.py, then of a robot's links.
+class Scene {
+ public:
+  explicit Scene(uint32_t number)
+      : is_made_(number < kSceneCount),
+        number_(is_made_ ? number : number - kSceneCount),
+        pair_(is_made_ ? kScenes[number_] : of_links(kPairs[number_])) {}
+
+  const ScenePair& pair() const { return pair_; }
+  uint32_t poses() const { return is_made_ ? kScenePosesOfClass : kPosesOfPair; }
+  Pose pose(bool is_rotated, uint32_t proximity, uint32_t i) const {
+    if (!is_made_) {
+      return PoseKey{is_rotated, static_cast<Proximity>(proximity), number_, i}.pose();
+    }
+    const uint32_t set = (number_ * 2 + (is_rotated ? 1 : 0)) * kProximities + proximity;
+    const int32_t(&from)[7] = kScenePoses[set * kScenePosesOfClass + i];
+    const int32_t cells[3] = {from[4], from[5], from[6]};
+    return Pose::rigid(test::rotation_of({from[0], from[1], from[2], from[3]}).entry, cells);
+  }
+
+ private:
+  static ScenePair of_links(const LinkPair& links) {
+    return {links.a_name, links.b_name, links.a, links.b};
+  }
+
+  bool is_made_;
+  uint32_t number_;
+  ScenePair pair_;
+};
+
+void query_class(const Scene& scene, bool is_rotated, uint32_t proximity, const Named& named) {
   Cost all;
   Cost first;
-  for (key.number = 0; key.number < kPosesOfPair; ++key.number) {
-    named.library.set_pose(key.pose());
+  for (uint32_t i = 0; i < scene.poses(); ++i) {
+    named.library.set_pose(scene.pose(is_rotated, proximity, i));
     all.add(named.library, false);
     first.add(named.library, true);
   }
-  const LinkPair& pair = kPairs[key.pair];
-  all.print(pair, key.motion(), key.proximity_name(), named.name);
-  if (key.proximity == Proximity::intersecting) {
-    first.print(pair, key.motion(), "first", named.name);
+  all.print(scene.pair(), is_rotated, kProximityNames[proximity], named.name);
+  if (static_cast<Proximity>(proximity) == Proximity::intersecting) {
+    first.print(scene.pair(), is_rotated, "first", named.name);
   }
 }
 
@@ -79,12 +110,13 @@ int main() {
   compare::WithFlashbvh itself;
   const compare::Named all[] = {
       {"flashbvh", itself}, {"opcode", compare::opcode()}, {"float", compare::float_tree()}};
-  for (uint32_t p = 0; p < kLinkPairs; ++p) {
+  for (uint32_t number = 0; number < compare::kSceneCount + kLinkPairs; ++number) {
+    const compare::Scene scene(number);
     for (const compare::Named& named : all) {
-      named.library.set_meshes(*kPairs[p].a, *kPairs[p].b);
+      named.library.set_meshes(*scene.pair().a, *scene.pair().b);
       for (const bool is_rotated : {false, true}) {
         for (uint32_t i = 0; i < kProximities; ++i) {
-          compare::query_class({is_rotated, static_cast<Proximity>(i), p, 0}, named);
+          compare::query_class(scene, is_rotated, i, named);
         }
       }
     }
