@@ -131,33 +131,48 @@ BoxTestStart start_of(const SplitRow& row, int32_t offset, int32_t margin) {
 /// The largest box_margin(), for 14 bits in place of 22, and the rounding of vertices.
 constexpr int32_t kWidestMargin = 3 * kMaxCoordinate / 2 + 1 + kHalf;
 
-#if !defined(FLASHBVH_ROTATE_SSE2)
-
-/// True if B's rotated root box and A's root box are disjoint along an axis. `upper`, `lower`: the
-/// biased bound of A's box, and the negated one.
-bool far_apart(const SplitRow& row, const BoxTestStart& start, const PackedBox& root_b,
-               uint32_t upper, uint32_t lower) {
+/// True if a root box, rotated, and the other root box are disjoint along an axis of the latter.
+FLASHBVH_INLINE_FOR_SPEED inline bool far_apart(const SplitRow& row, const BoxTestStart& start,
+                                                const PackedBox& rotated, const PackedBox& other,
+                                                int axis) {
+  using Half [[gnu::may_alias]] = uint16_t;
+  const Half* const bounds = reinterpret_cast<const Half*>(&other) + (axis == 2 ? 4 : axis);
+  const int32_t upper = bounds[0];
+  const int32_t lower = bounds[axis == 2 ? 1 : 2];
 #if defined(FLASHBVH_NARROW_SUMS)
-  const AxisBounds x = {loaded_half(root_b.upper_xy, 0), loaded_half(root_b.lower_xy, 0)};
-  const AxisBounds y = {loaded_half(root_b.upper_xy, 1), loaded_half(root_b.lower_xy, 1)};
-  const AxisBounds z = {loaded_half(root_b.z, 0), loaded_half(root_b.z, 1)};
+  const AxisBounds x = {loaded_half(rotated.upper_xy, 0), loaded_half(rotated.lower_xy, 0)};
+  const AxisBounds y = {loaded_half(rotated.upper_xy, 1), loaded_half(rotated.lower_xy, 1)};
+  const AxisBounds z = {loaded_half(rotated.z, 0), loaded_half(rotated.z, 1)};
   const AxisSums sums = rotated_sums(row, start, x, y, z);
   const auto most = static_cast<int32_t>(sums.upper);
   const auto least = static_cast<int32_t>(sums.lower);
 #else
   const int32_t most =
-      add_products(add_products(add_products(start.upper, row.positive_xy, root_b.upper_xy),
-                                row.negative_xy, root_b.lower_xy),
-                   row.z, root_b.z);
-  const int32_t least =
-      add_crossed_products(add_products(add_products(start.lower, row.positive_xy, root_b.lower_xy),
-                                        row.negative_xy, root_b.upper_xy),
-                           row.z, root_b.z);
+      add_products(add_products(add_products(start.upper, row.positive_xy, rotated.upper_xy),
+                                row.negative_xy, rotated.lower_xy),
+                   row.z, rotated.z);
+  const int32_t least = add_crossed_products(
+      add_products(add_products(start.lower, row.positive_xy, rotated.lower_xy), row.negative_xy,
+                   rotated.upper_xy),
+      row.z, rotated.z);
 #endif
-  return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias ||
-         (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
+  return (most >> kSplitBits) + lower < 2 * kBoundBias ||
+         (least >> kSplitBits) + upper < 2 * kBoundBias;
 }
 
+#if !defined(FLASHBVH_ROTATE_SSE2)
+/// The axis along which B lies farthest from A: most often it separates the roots.
+FLASHBVH_INLINE_FOR_SPEED inline int farthest_axis(const Pose& pose, const int32_t (&origin_a)[3]) {
+  const auto size = [&](int axis) {
+    const int32_t cells = cells_along_axis(pose, origin_a, axis);
+    return static_cast<uint32_t>(cells ^ (cells >> 31));
+  };
+  const uint32_t x = size(0);
+  const uint32_t y = size(1);
+  const uint32_t z = size(2);
+  const int of_xy = x >= y ? 0 : 1;
+  return z > (x >= y ? x : y) ? 2 : of_xy;
+}
 #endif
 
 /// Computes one coordinate of transformed vertices.
@@ -199,54 +214,52 @@ bool RotatedTransform::prepare(const Pose& pose, const int32_t (&origin_a)[3],
     return false;
   }
   store_all(starts, on_a);
-#elif defined(FLASHBVH_NARROW_SUMS)
+#else
+#if defined(FLASHBVH_NARROW_SUMS)
   const bool b_is_near = is_near(origin_b);
-  uint32_t upper = root_a.upper_xy;
-  uint32_t lower = root_a.lower_xy;
-  for (int axis = 0;;) {
+  const auto offset_along = [&](int axis) {
+    return b_is_near ? near_offset_along_axis(pose, origin_a, origin_b, axis)
+                     : offset_along_axis(pose, origin_a, origin_b, axis);
+  };
+#else
+  const auto offset_along = [&](int axis) {
+    return offset_along_axis(pose, origin_a, origin_b, axis);
+  };
+#endif
+  int axis = farthest_axis(pose, origin_a);
+  for (int i = 0; i < 3; ++i) {
     const SplitRow& row = matrix->rows.row[axis];
-    const int32_t offset = b_is_near ? near_offset_along_axis(pose, origin_a, origin_b, axis)
-                                     : offset_along_axis(pose, origin_a, origin_b, axis);
-    on_a[axis] = start_of(row, offset, kWidestMargin);
-    if (may_stop && far_apart(row, on_a[axis], root_b, low_half(upper), low_half(lower))) {
+    on_a[axis] = start_of(row, offset_along(axis), kWidestMargin);
+    if (may_stop && far_apart(row, on_a[axis], root_b, root_a, axis)) {
       return false;
     }
-    if (++axis == 3) {
-      break;
-    }
-    upper = axis == 1 ? high_half(upper) : root_a.z;
-    lower = axis == 1 ? high_half(lower) : high_half(root_a.z);
-  }
-#else
-  const auto is_far = [&](int axis, uint32_t upper, uint32_t lower) {
-    const SplitRow& row = matrix->rows.row[axis];
-    const int32_t offset = offset_along_axis(pose, origin_a, origin_b, axis);
-    on_a[axis] = start_of(row, offset, kWidestMargin);
-    return may_stop && far_apart(row, on_a[axis], root_b, upper, lower);
-  };
-  if (is_far(0, low_half(root_a.upper_xy), low_half(root_a.lower_xy)) ||
-      is_far(1, high_half(root_a.upper_xy), high_half(root_a.lower_xy)) ||
-      is_far(2, low_half(root_a.z), high_half(root_a.z))) {
-    return false;
+    axis = axis == 2 ? 0 : axis + 1;
   }
 #endif
-  prepare_boxes(reach(root_b));
-  return true;
+  return prepare_boxes(root_a, root_b, may_stop);
 }
 
-void RotatedTransform::prepare_boxes(int32_t reach_b) {
-  columns = matrix->rows.transposed();
+bool RotatedTransform::prepare_boxes(const PackedBox& root_a, const PackedBox& root_b,
+                                     bool may_stop) {
+  const int32_t reach_b = reach(root_b);
+  const int32_t margin = axis_margin(*matrix, reach_b);
   const int32_t offset[3] = {offset_of(on_a[0]), offset_of(on_a[1]), offset_of(on_a[2])};
-  const int32_t narrower = kWidestMargin - (box_margin(*matrix, reach_b) + kHalf);
-  const int32_t axis = axis_margin(*matrix, reach_b);
-  for (int i = 0; i < 3; ++i) {
-    const SplitRow& column = columns.row[i];
+  for (int axis = 0; axis < 3; ++axis) {
+    const SplitRow column = matrix->rows.column(axis);
     const int64_t back = product(column.x(), offset[0]) + product(column.y(), offset[1]) +
                          product(column.z_entry(), offset[2]);
-    on_a[i].upper -= narrower;
-    on_a[i].lower -= narrower;
-    on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis);
+    columns.row[axis] = column;
+    on_b[axis] = start_of(column, clamp_offset(-(back >> kSplitBits)), margin);
+    if (may_stop && far_apart(column, on_b[axis], root_a, root_b, axis)) {
+      return false;
+    }
   }
+  const int32_t narrower = kWidestMargin - (box_margin(*matrix, reach_b) + kHalf);
+  for (BoxTestStart& start : on_a) {
+    start.upper -= narrower;
+    start.lower -= narrower;
+  }
+  return true;
 }
 
 Point RotatedTransform::transform(const Vertex& v) const {

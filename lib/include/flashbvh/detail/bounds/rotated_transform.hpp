@@ -57,9 +57,9 @@ struct RotatedTransform {
   bool prepare(const Pose& pose, const int32_t (&origin_a)[3], const PackedBox& root_a,
                const int32_t (&origin_b)[3], const PackedBox& root_b, bool may_stop);
 
-  /// Prepares the rotation of boxes, once the meshes are known to be not far apart. `reach_b`:
-  /// reach() of B's root box.
-  FLASHBVH_NOINLINE void prepare_boxes(int32_t reach_b);
+  /// Prepares the rotation of boxes, once no axis of A separates the roots. False as prepare().
+  FLASHBVH_NOINLINE bool prepare_boxes(const PackedBox& root_a, const PackedBox& root_b,
+                                       bool may_stop);
 
   /// In cells from A's origin, or from `far_offset`: within +-80,000.
   Point transform(const Vertex& v) const;

@@ -55,18 +55,23 @@ struct SplitRow {
 struct SplitMatrix {
   SplitRow row[3];
 
-  /// Exchanges halves; unpacks no entry.
-  constexpr SplitMatrix transposed() const {
+  /// A row of the transposed matrix. Exchanges halves; unpacks no entry.
+  constexpr SplitRow column(int i) const {
     const auto low = [](uint32_t u, uint32_t v) { return low_half(u) | v << 16; };
     const auto high = [](uint32_t u, uint32_t v) { return u >> 16 | (v & 0xFFFF0000u); };
     const SplitRow& r = row[0];
     const SplitRow& s = row[1];
     const SplitRow& t = row[2];
-    return {{{low(r.positive_xy, s.positive_xy), low(r.negative_xy, s.negative_xy),
-              low(t.positive_xy, t.negative_xy)},
-             {high(r.positive_xy, s.positive_xy), high(r.negative_xy, s.negative_xy),
-              high(t.positive_xy, t.negative_xy)},
-             {low(r.z, s.z), high(r.z, s.z), t.z}}};
+    switch (i) {
+      case 0:
+        return {low(r.positive_xy, s.positive_xy), low(r.negative_xy, s.negative_xy),
+                low(t.positive_xy, t.negative_xy)};
+      case 1:
+        return {high(r.positive_xy, s.positive_xy), high(r.negative_xy, s.negative_xy),
+                high(t.positive_xy, t.negative_xy)};
+      default:
+        return {low(r.z, s.z), high(r.z, s.z), t.z};
+    }
   }
 };
 
