@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "bake/leaf_order.hpp"
+#include "bake/leaf_slabs.hpp"
 #include "bake/quantise.hpp"
 #include "bake/rank.hpp"
 #include "flashbvh/mesh.hpp"
@@ -100,6 +101,9 @@ void lay_out_triangles(const Traversal& order, const BuildTree& tree, const Latt
     if (tree.nodes[node].is_leaf()) {
       baked.leaf_offsets.push_back(static_cast<Index>(baked.triangles.size()));
       baked.leaf_size = std::max(baked.leaf_size, static_cast<std::uint32_t>(triangles.size()));
+      if (layout == Layout::post_indexed) {
+        baked.slabs.push_back(leaf_slabs(mesh, triangles));
+      }
     }
     for (const std::uint32_t triangle : leaf_order(mesh, triangles)) {
       const TriangleCorners& corners = mesh.triangles[triangle];
@@ -176,6 +180,7 @@ BasicMeshWithLevels<Index, layout> BakedTree<Index, layout>::view() const {
   tree.triangles = triangles.data();
   tree.triangle_ids = triangle_ids.data();
   tree.leaf_offsets = leaf_offsets.empty() ? nullptr : leaf_offsets.data();
+  tree.slabs = slabs.empty() ? nullptr : slabs.data();
   tree.vertices = vertices.data();
   tree.shell_vertices = shell_vertices.data();
   tree.node_count = static_cast<Index>(nodes.size());

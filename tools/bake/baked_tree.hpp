@@ -27,6 +27,7 @@ struct BakedTree {
   std::vector<Corners<Index>> triangles;
   std::vector<Index> triangle_ids;
   std::vector<Index> leaf_offsets;  ///< empty at one triangle per leaf
+  std::vector<LeafSlabs> slabs;     ///< empty if pre-indexed, and for meshes that bend
   std::vector<Vertex> vertices;
   std::vector<Index> shell_vertices;
 

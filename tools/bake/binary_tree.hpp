@@ -34,7 +34,13 @@ BinaryTree sweep(const LatticeMesh& mesh);
 /// Moves subtrees to places where they cost less. The tree's cost never grows.
 void reinsert_all(BinaryTree& tree);
 
-/// The tree with each largest subtree of up to `leaf_size` triangles made a leaf.
-BuildTree with_leaves(const BinaryTree& tree, std::uint32_t leaf_size);
+/// [node]: true if the subtree becomes a leaf: each largest one of up to `leaf_size` triangles.
+std::vector<bool> largest_leaves(const BinaryTree& tree, std::uint32_t leaf_size);
+
+/// The same as kLeavesByMesh chooses. `vertices`: of the mesh.
+std::vector<bool> leaves_by_mesh(const BinaryTree& tree, std::size_t vertices);
+
+/// The tree with these subtrees made leaves.
+BuildTree with_leaves(const BinaryTree& tree, const std::vector<bool>& is_leaf);
 
 }  // namespace flashbvh::bake

@@ -35,8 +35,9 @@ BuildTree build_median(const LatticeMesh& mesh, std::uint32_t leaf_size);
 
 /// By the surface area heuristic: takes the best of all splits along the three axes, then moves
 /// subtrees to places where they cost less (sweep.cpp, reinsert.cpp). Subtrees of up to `leaf_size`
-/// triangles become leaves. In integers, ties by position and number: the result is the same on
-/// every machine. At least one triangle. O(n log n) and O(n) per level.
+/// triangles become leaves, or those that kLeavesByMesh chooses. In integers, ties by position and
+/// number: the result is the same on every machine. At least one triangle. O(n log n) and O(n) per
+/// level.
 BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size);
 
 /// The tree with up to `arity` children per node and unchanged leaves. Each node repeatedly
@@ -44,8 +45,19 @@ BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size);
 /// they do not fit, or the child's test often saves theirs (collapse.cpp). 2 keeps a binary tree.
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
 
+/// In place of a leaf size: leaves of up to kMostByMesh triangles. They are merged in order of what
+/// a merge costs queries, until an image takes kBytesByMesh bytes a triangle.
+constexpr std::uint32_t kLeavesByMesh = 0;
+constexpr std::uint32_t kMostByMesh = 4;
+constexpr std::uint32_t kBytesByMesh = 27;
+
+/// The most triangles in a leaf, for messages.
+constexpr std::uint32_t most_in_leaf(std::uint32_t leaf_size) {
+  return leaf_size == kLeavesByMesh ? kMostByMesh : leaf_size;
+}
+
 /// The default of `flashbvh bake`.
-constexpr std::uint32_t kDefaultLeafSize = 2;
+constexpr std::uint32_t kDefaultLeafSize = kLeavesByMesh;
 constexpr std::uint32_t kDefaultArity = 4;
 BuildTree build_default(const LatticeMesh& mesh, std::uint32_t leaf_size = kDefaultLeafSize);
 

@@ -38,7 +38,8 @@ ImageHeader header_of(const BakedTree<Index, layout>& baked, bool levels) {
   header.unit = static_cast<std::uint8_t>(baked.unit);
   levels = levels || layout == Layout::pre_indexed;
   header.flags = static_cast<std::uint8_t>((levels ? kImageHasLevels : 0) |
-                                           (baked.is_closed ? kImageIsClosed : 0));
+                                           (baked.is_closed ? kImageIsClosed : 0) |
+                                           (baked.slabs.empty() ? 0 : kImageHasSlabs));
   return header;
 }
 
@@ -73,6 +74,7 @@ std::vector<std::uint32_t> image_of(const BakedTree<Index, layout>& baked, bool 
   put(bytes, at.triangles, baked.triangles);
   put(bytes, at.triangle_ids, baked.triangle_ids);
   put(bytes, at.leaf_offsets, baked.leaf_offsets);
+  put(bytes, at.slabs, baked.slabs);
   put(bytes, at.vertices, baked.vertices);
   put(bytes, at.shell_vertices, baked.shell_vertices);
   std::copy(baked.name.begin(), baked.name.end(), bytes + at.name);

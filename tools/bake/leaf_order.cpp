@@ -13,23 +13,6 @@ std::int64_t dot(const Point& u, const Point& v) {
   return std::int64_t{u.x} * v.x + std::int64_t{u.y} * v.y + std::int64_t{u.z} * v.z;
 }
 
-/// The extent of the leaf's triangles along a direction, in 1/256 cell; one cell at least.
-std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
-                        const Point& direction) {
-  std::int64_t least = INT64_MAX;
-  std::int64_t most = INT64_MIN;
-  for (const std::uint32_t triangle : triangles) {
-    for (const std::uint32_t vertex : mesh.triangles[triangle]) {
-      const auto [x, y, z] = mesh.vertices[vertex];
-      const std::int64_t along = dot(direction, {x, y, z});
-      least = std::min(least, along);
-      most = std::max(most, along);
-    }
-  }
-  const auto length = static_cast<std::uint64_t>(dot(direction, direction));
-  return 256 + (static_cast<std::uint64_t>(most - least) << 16) / square_root(length << 16);
-}
-
 /// The cross-section of this triangle's two slabs, the product of their thicknesses: less rejects
 /// more. Largest for a triangle without area.
 std::uint64_t measure(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
@@ -46,6 +29,27 @@ std::uint64_t measure(const LatticeMesh& mesh, const std::vector<std::uint32_t>&
 }
 
 }  // namespace
+
+LeafExtent extent_along(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
+                        const Point& direction) {
+  LeafExtent extent = {INT64_MAX, INT64_MIN};
+  for (const std::uint32_t triangle : triangles) {
+    for (const std::uint32_t vertex : mesh.triangles[triangle]) {
+      const auto [x, y, z] = mesh.vertices[vertex];
+      const std::int64_t along = dot(direction, {x, y, z});
+      extent = {std::min(extent.least, along), std::max(extent.most, along)};
+    }
+  }
+  return extent;
+}
+
+std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
+                        const Point& direction) {
+  const LeafExtent extent = extent_along(mesh, triangles, direction);
+  const auto length = static_cast<std::uint64_t>(dot(direction, direction));
+  return 256 +
+         (static_cast<std::uint64_t>(extent.most - extent.least) << 16) / square_root(length << 16);
+}
 
 std::vector<std::uint32_t> leaf_order(const LatticeMesh& mesh,
                                       std::vector<std::uint32_t> triangles) {

@@ -9,6 +9,18 @@
 
 namespace flashbvh::bake {
 
+/// The range of the leaf's triangles along a direction.
+struct LeafExtent {
+  std::int64_t least;
+  std::int64_t most;
+};
+LeafExtent extent_along(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
+                        const Point& direction);
+
+/// That range's size, in 1/256 cell; one cell at least.
+std::uint64_t thickness(const LatticeMesh& mesh, const std::vector<std::uint32_t>& triangles,
+                        const Point& direction);
+
 /// A leaf's triangles, that one first and the others in their order. In integers, ties by order:
 /// the result is the same on every machine.
 std::vector<std::uint32_t> leaf_order(const LatticeMesh& mesh,

@@ -61,19 +61,19 @@ struct Fitting {
   const BytesOf& bytes_of;
   const tool::Deadline& deadline;
 
-  /// The first leaf size with which the meshes fit, or 0.
-  std::uint32_t leaf_size(const std::vector<Coarsening>& coarse) const {
+  /// The first leaf size with which the meshes fit.
+  std::optional<std::uint32_t> leaf_size(const std::vector<Coarsening>& coarse) const {
     for (const std::uint32_t size : leaf_sizes) {
       if (bytes_of(coarse, size) <= most) {
         return size;
       }
     }
-    return 0;
+    return std::nullopt;
   }
 
   std::optional<Fit> made() const {
-    if (const std::uint32_t size = leaf_size(meshes)) {
-      return Fit{0, size};
+    if (const auto size = leaf_size(meshes)) {
+      return Fit{0, *size};
     }
     const std::optional<Fit> found = bisected();
     return found && found->leaf_size > leaf_sizes.front() ? with_smaller_leaves(*found) : found;
@@ -90,8 +90,8 @@ struct Fitting {
       next = std::min(rounded_up(std::max(next, shortest)), longest);
       std::vector<Coarsening> coarse = below;
       coarsen_all(coarse, next, deadline);
-      if (const std::uint32_t size = leaf_size(coarse)) {
-        found = Fit{next, size};
+      if (const auto size = leaf_size(coarse)) {
+        found = Fit{next, *size};
         meshes = std::move(coarse);
       } else if (next >= longest) {
         return std::nullopt;
@@ -116,10 +116,10 @@ struct Fitting {
          next <= std::min(kWorthwhile * found.length, longest) && !deadline.is_past();
          next *= kStep) {
       coarsen_all(longer, rounded_up(next), deadline);
-      const std::uint32_t smaller = leaf_size(longer);
-      if (smaller != 0 && smaller < found.leaf_size) {
+      const auto smaller = leaf_size(longer);
+      if (smaller && *smaller < found.leaf_size) {
         meshes = std::move(longer);
-        return Fit{rounded_up(next), smaller};
+        return Fit{rounded_up(next), *smaller};
       }
     }
     return found;

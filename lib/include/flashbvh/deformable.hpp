@@ -52,6 +52,7 @@ class BasicDeformableMesh {
     __builtin_memcpy(vertices, baked.vertices, sizeof(Vertex) * baked.vertex_count);
     mesh_.nodes = nodes;
     mesh_.vertices = vertices;
+    mesh_.slabs = nullptr;
     is_closed_ = baked.is_closed;
   }
 

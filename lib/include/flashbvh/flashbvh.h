@@ -44,8 +44,8 @@ extern "C" {
 
 /* Meshes: image.hpp and mesh.hpp --------------------------------------------------------------- */
 
-/** A baked mesh: a view of its image. 64 bytes on a 32-bit core, 88 on a 64-bit one. */
-FLASHBVH_OPAQUE(flashbvh_mesh, 6, 40, uint64_t);
+/** A baked mesh: a view of its image. 72 bytes on a 32-bit core, 96 on a 64-bit one. */
+FLASHBVH_OPAQUE(flashbvh_mesh, 7, 40, uint64_t);
 
 /** open_image(): `image` must start at a multiple of 4 bytes. `mesh` is written only on DONE.
  * IMAGE_KIND: the mesh is pre-indexed or has 32-bit indices. */

@@ -12,7 +12,7 @@
 namespace flashbvh {
 
 constexpr uint32_t kImageMagic = 0x48564246u;  // "FBVH"
-constexpr uint16_t kImageVersion = 3;
+constexpr uint16_t kImageVersion = 4;
 
 /// Largest magnitude of an origin, in cells. Rotations rotate origins too
 /// (detail/bounds/rotated_transform.hpp).
@@ -24,6 +24,7 @@ constexpr uint32_t kMaxLeafSize = 255;
 /// Bits of ImageHeader::flags.
 constexpr uint8_t kImageHasLevels = 1;  ///< always set for a pre-indexed tree
 constexpr uint8_t kImageIsClosed = 2;   ///< Mesh::is_closed
+constexpr uint8_t kImageHasSlabs = 4;   ///< Mesh::slabs
 
 /// The first 80 bytes of an image.
 struct ImageHeader {
@@ -52,7 +53,7 @@ struct ImageHeader {
   uint32_t shell_count;
   uint16_t longest_edge;  ///< Mesh::longest_edge
   uint8_t unit;           ///< a value of enum Unit
-  uint8_t flags;          ///< kImageHasLevels, kImageIsClosed
+  uint8_t flags;          ///< kImageHasLevels, kImageIsClosed, kImageHasSlabs
 };
 
 static_assert(sizeof(ImageHeader) == 80, "the figure in the format's description");
@@ -70,9 +71,9 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 ///
 /// Checks all of it in linear time and constant memory: the checksum, links that go forward and
 /// nest, and indices in range. Levels, ranks and the header's numbers must match the tree. Each
-/// node's box must be in its parent's, each triangle in its leaf's. The longest edge and closedness
-/// must be right. On `done`, queries on `mesh` end and read only the image. After an error the mesh
-/// is not open: queries on it return `not_open`.
+/// node's box must be in its parent's, each triangle in its leaf's box and slabs. The longest edge
+/// and closedness must be right. On `done`, queries on `mesh` end and read only the image. After an
+/// error the mesh is not open: queries on it return `not_open`.
 ///
 /// Instructions: 10 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400
 /// bytes on Cortex-M3 to M55 at -O2.
@@ -99,8 +100,8 @@ MeshType view_unchecked(const void* image);
 /// Offsets of an image's arrays, in bytes from its start; `end` is its size. 64 bits, so that sums
 /// of any header's values do not wrap.
 struct ImageOffsets {
-  uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, vertices, shell_vertices,
-      name, end;
+  uint64_t nodes, levels, climb, triangles, triangle_ids, leaf_offsets, slabs, vertices,
+      shell_vertices, name, end;
 };
 /// Returns the offsets for a header, which may hold any values.
 ImageOffsets image_offsets(const ImageHeader& header);

@@ -64,6 +64,20 @@ struct Corners {
   Index corner[3];
 };
 
+/// Two slabs that hold all triangles of a leaf: mostly one along its plane, and one across it. A
+/// slab is a direction in 1/64 of the components that sums use (bounds/slab.hpp), and the extent of
+/// the triangles along it. Zeros reject nothing. 12 bytes.
+struct LeafSlabs {
+  struct Direction {
+    int8_t x, y, z;     ///< -127 to 127
+    uint8_t thickness;  ///< of the slab: (low 5 bits) << (2 * high 3 bits), in kSlabUnit
+  };
+  Direction of[2];
+  int16_t least[2];  ///< of the triangles along the directions, in kSlabUnit
+};
+/// The unit of extents along a direction, as a shift of its sums: two cells at most.
+constexpr unsigned kSlabUnitBits = 14;
+
 /// True if `u` and `v`, in this order, share an edge: the last two corners of `u` are those of `v`
 /// in reverse order. Such a quad's box needs only four vertices, so `flashbvh bake --deformable`
 /// turns the triangles of a leaf this way.
@@ -117,7 +131,7 @@ constexpr uint16_t kRoundingDeviation = 14;
 enum class Unit : uint8_t { none = 0, nm, um, mm, cm, m, mil, inch, foot };
 constexpr uint8_t kUnitCount = 9;
 
-/// A baked mesh: a view of its tree and triangles, whose arrays must outlive it. 64 bytes with
+/// A baked mesh: a view of its tree and triangles, whose arrays must outlive it. 72 bytes with
 /// 16-bit indices on a 32-bit core.
 template <class IndexType, Layout layout>
 struct BasicMesh : Tree<IndexType, layout> {
@@ -126,6 +140,7 @@ struct BasicMesh : Tree<IndexType, layout> {
   const Corners<Index>* triangles;  ///< triangle_count, in order of their leaves
   const Index* triangle_ids;        ///< triangle_count: each triangle's number in the source mesh
   const Index* leaf_offsets;  ///< leaf_count + 1: each leaf's first triangle; null if one per leaf
+  const LeafSlabs* slabs;     ///< leaf_count; null: queries make them, as the triangles move
   const Vertex* vertices;     ///< vertex_count
   const Index* shell_vertices;  ///< shell_count: the first vertex of each shell, ascending
   Index triangle_count;

@@ -23,7 +23,7 @@
 namespace flashbvh {
 
 /// A mesh of one leaf with its arrays. Points into itself: it is not copied, and set again in
-/// place. 64 bytes and 26 + 8 * triangles + 6 * vertices.
+/// place. 72 bytes and 26 + 8 * triangles + 6 * vertices.
 template <uint16_t triangles, uint16_t vertices>
 class Shape {
  public:

@@ -41,7 +41,8 @@ bool has_levels(const ImageHeader& header) {
 
 bool flags_fit(const ImageHeader& header) {
   const bool pre = header.layout == static_cast<uint8_t>(Layout::pre_indexed);
-  return (header.flags & ~(kImageHasLevels | kImageIsClosed)) == 0 && (has_levels(header) || !pre);
+  return (header.flags & ~(kImageHasLevels | kImageIsClosed | kImageHasSlabs)) == 0 &&
+         (has_levels(header) || !pre);
 }
 
 /// Checks that counts fit the index type and that there is a root. The check of the tree proves the
@@ -60,6 +61,10 @@ uint64_t level_count(const ImageHeader& header) {
 /// Number of leaf offsets; 0 if each leaf has one triangle.
 uint64_t leaf_offset_count(const ImageHeader& header) {
   return header.leaf_count == header.triangle_count ? 0 : uint64_t{header.leaf_count} + 1;
+}
+
+uint64_t slab_count(const ImageHeader& header) {
+  return (header.flags & kImageHasSlabs) != 0 ? header.leaf_count : 0;
 }
 
 /// Returns whether the bytes from `begin` to the next multiple of 4 are zeros.
@@ -119,6 +124,7 @@ template <class Index, Layout layout>
   mesh.triangle_ids = image_part<Index>(bytes, offsets.triangle_ids);
   mesh.leaf_offsets =
       leaf_offset_count(header) == 0 ? nullptr : image_part<Index>(bytes, offsets.leaf_offsets);
+  mesh.slabs = slab_count(header) == 0 ? nullptr : image_part<LeafSlabs>(bytes, offsets.slabs);
   mesh.vertices = image_part<Vertex>(bytes, offsets.vertices);
   mesh.shell_vertices = image_part<Index>(bytes, offsets.shell_vertices);
   mesh.node_count = static_cast<Index>(header.node_count);
@@ -206,7 +212,8 @@ ImageOffsets image_offsets(const ImageHeader& header) {
   at.triangles = aligned(at.climb + level_count(header) * index);
   at.triangle_ids = aligned(at.triangles + triangles * 3 * index);
   at.leaf_offsets = aligned(at.triangle_ids + triangles * index);
-  at.vertices = aligned(at.leaf_offsets + leaf_offset_count(header) * index);
+  at.slabs = aligned(at.leaf_offsets + leaf_offset_count(header) * index);
+  at.vertices = at.slabs + slab_count(header) * sizeof(LeafSlabs);
   at.shell_vertices = aligned(at.vertices + uint64_t{header.vertex_count} * sizeof(Vertex));
   at.name = aligned(at.shell_vertices + header.shell_count * index);
   at.end = aligned(at.name + header.name_size);

@@ -9,6 +9,7 @@
 // A post-indexed tree needs only its links: a node's link is the sibling that precedes it in array
 // order. A pre-indexed tree is climbed by its parents.
 #include "flashbvh/detail/arch/inline.hpp"
+#include "flashbvh/detail/bounds/slab.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "surface.hpp"
 
@@ -134,7 +135,38 @@ class Checker {
         return false;
       }
     }
+    if (tree_.slabs != nullptr && !slabs(tree_.slabs[leaves_], first, end)) {
+      return false;
+    }
     ++leaves_;
+    return true;
+  }
+
+  /// True if no sum with this slab leaves 32 bits.
+  static bool is_in_range(const LeafSlabs::Direction& d, int32_t least) {
+    constexpr int32_t most = 1 << (29 - kSlabUnitBits);
+    return d.x != INT8_MIN && d.y != INT8_MIN && d.z != INT8_MIN &&
+           least + ((d.thickness & 31) << 2 * (d.thickness >> 5)) <= most;
+  }
+
+  /// Checks that both slabs of a leaf hold its triangles.
+  FLASHBVH_NOINLINE bool slabs(const LeafSlabs& slabs, uint32_t first, uint32_t end) const {
+    for (int which = 0; which < 2; ++which) {
+      if (!is_in_range(slabs.of[which], slabs.least[which])) {
+        return false;
+      }
+      Slab slab;
+      slab.begin(slabs, which);
+      const PackedVector direction = slab.direction();
+      const Extent within = slab.extent();
+      const Index* const corner_end = tree_.triangles[end].corner;
+      for (const Index* corner = tree_.triangles[first].corner; corner != corner_end; ++corner) {
+        const int32_t along = dot(direction, PackedVector::of(tree_.vertices[*corner]));
+        if (along < within.least || along > within.most) {
+          return false;
+        }
+      }
+    }
     return true;
   }
 

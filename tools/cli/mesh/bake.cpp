@@ -50,6 +50,7 @@ Json bake_one(const BakeOrder& order, BakedMesh& mesh, const InputMesh& input,
       [&](auto& baked) {
         if (order.deformable) {
           bake::show_quads(baked);
+          baked.slabs.clear();  // they do not bend
         }
         baked.unit = order.units.unit();
         baked.name = name.stem.substr(0, bake::kMaxNameSize);
@@ -196,7 +197,7 @@ void print_simplified(const Json& meshes, double length, std::uint32_t leaf_size
                       const Units& units) {
   const Json total = total_of(meshes);
   std::cout << "simplified: " << total["source_triangles"] << " triangles -> " << total["triangles"]
-            << ", leaves of " << leaf_size << "; every point within " << units.with_unit(length)
+            << ", leaves of " << bake::most_in_leaf(leaf_size) << "; every point within " << units.with_unit(length)
             << " of the file's mesh, and the other way round; triangles are numbered again\n";
 }
 

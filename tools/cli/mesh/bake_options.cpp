@@ -166,7 +166,8 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
              "How triangles are grouped: median is the paper's, sah gives faster queries");
   command
       .add_option("--leaf-size", a.leaf_size,
-                  "Most triangles in a leaf; default: 2, with --builder median 1")
+                  "Most triangles in a leaf; default: up to 4, as 27 bytes of flash a triangle allow, with "
+                  "--builder median 1")
       ->check(CLI::Range(1, 16));
   command
       .add_option("--arity", a.arity,

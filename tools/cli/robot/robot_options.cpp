@@ -37,9 +37,11 @@ void add_baking_options(CLI::App& command, RobotRequest& request) {
               "repeated");
   add_option(command, "--cell", request.cell, "LENGTH",
              "Size of a lattice cell; default: the finest that all the links fit");
-  command.add_option("--leaf-size", request.leaf_size, "Most triangles in a leaf")
+  command
+      .add_option("--leaf-size", request.leaf_size,
+                  "Most triangles in a leaf; default: up to 4, as 27 bytes of flash a triangle "
+                  "allow")
       ->check(CLI::Range(1, 16))
-      ->capture_default_str()
       ->each([&request](const std::string&) { request.has_leaf_size = true; });
   add_option(
       command, "--simplify", request.simplify, "LENGTH",

@@ -166,7 +166,7 @@ std::string simplified_text(const BakedRobot& robot) {
     before += robot.model.links[i].mesh.triangles.size();
     after += robot.links[i].tree.triangles.size();
   }
-  return concat("simplified: ", before, " triangles -> ", after, ", leaves of ", robot.leaf_size,
+  return concat("simplified: ", before, " triangles -> ", after, ", leaves of ", bake::most_in_leaf(robot.leaf_size),
                 "; firmware's links and the URDF's lie within ", shortest(robot.simplified),
                 " m of each other, so a guard stops up to ",
                 shortest(kEarlyByDeviation * robot.simplified),
@@ -197,7 +197,7 @@ Json robot_json(const BakedRobot& robot, std::size_t bytes, std::optional<std::s
                {"cell", robot.cell},
                {"deviation", most},
                {"simplified", robot.simplified},
-               {"leaf_size", robot.leaf_size},
+               {"leaf_size", bake::most_in_leaf(robot.leaf_size)},
                {"flash_bytes", bytes}};
   if (smaller) {
     json["flash_bytes_leaf_size_5"] = *smaller;

@@ -46,7 +46,7 @@ static_assert(sizeof(RobotImageHeader) == 52, "the figure in the format's descri
 Status read_robot_image_header(const void* bytes, size_t size, RobotImageHeader& header);
 
 /// Opens an image in place. `bytes` must start at a multiple of 4. `bytes` and `meshes` must
-/// outlive `robot`. `meshes` takes views of the image's meshes: link_count views, 64 bytes each on
+/// outlive `robot`. `meshes` takes views of the image's meshes: link_count views, 72 bytes each on
 /// a 32-bit core. On `done` no guard or motion query of the robot reads outside the image,
 /// overflows or fails to end. After an error neither the robot nor any of the `mesh_capacity`
 /// meshes is open: guards, motions and queries on them return `not_open`.

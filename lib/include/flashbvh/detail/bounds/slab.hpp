@@ -116,6 +116,16 @@ class Slab {
     least_upper_ = extent.least;
     least_lower_ = extent.most;
   }
+  /// The same from a baked slab.
+  FLASHBVH_INLINE void begin(const LeafSlabs& slabs, int which) {
+    const LeafSlabs::Direction& d = slabs.of[which];
+    constexpr int scale = 1 << (kDirectionBits - 7);
+    const int32_t least = slabs.least[which] * (1 << kSlabUnitBits);
+    const uint32_t thickness = (d.thickness & 31u) << (kSlabUnitBits + 2 * (d.thickness >> 5));
+    begin({join_halves(static_cast<uint16_t>(d.x * scale), static_cast<uint16_t>(d.y * scale)),
+           d.z * scale},
+          {least, least + static_cast<int32_t>(thickness)});
+  }
   /// Stores a direction for later; sets nothing else.
   FLASHBVH_INLINE void keep_direction(const PackedVector& direction) {
     row_.positive_xy = direction.xy;

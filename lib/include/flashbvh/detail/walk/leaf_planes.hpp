@@ -3,9 +3,11 @@
 // Once one node of a pair is a leaf, the rest below the pair is that leaf against a subtree. Three
 // tests reject boxes of the subtree. The window is the leaf's own box, seen from the other tree.
 // The plane is a slab along the normal of the leaf's first triangle. The edge is a slab along the
-// normal, in that plane, of the triangle's longest edge. So no box of the subtree is rotated. The
-// plane tests the corners of a leaf of the subtree before any triangle is placed. The baker stores
-// first the triangle whose slabs reject most; any other order gives equal answers.
+// normal, in that plane, of the triangle's longest edge. A mesh with baked slabs has the best two
+// of its leaf's triangles. So no box of the subtree is rotated. The plane tests the corners of a
+// leaf of the subtree before any triangle is placed; then that leaf's baked plane tests this leaf's
+// corners. Without baked slabs, the baker stores first the triangle whose slabs reject most. Any
+// slabs give equal answers.
 //
 // The tests of a pair depend on the pair alone, wherever a query is cut. Only the state of the
 // slabs (made, current) depends on the cuts.
@@ -101,9 +103,9 @@ class LeafPlanes {
            may_touch_both(plane, edge, box);
   }
 
-  /// True if all corners of the other tree's leaf at `node` lie on one side of the plane's slab. A
-  /// rejection spends work, as no other step charges for the leaf's triangles. The edge's slab
-  /// would seldom reject more.
+  /// True if all corners of the other tree's leaf at `node` lie on one side of the plane's slab, or
+  /// this leaf's on one side of that leaf's baked plane. A rejection spends work, as no other step
+  /// charges for the leaves' triangles. The edges' slabs would seldom reject more.
   FLASHBVH_NOINLINE bool rejects_leaf(uint32_t node, Progress& progress) const {
     const Mesh& m = other_mesh();
     const uint32_t leaf = m.nodes[node].leaf();
@@ -111,10 +113,14 @@ class LeafPlanes {
     const uint32_t after = m.end_triangle(leaf);
     const auto* const corner = m.triangles[first].corner;
     const auto* const end = m.triangles[after].corner;
-    if (plane.may_touch(m.vertices, corner, end)) {
+    if (!plane.may_touch(m.vertices, corner, end)) {
+      progress.spend(kRejectedTriangleWork * (after - first));
+      return true;
+    }
+    if (m.slabs == nullptr || may_touch_plane_of(m.slabs[leaf])) {
       return false;
     }
-    progress.spend(kRejectedTriangleWork * (after - first));
+    progress.spend(kOtherPlaneWork);
     return true;
   }
 
@@ -128,6 +134,17 @@ class LeafPlanes {
   const Mesh& b;
 
  protected:
+  /// False if all corners of the current leaf lie on one side of a plane of the other tree's leaf.
+  FLASHBVH_NOINLINE bool may_touch_plane_of(const LeafSlabs& slabs) const {
+    Slab other;
+    other.begin(slabs, 0);
+    see(other, side_ == Side::a ? Side::b : Side::a);
+    const Mesh& m = mesh();
+    const uint32_t leaf = node_->leaf();
+    return other.may_touch(m.vertices, m.triangles[m.first_triangle(leaf)].corner,
+                           m.triangles[m.end_triangle(leaf)].corner);
+  }
+
   const Mesh& mesh() const { return side_ == Side::a ? a : b; }
   const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
 
@@ -152,12 +169,12 @@ class LeafPlanes {
 
   FLASHBVH_NOINLINE void make_plane() {
     if (lie_in_plane()) {
-      see(plane);
+      see(plane, side_);
     }
   }
   FLASHBVH_NOINLINE void make_edge() {
     if (lie_along_edge()) {
-      see(edge);
+      see(edge, side_);
     }
   }
 
@@ -166,6 +183,10 @@ class LeafPlanes {
   FLASHBVH_INLINE_FOR_SPEED bool lie_in_plane() {
     made_ = 1;
     const Mesh& m = mesh();
+    if (m.slabs != nullptr) {
+      plane.begin(m.slabs[node_->leaf()], 0);
+      return true;
+    }
     const uint32_t first = m.first_triangle(node_->leaf());
     const PackedTriangle t = triangle(m, first);
     PackedVector normal;
@@ -176,6 +197,10 @@ class LeafPlanes {
   FLASHBVH_INLINE_FOR_SPEED bool lie_along_edge() {
     made_ = 2;
     const Mesh& m = mesh();
+    if (m.slabs != nullptr) {
+      edge.begin(m.slabs[node_->leaf()], 1);
+      return true;
+    }
     const uint32_t first = m.first_triangle(node_->leaf());
     const PackedTriangle t = triangle(m, first);
     PackedVector direction;
@@ -200,12 +225,12 @@ class LeafPlanes {
     slab.begin(direction, extent);
     return true;
   }
-  /// Transforms a slab to the other tree's lattice.
-  FLASHBVH_INLINE_FOR_SPEED void see(Slab& slab) const {
+  /// Transforms a slab of side `of` to the other tree's lattice.
+  FLASHBVH_INLINE_FOR_SPEED void see(Slab& slab, Side of) const {
     if (transform_.is_rotated()) {
-      slab.rotate(transform_, side_);
+      slab.rotate(transform_, of);
     } else {
-      slab.translate(transform_.translated().offset, side_);
+      slab.translate(transform_.translated().offset, of);
     }
   }
 

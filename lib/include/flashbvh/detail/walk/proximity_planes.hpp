@@ -158,7 +158,7 @@ class ProximityPlanes : LeafPlanes<Mesh> {
   /// direction.
   FLASHBVH_INLINE_FOR_SPEED uint32_t see(Slab& slab) {
     const PackedVector own = slab.direction();
-    Base::see(slab);
+    Base::see(slab, this->side_);
     return cells_in_unit(this->side_ == Side::a ? own : slab.seen_direction());
   }
 
