@@ -120,10 +120,11 @@ TEST_CASE("boxes overlap under a rotation exactly when both rotated boxes do, wh
   CHECK(gaps > 1000);
 }
 
-TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin, is next to A's") {
+TEST_CASE("roots are far apart exactly when one, rotated, is next to the other") {
   constexpr int32_t widest = 3 * kMost / 2 + 1 + kSplitOne / 2;
   int near = 0;
   int far = 0;
+  int far_on_b = 0;
   for_rounds(20000, 3, [&](Random& random, int) {
     const AnyRotation rotation(random);
     const RotationMatrix& matrix = rotation.pose.matrix();
@@ -138,12 +139,16 @@ TEST_CASE("roots are far apart exactly when B's, rotated with the widest margin,
     const PackedBox a = random.below(4) == 0 ? pack(any_box(random)) : box_beside(random, rotated);
     const int32_t origin[3] = {0, 0, 0};
     RotatedTransform transform{};
-    const bool expected = overlap(a, rotated);
+    REQUIRE(transform.prepare(rotation.pose, origin, a, origin, b, /*may_stop=*/false));
+    const bool on_a = overlap(a, rotated);
+    const bool expected = on_a && overlap(b, rotated_box(transform.columns, transform.on_b, a));
+    far_on_b += on_a && !expected ? 1 : 0;
     REQUIRE(transform.prepare(rotation.pose, origin, a, origin, b, /*may_stop=*/true) == expected);
     ++(expected ? near : far);
   });
   CHECK(near > 2000);
   CHECK(far > 2000);
+  CHECK(far_on_b > 200);
 }
 
 TEST_CASE("B's origin lies where a sum of 64 bits says, near or far") {

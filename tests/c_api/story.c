@@ -57,8 +57,8 @@ static void meshes(void) {
   CHECK(flashbvh_mesh_unit(&block) == FLASHBVH_UNIT_MM);
   CHECK(flashbvh_mesh_is_closed(&block) && !flashbvh_mesh_is_closed(&blade));
   CHECK(sizeof(flashbvh_cursor) == 12 && sizeof(flashbvh_pose) == 68);
-  CHECK(sizeof(flashbvh_mesh) == 64 + wider && sizeof(flashbvh_query) == 128 + wider);
-  CHECK(sizeof(flashbvh_box_shape) == 232 + wider && sizeof(flashbvh_contact) == 104);
+  CHECK(sizeof(flashbvh_mesh) == 72 + wider && sizeof(flashbvh_query) == 128 + wider);
+  CHECK(sizeof(flashbvh_box_shape) == 240 + wider && sizeof(flashbvh_contact) == 104);
 }
 
 /** The blade's lower corner is at (1003.1, 1004, 1005) mm of the block; by floats. */

@@ -124,6 +124,7 @@ bool SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   view_.triangles = mesh.triangles;
   view_.triangle_ids = kIds;
   view_.leaf_offsets = leaf_size == 1 ? nullptr : leaf_offsets_;
+  view_.slabs = nullptr;
   view_.vertices = mesh.vertices;
   view_.node_count = nodes_of(leaf_count);
   view_.leaf_count = static_cast<uint16_t>(leaf_count);

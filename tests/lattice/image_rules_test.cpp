@@ -123,3 +123,27 @@ TEST_CASE("the largest origins and the smallest and largest cells are good") {
     CHECK(status_after<MeshWithLevels>(small_tree<kPost>(), change) == Status::done);
   }
 }
+
+TEST_CASE("slabs that do not hold their leaf's triangles are refused") {
+  const auto good = small_tree<kPost>();
+  const auto status_with = [&](std::size_t leaf, const auto& change) {
+    return status_after<Mesh>(good, [&](auto& tree) { change(tree.slabs[leaf]); });
+  };
+  for (std::size_t leaf = 0; leaf < good.slabs.size(); ++leaf) {
+    for (const int i : {0, 1}) {
+      CAPTURE(leaf, i);
+      const auto narrower = [i](LeafSlabs& s) { s.least[i] += 1; };
+      const auto wider = [i](LeafSlabs& s) { s.least[i] -= 1, s.of[i].thickness += 2; };
+      CHECK(status_with(leaf, [i](LeafSlabs& s) { s.of[i].thickness = 0; }) ==
+            Status::image_invalid);
+      CHECK(status_with(leaf, narrower) == Status::image_invalid);
+      CHECK(status_with(leaf, wider) == Status::done);
+      CHECK(status_with(leaf, [i](LeafSlabs& s) { s.of[i].y = INT8_MIN; }) ==
+            Status::image_invalid);
+      CHECK(status_with(leaf, [i](LeafSlabs& s) { s = {}, s.of[i].thickness = 6 << 5 | 8; }) ==
+            Status::done);  // zeros hold everything; this range ends at 2^15
+      CHECK(status_with(leaf, [i](LeafSlabs& s) { s = {}, s.of[i].thickness = 6 << 5 | 9; }) ==
+            Status::image_invalid);
+    }
+  }
+}

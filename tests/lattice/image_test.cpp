@@ -105,7 +105,7 @@ TEST_CASE("a value of the header that means nothing is refused") {
     CHECK(status_with(offsetof(ImageHeader, layout), value) == Status::image_invalid);
     CHECK(status_with(offsetof(ImageHeader, index_bits), value) == Status::image_invalid);
   }
-  CHECK(status_with(offsetof(ImageHeader, flags), 4) == Status::image_invalid);
+  CHECK(status_with(offsetof(ImageHeader, flags), 8) == Status::image_invalid);
   CHECK(status_with(offsetof(ImageHeader, padding) + 1, 1) == Status::image_invalid);
   Image pre{image_of(small_tree<kPre>())};
   pre.bytes()[offsetof(ImageHeader, flags)] = 0;  // a pre-indexed tree has levels

@@ -249,7 +249,7 @@ TEST_CASE("no ray is lost at an edge or a corner of a closed mesh") {
 TEST_CASE("what is behind the nearest hit, or behind the seed, is not visited") {
   Random random(20240607);  // counts of these rays, whatever the seed
   const bake::LatticeMesh lattice = torus(24, 16, 8000, 3000);
-  const AnyMesh mesh(bake::build_default(lattice), lattice);
+  const AnyMesh mesh(bake::build_default(lattice, 2), lattice);
   std::uint32_t all = 0;
   std::uint32_t nearest = 0;
   std::uint32_t seeded = 0;

@@ -152,7 +152,7 @@ TEST_CASE("a position is taken if and only if a walk on which all boxes overlap 
 TEST_CASE("a bending tube's digest is the same on every core") {
   Random random(7);
   const bake::LatticeMesh lattice = grid(12, 10, true);
-  Bending<Mesh> bent(bake::build_default(lattice), lattice);
+  Bending<Mesh> bent(bake::build_default(lattice, 2), lattice);
   lay(random, 12, 60, 40, 25, bent.vertices);
   std::uint32_t sum = 2166136261u;
   for (int frame = 0; frame < 12; ++frame) {

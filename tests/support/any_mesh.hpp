@@ -29,8 +29,14 @@ struct AnyMesh : Mesh {
   }
 };
 
+/// Half of them have no slabs, as meshes that bend.
 inline AnyMesh any_mesh(Random& random, const bake::LatticeMesh& mesh) {
-  return AnyMesh(any_tree(random, mesh), mesh);
+  AnyMesh any(any_tree(random, mesh), mesh);
+  if (random.below(2) == 0) {
+    std::get<1>(any.trees).slabs.clear();
+    any.slabs = nullptr;
+  }
+  return any;
 }
 
 /// Of up to `most` triangles, as random_mesh() makes them.

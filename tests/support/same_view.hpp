@@ -25,6 +25,8 @@ bool same_view(const BasicMesh<Index, layout>& u, const BasicMesh<Index, layout>
          same_array(u.triangle_ids, v.triangle_ids, u.triangle_count) &&
          same_array(u.vertices, v.vertices, u.vertex_count) &&
          same_array(u.shell_vertices, v.shell_vertices, u.shell_count) &&
+         (u.slabs == nullptr) == (v.slabs == nullptr) &&
+         (u.slabs == nullptr || same_array(u.slabs, v.slabs, u.leaf_count)) &&
          (u.leaf_offsets == nullptr) == (v.leaf_offsets == nullptr) &&
          (u.leaf_offsets == nullptr ||
           same_array(u.leaf_offsets, v.leaf_offsets, u.leaf_count + 1u));

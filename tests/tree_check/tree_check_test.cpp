@@ -150,6 +150,9 @@ Fields without_levels(Fields fields) {
 template <Layout layout>
 void check_all_changes(std::size_t count, int depth, bool levels = true) {
   std::vector<Baked<layout>> trees = all_trees<layout>(count);
+  for (auto& tree : trees) {
+    tree.slabs.clear();  // a changed tree may have more leaves
+  }
   std::set<Fields> sound;
   for (const auto& tree : trees) {
     sound.insert(levels ? fields_of(tree) : without_levels(fields_of(tree)));
@@ -175,6 +178,7 @@ Baked<layout> three_leaves() {
   bake::BuildTree tree;
   tree.nodes = {{box, {1, 2, 3}, {}}, {box, {}, {0, 1}}, {box, {}, {2, 3}}, {box, {}, {4, 5}}};
   auto baked = test::baked<layout>(tree, mesh_of_equal_triangles());
+  baked.slabs.clear();
   REQUIRE(passes(baked));
   return baked;
 }

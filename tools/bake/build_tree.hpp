@@ -50,6 +50,8 @@ BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
 constexpr std::uint32_t kLeavesByMesh = 0;
 constexpr std::uint32_t kMostByMesh = 4;
 constexpr std::uint32_t kBytesByMesh = 27;
+/// The default for meshes that bend, whose leaves have no slabs.
+constexpr std::uint32_t kBendingLeafSize = 2;
 
 /// The most triangles in a leaf, for messages.
 constexpr std::uint32_t most_in_leaf(std::uint32_t leaf_size) {

@@ -64,18 +64,19 @@ struct Corners {
   Index corner[3];
 };
 
-/// Two slabs that hold all triangles of a leaf: mostly one along its plane, and one across it. A
-/// slab is a direction in 1/64 of the components that sums use (bounds/slab.hpp), and the extent of
-/// the triangles along it. Zeros reject nothing. 12 bytes.
+/// Two slabs that hold all triangles of a leaf: one along its plane, one across an edge in it. A
+/// slab is a range of products of a direction, scaled by 64, with coordinates. Directions of zeros
+/// reject nothing. 12 bytes.
 struct LeafSlabs {
+  /// A direction, and the range's size along it.
   struct Direction {
     int8_t x, y, z;     ///< -127 to 127
-    uint8_t thickness;  ///< of the slab: (low 5 bits) << (2 * high 3 bits), in kSlabUnit
+    uint8_t thickness;  ///< (low 5 bits) << (2 * high 3 bits), in 2^kSlabUnitBits
   };
   Direction of[2];
-  int16_t least[2];  ///< of the triangles along the directions, in kSlabUnit
+  int16_t least[2];  ///< lower end of the range, in 2^kSlabUnitBits
 };
-/// The unit of extents along a direction, as a shift of its sums: two cells at most.
+/// The unit of such a range, as a power of 2: two cells at most.
 constexpr unsigned kSlabUnitBits = 14;
 
 /// True if `u` and `v`, in this order, share an edge: the last two corners of `u` are those of `v`

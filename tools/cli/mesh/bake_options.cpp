@@ -68,7 +68,10 @@ BakeOptions options_of(const Arguments& arguments) {
   options.index_width = arguments.index_bits == "16" ? IndexWidth::bits_16 : IndexWidth::bits_32;
   options.builder = median ? Builder::median : Builder::sah;
   // The paper's median tree has one triangle per leaf and two children per node.
-  options.leaf_size = arguments.leaf_size.value_or(median ? 1 : bake::kDefaultLeafSize);
+  options.leaf_size =
+      arguments.leaf_size.value_or(median                       ? 1
+                                   : arguments.order.deformable ? bake::kBendingLeafSize
+                                                                : bake::kDefaultLeafSize);
   options.arity = arguments.arity.value_or(median ? 2 : bake::kDefaultArity);
   const auto drops = [&](const char* kind) {
     return std::find(arguments.drop.begin(), arguments.drop.end(), kind) != arguments.drop.end();
@@ -165,9 +168,10 @@ void add_bake_options(CLI::App& command, const std::function<void(const BakeOrde
   add_choice(command, "--builder", a.builder, {"median", "sah"},
              "How triangles are grouped: median is the paper's, sah gives faster queries");
   command
-      .add_option("--leaf-size", a.leaf_size,
-                  "Most triangles in a leaf; default: up to 4, as 27 bytes of flash a triangle allow, with "
-                  "--builder median 1")
+      .add_option(
+          "--leaf-size", a.leaf_size,
+          "Most triangles in a leaf; default: up to 4, as 27 bytes of flash a triangle allow; "
+          "with --deformable 2, with --builder median 1")
       ->check(CLI::Range(1, 16));
   command
       .add_option("--arity", a.arity,
