@@ -46,7 +46,7 @@ fetch_ode() {
 on_board() {
   quietly cmake -S tools/compare -B "$folder/$1" -G Ninja -DFLASHBVH_BOARD="$1" \
     -DCMAKE_TOOLCHAIN_FILE="$PWD/ports/toolchain/arm-none-eabi.cmake" \
-    -DCOMPARE_ODE_SOURCE="$ode" -DCOMPARE_FIGURES="$PWD/build/figures"
+    -DCOMPARE_ODE_SOURCE="$ode" -DCOMPARE_FIGURES="$PWD/build/figures" -DCOMPARE_SCENES="$folder/scenes"
   quietly cmake --build "$folder/$1"
   FLASHBVH_TIMEOUT=600 FLASHBVH_ICOUNT=8 ports/run "$1" "$folder/$1/bin/compare_firmware.elf" \
     >"$folder/$1.txt"
@@ -59,6 +59,7 @@ measure() {
   ensure_packages $host_packages $board_packages libstdc++-arm-none-eabi-newlib libode-dev debian-archive-keyring
   fetch_ode
   FLASHBVH_NATIVE=$native quietly tools/figures.sh --prepare
+  quietly python3 tools/compare/scenes.py "build/$native/bin/flashbvh" "$folder/scenes"
   for board in $boards; do
     on_board "$board"
   done

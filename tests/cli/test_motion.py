@@ -10,7 +10,7 @@ from inputs import box
 def boxes():
     write("a.obj", box(size=10))
     write("b.obj", box(size=2))
-    flashbvh("bake a.obj b.obj -o baked --cell 0.01 --unit mm --format image")
+    flashbvh("bake a.obj b.obj -o baked --cell 0.01 --unit mm --leaf-size 2 --format image")
     flashbvh("bake a.obj b.obj -o wide --cell 0.01 --unit mm --format image --index-bits 32")
     flashbvh("bake a.obj b.obj -o pre --cell 0.01 --format image --layout pre")
     flashbvh("bake b.obj -o coarse --cell 0.02 --format image")

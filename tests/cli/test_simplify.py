@@ -12,7 +12,7 @@ class SimplifyTest(Case):
         triangles, deviation = (out.splitlines()[1].split()[i] for i in (3, 7))
         self.assertLess(int(triangles), 1000)
         self.assertTrue(0.1 < float(deviation) <= 0.2)
-        out.contains(f"simplified: 1200 triangles -> {triangles}, leaves of 2; every point within 0.2 mm of the "
+        out.contains(f"simplified: 1200 triangles -> {triangles}, leaves of 4; every point within 0.2 mm of the "
                      "file's mesh,")
         said = flashbvh(f"{bake} --dry-run --json").json["meshes"][0]
         self.assertEqual(said["source_triangles"], 1200)

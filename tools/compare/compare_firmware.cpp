@@ -1,6 +1,6 @@
 // Measures instructions of a query by flashbvh, OPCODE and a tree of floats, for each pair of
 // meshes of scenes.py and of links in lib/docs/figures.md, and each class of their poses. Prints:
-//     CORE A-B MOTION CLASS LIBRARY mean most pairs-found
+//     CORE made|links A-B MOTION CLASS LIBRARY mean most pairs-found
 #include <initializer_list>
 
 #include "flashbvh/collide.hpp"
@@ -35,25 +35,6 @@ class WithFlashbvh : public Library {
   Pose pose_ = Pose::translated(0, 0, 0);
 };
 
-struct Cost {
-  uint64_t sum = 0;
-  uint32_t most = 0;
-  uint32_t found = 0;
-  uint32_t count = 0;
-
-  void add(Library& library, bool first) {
-    const uint32_t instructions = port::instructions_of([&] { found += library.query(first); });
-    sum += instructions;
-    most = instructions > most ? instructions : most;
-    ++count;
-  }
-  void print(const ScenePair& pair, bool is_rotated, const char* name, const char* library) const {
-    port::print(FLASHBVH_CORE " ", pair.a_name, "-", pair.b_name,
-                is_rotated ? " rotated " : " translated ", name, " ", library, " ",
-                static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
-  }
-};
-
 struct Named {
   const char* name;
   Library& library;
@@ -68,6 +49,7 @@ class Scene {
         pair_(is_made_ ? kScenes[number_] : of_links(kPairs[number_])) {}
 
   const ScenePair& pair() const { return pair_; }
+  bool is_made() const { return is_made_; }
   uint32_t poses() const { return is_made_ ? kScenePosesOfClass : kPosesOfPair; }
   Pose pose(bool is_rotated, uint32_t proximity, uint32_t i) const {
     if (!is_made_) {
@@ -89,6 +71,26 @@ class Scene {
   ScenePair pair_;
 };
 
+struct Cost {
+  uint64_t sum = 0;
+  uint32_t most = 0;
+  uint32_t found = 0;
+  uint32_t count = 0;
+
+  void add(Library& library, bool first) {
+    const uint32_t instructions = port::instructions_of([&] { found += library.query(first); });
+    sum += instructions;
+    most = instructions > most ? instructions : most;
+    ++count;
+  }
+  void print(const Scene& scene, bool is_rotated, const char* name, const char* library) const {
+    const ScenePair& pair = scene.pair();
+    port::print(FLASHBVH_CORE " ", scene.is_made() ? "made " : "links ", pair.a_name, "-", pair.b_name,
+                is_rotated ? " rotated " : " translated ", name, " ", library, " ",
+                static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
+  }
+};
+
 void query_class(const Scene& scene, bool is_rotated, uint32_t proximity, const Named& named) {
   Cost all;
   Cost first;
@@ -97,9 +99,9 @@ void query_class(const Scene& scene, bool is_rotated, uint32_t proximity, const 
     all.add(named.library, false);
     first.add(named.library, true);
   }
-  all.print(scene.pair(), is_rotated, kProximityNames[proximity], named.name);
+  all.print(scene, is_rotated, kProximityNames[proximity], named.name);
   if (static_cast<Proximity>(proximity) == Proximity::intersecting) {
-    first.print(scene.pair(), is_rotated, "first", named.name);
+    first.print(scene, is_rotated, "first", named.name);
   }
 }
 

@@ -15,7 +15,7 @@ LIBRARIES = "flashbvh", "opcode", "float"
 
 
 def costs_in(file):
-    """The core; then mean, most and pairs found, by pair of meshes, motion, class and library."""
+    """The core; then mean, most and pairs found, by group, pair of meshes, motion, class and library."""
     core, of = "", {}
     for core, *key, mean, most, found in map(str.split, file.read_text().splitlines()):
         of[tuple(key)] = float(mean), float(most), int(found)
@@ -24,26 +24,39 @@ def costs_in(file):
     return core, of
 
 
+def rows(of, group):
+    """Motion and title of each row, and for each library the costs of all pairs of meshes."""
+    pairs = list(dict.fromkeys(key[1] for key in of if key[0] == group))
+    for motion in MOTIONS:
+        for kind, title in QUERIES:
+            costs = [[of[(group, pair, motion, kind, library)] for pair in pairs] for library in LIBRARIES]
+            yield motion, title, costs
+        found = [sum(of[(group, pair, motion, "intersecting", library)][2] for pair in pairs) for library in LIBRARIES]
+        if any(20 * abs(other - found[0]) > found[0] for other in found):
+            sys.exit(f"page.py: {group}, {motion}: pairs found differ: {found}")
+
+
 def board(file):
-    """Instructions per query for the robot's links: each pair has the same number of poses."""
     core, of = costs_in(file)
-    meshes = list(dict.fromkeys(key[0] for key in of))
-
-    def costs(*key):
-        means, mosts, found = zip(*(of[(pair, *key)] for pair in meshes))
-        return sum(means) / len(means), max(mosts), sum(found)
-
-    yield f"{core}, instructions a query of the robot's links"
+    yield f"{core}, well-shaped meshes: instructions of a query, and parts of the other libraries': mean (worst pair)"
+    yield ""
+    yield "B           class                     flashbvh       of OPCODE's   of a float tree's"
+    for motion, title, costs in rows(of, "made"):
+        means = [[mean for mean, _, _ in library] for library in costs]
+        line = "%-10s  %-23s %9d" % (motion, title, sum(means[0]) / len(means[0]))
+        for other in means[1:]:
+            parts = [ours / theirs for ours, theirs in zip(means[0], other)]
+            line += "       %5.2f (%.2f)" % (sum(parts) / len(parts), max(parts))
+        yield line
+    yield ""
+    yield f"{core}, a robot's links: instructions of a query"
     yield ""
     yield "                                                  flashbvh                OPCODE         a tree in floats"
     yield "B           class                         mean       most       mean       most       mean       most"
-    for motion in MOTIONS:
-        for kind, title in QUERIES:
-            yield "%-10s  %-23s" % (motion, title) + "".join(
-                "  %9d  %9d" % costs(motion, kind, library)[:2] for library in LIBRARIES)
-        ours, *theirs = (costs(motion, "intersecting", library)[2] for library in LIBRARIES)
-        if any(20 * abs(found - ours) > ours for found in theirs):
-            sys.exit(f"page.py: {core}, {motion}: pairs found differ: {ours}, {theirs}")
+    for motion, title, costs in rows(of, "links"):
+        yield "%-10s  %-23s" % (motion, title) + "".join("  %9d  %9d" % (
+            sum(mean for mean, _, _ in library) / len(library), max(most for _, most, _ in library))
+            for library in costs)
     yield ""
 
 
