@@ -14,7 +14,7 @@ namespace flashbvh {
 // What a caller stores.
 static_assert(sizeof(PairQuery) <= 128 && sizeof(QueryCursor<uint16_t>) == 12);
 static_assert(sizeof(ClearanceQuery) <= 160 && sizeof(WithinQuery) <= 160);
-static_assert(sizeof(Pose) <= 68 && sizeof(Mesh) <= 64 && sizeof(Contact) <= 104);
+static_assert(sizeof(Pose) <= 68 && sizeof(Mesh) <= 72 && sizeof(Contact) <= 104);
 static_assert(sizeof(FirstContact) <= 80 && sizeof(BodyMotion) <= 192);
 
 // One call for each query.
