@@ -270,7 +270,7 @@ Qed.
    first axis: the first column of the rotation, with 14 bits, times v, from the origin on. (For the other axes,
    exchange columns and coordinates.)
    code: src/bounds/rotated_transform.cpp | return 7 * (kSplitOne / 8) + ((7 * reach_b) >> 3) + static_cast<int32_t>(stretched >> 10) + 4;
-   code: src/bounds/rotated_transform.cpp | on_b[i] = start_of(column, clamp_offset(-(back >> kSplitBits)), axis); *)
+   code: src/bounds/rotated_transform.cpp | on_b[axis] = start_of(column, clamp_offset(-(back >> kSplitBits)), margin); *)
 Definition axis_margin (reach defect : Z) : Z :=
   7 * (cell14 / 8) + 7 * reach / 8 + reach * defect / 1024 + 4.
 

@@ -3,7 +3,8 @@
    Rejects.v which tests a query makes; this file has the data of each node of an image, and so the tests of each pair.
 
    Remaining premises: a rotation's columns are orthogonal within its defect (Near_rotation), and leaves share no
-   triangle. Slabs may have any directions of 13 bits. gappa and cvc5 prove the widths of integers.
+   triangle. Slabs that a query makes may have any directions of 13 bits, and baked ones any that open accepts. gappa and
+   cvc5 prove the widths of integers.
 
    Part 1  definitions.   Part 2  the theorems.   Part 3  their proofs. *)
 From Coq Require Import List ZArith Lia Bool FinFun.
@@ -20,10 +21,20 @@ Local Instance dec_or P Q : Dec P -> Dec Q -> Dec (P \/ Q).
 Proof. intros [] []; [left | left | left | right]; tauto. Defined.
 Definition decide P {d : Dec P} : bool := if d then true else false.
 
-(* ---- An image: nodes, their boxes, and triangles by their slots; for a leaf, by its node, its triangles and the
-   directions of its slabs, its plane's first. *)
+(* ---- A slab, and its baked form: a direction of bytes, and the extent's begin in units.
+   code: include/flashbvh/detail/bounds/slab.hpp | const int32_t least = slabs.least[which] * (1 << kSlabUnitBits); const uint32_t thickness = (d.thickness & 31u) << (kSlabUnitBits + 2 * (d.thickness >> 5));
+   code: include/flashbvh/detail/bounds/slab.hpp | begin({join_halves(static_cast<uint16_t>(d.x * scale), static_cast<uint16_t>(d.y * scale)), d.z * scale}, {least, least + static_cast<int32_t>(thickness)}); *)
+Record Slab := { direction : Point; from : Z; to : Z }.
+Record Baked := { towards : Point; thickness : Z; units : Z }.
+Definition begun b : Slab :=
+  let scaled c := c * @slab.hpp:scale@ in let start := units b * @2**kSlabUnitBits@ in
+  {| direction := {| x := scaled (x (towards b)); y := scaled (y (towards b)); z := scaled (z (towards b)) |};
+    from := start; to := start + (thickness b mod 32) * 2 ^ (@kSlabUnitBits@ + 2 * (thickness b / 32)) |}.
+
+(* ---- An image: nodes, their boxes, and triangles by their slots; for a leaf, by its node, its triangles and its slabs,
+   the plane's first: baked, or made along directions. *)
 Record Image := { cells : list Cell; box : nat -> Box; corners : nat -> Point * Point * Point;
-  own_triangles : nat -> list nat; directions : nat -> list Point }.
+  own_triangles : nat -> list nat; directions : nat -> list Point; baked : nat -> list Baked }.
 Definition triangles m n := if (n <? length (cells m))%nat then own_triangles m n else [].
 Definition points (t : Point * Point * Point) : list Point := let '(p, q, r) := t in [p; q; r].
 Definition leaf_points m n := flat_map (fun i => points (corners m i)) (triangles m n).
@@ -36,12 +47,26 @@ Definition is_inside (s t : Box) : bool :=
   (x (high s) <=? x (high t)) && (y (high s) <=? y (high t)) && (z (high s) <=? z (high t)).
 Definition lattice : Box :=
   let at_ c := {| x := c; y := c; z := c |} in {| low := at_ (- kMaxCoordinate); high := at_ kMaxCoordinate |}.
+(* code: src/lattice/tree_check.cpp | return d.x != INT8_MIN && d.y != INT8_MIN && d.z != INT8_MIN && least + ((d.thickness & 31) << 2 * (d.thickness >> 5)) <= most;
+   code: src/lattice/tree_check.cpp | if (!is_in_range(slabs.of[which], slabs.least[which])) { return false; }
+   code: src/lattice/tree_check.cpp | const Index* const corner_end = tree_.triangles[end].corner; for (const Index* corner = tree_.triangles[first].corner; corner != corner_end; ++corner) {
+   code: src/lattice/tree_check.cpp | if (along < within.least || along > within.most) { return false; }
+   code: src/lattice/tree_check.cpp | if (tree_.slabs != nullptr && !slabs(tree_.slabs[leaves_], first, end)) { return false; } *)
+Definition is_in_range b : bool := let '{| x := p; y := q; z := r |} := towards b in
+  negb (p =? -128) && negb (q =? -128) && negb (r =? -128) &&
+  (units b + (thickness b mod 32) * 2 ^ (2 * (thickness b / 32)) <=? @tree_check.cpp:most@).
+Definition holds s those : bool :=
+  forallb (fun p => (from s <=? dot (direction s) p) && (dot (direction s) p <=? to s)) those.
 Definition opens m : bool :=
   accepts (cells m) (fun inner outer => is_inside (box m inner) (box m outer)) &&
   forallb (fun n => is_inside (box m n) lattice &&
-    forallb (fun p => is_inside {| low := p; high := p |} (box m n)) (leaf_points m n)) (seq 0 (length (cells m))).
+    forallb (fun p => is_inside {| low := p; high := p |} (box m n)) (leaf_points m n) &&
+    forallb (fun b => is_in_range b && holds (begun b) (leaf_points m n)) (baked m n)) (seq 0 (length (cells m))).
+Definition within most e : Prop := Z.abs (x e) <= most /\ Z.abs (y e) <= most /\ Z.abs (z e) <= most.
+Definition has_widths b : Prop := let byte c := -128 <= c < 128 in
+  byte (x (towards b)) /\ byte (y (towards b)) /\ byte (z (towards b)) /\ 0 <= thickness b < 256 /\ - 2 ^ 15 <= units b < 2 ^ 15.
 Definition sound m : Prop :=
-  (forall n e, In e (directions m n) -> Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part) /\
+  (forall n, (forall e, In e (directions m n) -> within most_part e) /\ (forall b, In b (baked m n) -> has_widths b)) /\
   (forall n, NoDup (triangles m n)) /\
   (forall n k i, In i (triangles m n) -> In i (triangles m k) -> n = k).
 
@@ -52,6 +77,15 @@ Definition extreme (choose : Z -> Z -> Z) e (those : list Point) : Z :=
   match those with [] => 0 | p :: r => fold_right (fun q => choose (dot e q)) (dot e p) r end.
 Definition least := extreme Z.min.
 Definition most := extreme Z.max.
+
+(* A leaf's slabs.
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs != nullptr) { plane.begin(m.slabs[node_->leaf()], 0); return true; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs != nullptr) { edge.begin(m.slabs[node_->leaf()], 1); return true; } *)
+Definition baked_slabs m n : list Slab := map begun (baked m n).
+Definition slabs m n : list Slab := match baked_slabs m n with
+  | [] => map (fun e => {| direction := e; from := least e (leaf_points m n); to := most e (leaf_points m n) |}) (directions m n)
+  | those => those
+  end.
 
 (* ---- The pose of B: translated by whole cells, or rotated (rows a1 b1 c1, ... of 22 fraction bits, offsets of 14)
    with a defect of kDefectBits. *)
@@ -122,50 +156,54 @@ Definition window_passes (side : Side) s t : bool :=
   | Turned r, LeafB => negb (decide (on_a r root_b s t))
   | Turned r, _ => negb (decide (on_b r root_b s t))
   end.
-Definition slab_of_a e those (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
-  let lower := least e those in let upper := most e those in
+Definition slab_of_a s (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
   negb match pose with
-  | Moved o => beyond_ e lower upper (- dot e o) 0
-  | Turned r => beyond_ (with_entries seen_from_b r e) lower upper
-      (- dot e (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r))
+  | Moved o => beyond_ (direction s) (from s) (to s) (- dot (direction s) o) 0
+  | Turned r => beyond_ (with_entries seen_from_b r (direction s)) (from s) (to s)
+      (- dot (direction s) (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r))
   end.
-Definition slab_of_b e those (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
-  let lower := least e those in let upper := most e those in
+Definition slab_of_b s (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
   negb match pose with
-  | Moved o => beyond_ e lower upper (dot e o) 0
-  | Turned r => let seen := with_entries seen_from_a r e in
-      beyond_ seen lower upper (dot seen (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r))
+  | Moved o => beyond_ (direction s) (from s) (to s) (dot (direction s) o) 0
+  | Turned r => let seen := with_entries seen_from_a r (direction s) in
+      beyond_ seen (from s) (to s) (dot seen (origin (o1 r) (o2 r) (o3 r))) (slab_margin (reach root_b) (defect r))
   end.
 
 (* The parts that Code.v leaves open. *)
 Let leaf_a n := is_leaf (cells A) n.
 Let leaf_b n := is_leaf (cells B) n.
 Definition bound n k : bool := boxes_overlap (box A n) (box B k).
-Definition slabs_pass_a along n (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
-  forallb (fun e => slab_of_a e (leaf_points A n) beyond_) along.
-Definition slabs_pass_b along k (beyond_ : Point -> Z -> Z -> Z -> Z -> bool) : bool :=
-  forallb (fun e => slab_of_b e (leaf_points B k) beyond_) along.
-Definition box_passes_a n k : bool := slabs_pass_a (directions A n) n (box_beyond (box B k)).
-Definition box_passes_b n k : bool := slabs_pass_b (directions B k) k (box_beyond (box A n)).
+Definition slabs_pass_a those beyond_ : bool := forallb (fun s => slab_of_a s beyond_) those.
+Definition slabs_pass_b those beyond_ : bool := forallb (fun s => slab_of_b s beyond_) those.
+Definition box_passes_a n k : bool := slabs_pass_a (slabs A n) (box_beyond (box B k)).
+Definition box_passes_b n k : bool := slabs_pass_b (slabs B k) (box_beyond (box A n)).
 Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b k then box_passes_b n k else true.
 
-(* Below a leaf, a leaf whose box passes is tested against the first slab, the plane's, by its corners.
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[first].corner; const auto* const end = m.triangles[after].corner; if (plane.may_touch(m.vertices, corner, end)) { return false; }
+(* Below a leaf, a leaf whose box passes is tested against the first slab, the plane's, by its corners; and then the leaf
+   against the first baked slab of the other one.
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[first].corner; const auto* const end = m.triangles[after].corner; if (!plane.may_touch(m.vertices, corner, end)) {
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs == nullptr || may_touch_plane_of(m.slabs[leaf])) { return false; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | other.begin(slabs, 0); see(other, side_ == Side::a ? Side::b : Side::a); const Mesh& m = mesh(); const uint32_t leaf = node_->leaf(); return other.may_touch(m.vertices, m.triangles[m.first_triangle(leaf)].corner, m.triangles[m.end_triangle(leaf)].corner);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const uint32_t first = m.first_triangle(leaf); const uint32_t after = m.end_triangle(leaf);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | static constexpr bool kComparesLeaves = true;
    code: include/flashbvh/detail/walk/walk_below.hpp | if (!at.node().is_leaf()) { at.descend(); continue; } progress.go_on(work_left, overlaps); const bool go_on = found(at.node_index());
    code: include/flashbvh/detail/walk/walk_below.hpp | if constexpr (Shapes::kComparesLeaves) { if (shapes.rejects_leaf(other, run.progress)) { return true; } } *)
-Definition corners_pass_a n k : bool :=
-  if leaf_b k then slabs_pass_a (firstn 1 (directions A n)) n (corners_beyond (leaf_points B k)) else true.
-Definition corners_pass_b n k : bool :=
-  if leaf_a n then slabs_pass_b (firstn 1 (directions B k)) k (corners_beyond (leaf_points A n)) else true.
+Definition corners_pass_a (those : Image -> nat -> list Slab) n k : bool :=
+  slabs_pass_a (firstn 1 (those A n)) (corners_beyond (leaf_points B k)).
+Definition corners_pass_b (those : Image -> nat -> list Slab) n k : bool :=
+  slabs_pass_b (firstn 1 (those B k)) (corners_beyond (leaf_points A n)).
+Definition leaves_pass (side : Side) n k : bool := if leaf_a n && leaf_b k then
+  match side with
+  | LeafB => corners_pass_b slabs n k && corners_pass_a baked_slabs n k
+  | _ => corners_pass_a slabs n k && corners_pass_b baked_slabs n k
+  end else true.
 Definition touch (side : Side) n k : bool :=
   match side with
   | LeafB =>
-      if leaf_b k then window_passes LeafB (box A n) (box B k) && box_passes_b n k && corners_pass_b n k else true
+      if leaf_b k then window_passes LeafB (box A n) (box B k) && box_passes_b n k && leaves_pass side n k else true
   | _ =>
-      if leaf_a n then window_passes LeafA (box A n) (box B k) && box_passes_a n k && corners_pass_a n k else true
+      if leaf_a n then window_passes LeafA (box A n) (box B k) && box_passes_a n k && leaves_pass side n k else true
   end.
 
 (* Each of A's triangles with each of B's, from the last ones on.
@@ -201,22 +239,31 @@ Definition Answers_are_the_pairs_with_a_common_point := forall A B pose narrow,
 
 (* The decisions of a query before its walk change nothing: roots far apart are rejected in any case; and a triangle
    of B outside the box of A's leaf meets none of its triangles.
-   code: src/bounds/rotated_transform.cpp | return (most >> kSplitBits) + static_cast<int32_t>(lower) < 2 * kBoundBias || (least >> kSplitBits) + static_cast<int32_t>(upper) < 2 * kBoundBias;
-   code: src/bounds/rotated_transform.cpp | on_a[axis] = start_of(row, offset, kWidestMargin);
+   code: src/bounds/rotated_transform.cpp | return (most >> kSplitBits) + lower < 2 * kBoundBias || (least >> kSplitBits) + upper < 2 * kBoundBias;
+   code: src/bounds/rotated_transform.cpp | on_a[axis] = start_of(row, offset_along(axis), kWidestMargin); if (may_stop && far_apart(row, on_a[axis], root_b, root_a, axis)) { return false; }
+   code: src/bounds/rotated_transform.cpp | if (may_stop && far_apart(column, on_b[axis], root_a, root_b, axis)) { return false; }
    code: src/predicates/triangle.cpp | return (((above - u) & (above - v) & (above - w)) | ((negated_below + u) & (negated_below + v) & (negated_below + w))) < 0; *)
-Definition far_along e offset t lower upper : Prop :=
-  bound_sum (start_of e offset @kWidestMargin@) e t / cell14 + (bias - lower) < 2 * bias \/
-  bound_sum (start_of e (- offset) @kWidestMargin@) (negated e) t / cell14 + (upper + bias) < 2 * bias.
+Definition far_along e offset margin t lower upper : Prop :=
+  bound_sum (start_of e offset margin) e t / cell14 + (bias - lower) < 2 * bias \/
+  bound_sum (start_of e (- offset) margin) (negated e) t / cell14 + (upper + bias) < 2 * bias.
 Definition far_apart r s t : Prop :=
-  far_along (column (a1 r) (b1 r) (c1 r)) (o1 r) t (x (low s)) (x (high s)) \/
-  far_along (column (a2 r) (b2 r) (c2 r)) (o2 r) t (y (low s)) (y (high s)) \/
-  far_along (column (a3 r) (b3 r) (c3 r)) (o3 r) t (z (low s)) (z (high s)).
+  let on_a kx ky kz o := far_along (column kx ky kz) o @kWidestMargin@ t in
+  let on_b k1 k2 k3 := far_along (column k1 k2 k3) (clamped (- back (o1 r) (o2 r) (o3 r) k1 k2 k3))
+    (axis_margin (reach t) (defect r)) s in
+  (on_a (a1 r) (b1 r) (c1 r) (o1 r) (x (low s)) (x (high s)) \/ on_a (a2 r) (b2 r) (c2 r) (o2 r) (y (low s)) (y (high s)) \/
+   on_a (a3 r) (b3 r) (c3 r) (o3 r) (z (low s)) (z (high s))) \/
+  (on_b (a1 r) (a2 r) (a3 r) (x (low t)) (x (high t)) \/ on_b (b1 r) (b2 r) (b3 r) (y (low t)) (y (high t)) \/
+   on_b (c1 r) (c2 r) (c3 r) (z (low t)) (z (high t))).
 Definition beside t (p q r : Point) : Prop :=
   let along c := (c (high t) < c p /\ c (high t) < c q /\ c (high t) < c r) \/
     (c p < c (low t) /\ c q < c (low t) /\ c r < c (low t)) in along x \/ along y \/ along z.
 
 Definition Early_ends_are_right := forall A B r j, opens A = true -> opens B = true -> has B j ->
   far_apart r (box A 0) (box B 0) -> bound A B (Turned r) 0 0 = false.
+(* slab.g's premise about baked slabs. *)
+Definition Baked_slabs_fit := forall m n b, opens m = true -> sound m -> (n < length (cells m))%nat -> In b (baked m n) ->
+  let s := begun b in let most := @tree_check.cpp:most * 2**kSlabUnitBits@ in
+  within (127 * @slab.hpp:scale@) (direction s) /\ - most <= from s /\ to s <= most.
 Definition Left_out_rightly := forall A B pose n i j, opens A = true -> In i (triangles A n) ->
   (let '(p, q, r) := corners B j in beside (box A n) (put pose p) (put pose q) (put pose r)) ->
   ~ common_point A B pose i j.
@@ -246,17 +293,40 @@ Proof.
   intros [<- | I]; auto.
 Qed.
 
+Lemma begun_fits b : has_widths b -> is_in_range b = true -> let s := begun b in
+  let most := @tree_check.cpp:most * 2**kSlabUnitBits@ in
+  within (127 * @slab.hpp:scale@) (direction s) /\ - most <= from s /\ to s <= most.
+Proof.
+  destruct b as [[p q r] t u]. unfold has_widths, is_in_range, within, begun. cbn [towards thickness units direction from to x y z].
+  cbv zeta. intros (P & Q & R & T & U). rewrite !andb_true_iff, !negb_true_iff, !Z.eqb_neq, Z.leb_le.
+  pose proof (Z.div_pos t 32 (proj1 T) eq_refl). rewrite Z.pow_add_r, (Z.mul_comm (2 ^ _)), Z.mul_assoc by lia. lia.
+Qed.
+
 Section OfImage.
 Variable m : Image.
 Hypothesis opened : opens m = true.
 Let F := proj1 (is_tree m opened).
 
-Lemma node_in n p : (n < length (cells m))%nat -> is_inside (box m n) lattice = true /\
-  (In p (leaf_points m n) -> in_box (box m n) p).
+Lemma checked n : (n < length (cells m))%nat -> is_inside (box m n) lattice = true /\
+  (forall p, In p (leaf_points m n) -> is_inside {| low := p; high := p |} (box m n) = true) /\
+  (forall b, In b (baked m n) -> is_in_range b && holds (begun b) (leaf_points m n) = true).
 Proof.
   intros L. pose proof opened as H. unfold opens in H. rewrite andb_true_iff, forallb_forall in H. destruct H as [_ H].
-  specialize (H n ltac:(apply in_seq; lia)). apply andb_true_iff in H as [H G]. split; auto.
-  intros I. rewrite forallb_forall in G. now apply inside_point, G.
+  specialize (H n ltac:(apply in_seq; lia)). now rewrite !andb_true_iff, !forallb_forall, and_assoc in H.
+Qed.
+Lemma node_in n p : (n < length (cells m))%nat -> is_inside (box m n) lattice = true /\
+  (In p (leaf_points m n) -> in_box (box m n) p).
+Proof. intros L. destruct (checked n L) as (H & G & _). split; auto. intros I. now apply inside_point, G. Qed.
+
+Lemma slab_fits n s : sound m -> (n < length (cells m))%nat -> In s (slabs m n) ->
+  within most_part (direction s) /\ forall p, In p (leaf_points m n) -> Rejects.between (direction s) (from s) (to s) p.
+Proof.
+  intros [S _] L. destruct (checked n L) as (_ & _ & G), (S n) as [D W]. unfold slabs.
+  destruct (baked_slabs m n) eqn:E; [|rewrite <- E]; intros I; apply in_map_iff in I as (e & <- & I).
+  - split; [now apply D | intros p; apply extreme_bounds].
+  - specialize (G e I). apply andb_true_iff in G as [G H]. destruct (begun_fits e (W e I) G) as [N _]. split.
+    + unfold within, most_part in *. lia.
+    + intros p P. unfold holds in H. rewrite forallb_forall in H. specialize (H p P). bools. exact H.
 Qed.
 
 Lemma has_in_range n i : In i (triangles m n) -> (n < length (cells m))%nat.
@@ -376,36 +446,27 @@ Qed.
 Lemma corners_beyond_right those : right_of (corners_beyond those) (fun p => In p those).
 Proof. intros e l u o g. apply corners_separate. Qed.
 
-Lemma slab_a_apart k e those beyond_ (other : Point -> Prop) : (k < length (cells B))%nat ->
-  (forall u, other u -> in_box (box B k) u) -> right_of beyond_ other ->
-  Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part ->
-  slab_of_a B pose e those beyond_ = false -> apart (fun p => In p those) other.
+Let between s := Rejects.between (direction s) (from s) (to s).
+Lemma slab_a_apart k s beyond_ (other : Point -> Prop) : (k < length (cells B))%nat ->
+  (forall u, other u -> in_box (box B k) u) -> right_of beyond_ other -> within most_part (direction s) ->
+  slab_of_a B pose s beyond_ = false -> apart (between s) other.
 Proof.
-  intros K O R P H. assert (Apart (Rejects.between e (least e those) (most e those))
-    (fun v => exists u, other u /\ v = put pose u)) as (n & G).
-  { unfold slab_of_a, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; apply R in H.
-    - exact (proj1 (translated_slabs_reject_safely e _ _ o _) H).
-    - destruct pose_fits as (D & _).
-      apply (slab_of_a_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)); auto.
-      intros u U. apply (in_reach k); auto. }
-  exists n. destruct G as [G | G]; [left | right]; intros w v W V; apply G; auto; now apply extreme_bounds.
+  intros K O R P H. unfold slab_of_a, fits, apart in *. apply negb_false_iff in H. destruct pose as [o | r]; apply R in H.
+  - exact (proj1 (translated_slabs_reject_safely _ _ _ o _) H).
+  - destruct pose_fits as (D & _).
+    apply (slab_of_a_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)); auto.
+    intros u U. apply (in_reach k); auto.
 Qed.
 
-Lemma slab_b_apart k e those beyond_ (other : Point -> Prop) : (k < length (cells B))%nat ->
-  (forall u, In u those -> in_box (box B k) u) -> right_of beyond_ other ->
-  Z.abs (x e) <= most_part /\ Z.abs (y e) <= most_part /\ Z.abs (z e) <= most_part ->
-  slab_of_b B pose e those beyond_ = false -> apart other (fun p => In p those).
+Lemma slab_b_apart s beyond_ (other : Point -> Prop) : right_of beyond_ other -> within most_part (direction s) ->
+  slab_of_b B pose s beyond_ = false -> apart other (fun u => reached mx my mz u /\ between s u).
 Proof.
-  intros K T R P H. assert (Apart other (fun v => exists u,
-    (reached mx my mz u /\ Rejects.between e (least e those) (most e those) u) /\ v = put pose u)) as (d & G).
-  { unfold slab_of_b, fits in *. apply negb_false_iff in H. destruct pose as [o | r]; apply R in H.
-    - destruct (proj2 (translated_slabs_reject_safely e _ _ o _) H) as (d & G). exists d.
-      destruct G as [G | G]; [left | right]; intros w v W (u & (_ & U) & V); apply G; auto; now exists u.
-    - destruct pose_fits as (D & aa & bb & cc & ab & ac & bc).
-      exact (slab_of_b_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)
-        eq_refl D aa bb cc ab ac bc _ P _ _ _ H). }
-  exists d. destruct G as [G | G]; [left | right]; intros w v W (u & U & V); apply G; auto; exists u; repeat split; auto;
-    try (now apply (in_reach k); auto); now apply extreme_bounds.
+  intros R P H. unfold slab_of_b, fits, apart in *. apply negb_false_iff in H. destruct pose as [o | r]; apply R in H.
+  - destruct (proj2 (translated_slabs_reject_safely _ _ _ o _) H) as (d & G). exists d.
+    destruct G as [G | G]; [left | right]; intros w v W (u & (_ & U) & V); apply G; auto; now exists u.
+  - destruct pose_fits as (D & aa & bb & cc & ab & ac & bc).
+    exact (slab_of_b_rejects_safely _ _ _ _ _ _ _ _ _ _ _ _ mx my mz (reach (box B 0)) (defect r)
+      eq_refl D aa bb cc ab ac bc _ P _ _ _ H).
 Qed.
 
 (* ---- The premises of Query.v on each test. *)
@@ -451,47 +512,46 @@ Lemma windows_say side : window_passes B pose side (box A n) (box B k) = true.
 Proof.
   pose proof boxes_stay as S. unfold boxes_reject, window_passes in *. destruct pose, side; rewrite decided; tauto.
 Qed.
-Lemma first_of {T} (those : list T) : incl (firstn 1 those) those.
-Proof. destruct those; intros e; cbn; tauto. Qed.
-Lemma slabs_of_a_say along beyond_ (other : Point -> Prop) : is_leaf (cells A) n = true -> incl along (directions A n) ->
+Lemma slabs_of_a_say those beyond_ (other : Point -> Prop) : is_leaf (cells A) n = true -> incl those (slabs A n) ->
   (forall u, other u -> in_box (box B k) u) -> (forall p, In p (points (corners B j)) -> other p) ->
-  right_of beyond_ other -> slabs_pass_a A B pose along n beyond_ = true.
+  right_of beyond_ other -> slabs_pass_a B pose those beyond_ = true.
 Proof.
-  intros L Along O C R. pose proof (leaf_below A opened_a n l below_n L) as E. apply forallb_forall. intros e D.
-  destruct (slab_of_a B pose e _ _) eqn:S; auto. exfalso. apply (slab_a_apart k e _ _ other) in S; auto.
-  - revert S. apply never; [|exact C]. intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
-  - apply filled_b.
-  - now apply (proj1 sound_a n), Along.
+  intros L Those O C R. pose proof (leaf_below A opened_a n l below_n L) as E. apply forallb_forall. intros s D.
+  destruct (slab_fits A opened_a n s sound_a (proj1 filled_a) (Those s D)) as [P G].
+  destruct (slab_of_a B pose s _) eqn:S; auto. exfalso. apply (slab_a_apart k s _ other) in S; auto; [|apply filled_b].
+  revert S. apply never; [|exact C]. intros p T. apply G. rewrite E. now apply (corners_in A opened_a n l i p).
 Qed.
-Lemma slabs_of_b_say along beyond_ (other : Point -> Prop) : is_leaf (cells B) k = true -> incl along (directions B k) ->
+Lemma slabs_of_b_say those beyond_ (other : Point -> Prop) : is_leaf (cells B) k = true -> incl those (slabs B k) ->
   (forall p, In p (points (corners A i)) -> other p) ->
-  right_of beyond_ other -> slabs_pass_b B pose along k beyond_ = true.
+  right_of beyond_ other -> slabs_pass_b B pose those beyond_ = true.
 Proof.
-  intros L Along C R. pose proof (leaf_below B opened_b k m below_k L) as E. apply forallb_forall. intros e D.
-  destruct (slab_of_b B pose e _ _) eqn:S; auto. exfalso. destruct filled_b as [K _].
-  apply (slab_b_apart k e _ _ other) in S; auto.
-  - revert S. apply never; [exact C|]. intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
-  - intros u U. now apply node_in.
-  - now apply (proj1 sound_b k), Along.
+  intros L Those C R. pose proof (leaf_below B opened_b k m below_k L) as E. apply forallb_forall. intros s D.
+  destruct (slab_fits B opened_b k s sound_b (proj1 filled_b) (Those s D)) as [P G].
+  destruct (slab_of_b B pose s _) eqn:S; auto. exfalso. apply (slab_b_apart s _ other) in S; auto.
+  revert S. apply never; [exact C|]. intros p T. split; [apply (in_reach k); [apply filled_b | now apply in_b]|].
+  apply G. rewrite E. now apply (corners_in B opened_b k m j p).
 Qed.
 Lemma boxes_against_a_say : is_leaf (cells A) n = true -> box_passes_a A B pose n k = true.
 Proof. intros L. apply (slabs_of_a_say _ _ (in_box (box B k))); auto using box_beyond_right, in_b, incl_refl. Qed.
 Lemma boxes_against_b_say : is_leaf (cells B) k = true -> box_passes_b A B pose n k = true.
 Proof. intros L. apply (slabs_of_b_say _ _ (in_box (box A n))); auto using box_beyond_right, in_a, incl_refl. Qed.
-Lemma corners_against_a_say : is_leaf (cells A) n = true -> corners_pass_a A B pose n k = true.
+Lemma first_of {T} (those : list T) : incl (firstn 1 those) those.
+Proof. destruct those; intros e; cbn; tauto. Qed.
+Lemma first_baked i' n' : incl (firstn 1 (baked_slabs i' n')) (slabs i' n').
+Proof. unfold slabs. destruct (baked_slabs i' n'); [easy | apply first_of]. Qed.
+Lemma leaves_say side : leaves_pass A B pose side n k = true.
 Proof.
-  intros L. unfold corners_pass_a. destruct (is_leaf (cells B) k) eqn:K; auto.
-  pose proof (leaf_below B opened_b k m below_k K) as E. destruct filled_b as [F _].
-  apply (slabs_of_a_say _ _ (fun p => In p (leaf_points B k))); auto using corners_beyond_right, first_of.
-  - intros u U. now apply node_in.
-  - intros p P. rewrite E. now apply (corners_in B opened_b k m j p).
-Qed.
-Lemma corners_against_b_say : is_leaf (cells B) k = true -> corners_pass_b A B pose n k = true.
-Proof.
-  intros K. unfold corners_pass_b. destruct (is_leaf (cells A) n) eqn:L; auto.
-  pose proof (leaf_below A opened_a n l below_n L) as E.
-  apply (slabs_of_b_say _ _ (fun p => In p (leaf_points A n))); auto using corners_beyond_right, first_of.
-  intros p P. rewrite E. now apply (corners_in A opened_a n l i p).
+  unfold leaves_pass. destruct (is_leaf (cells A) n) eqn:L, (is_leaf (cells B) k) eqn:K; auto. cbn [andb].
+  assert (forall those, incl (firstn 1 (those A n)) (slabs A n) -> corners_pass_a A B pose those n k = true) as OfA.
+  { intros those In_. pose proof (leaf_below B opened_b k m below_k K) as E. destruct filled_b as [F _].
+    apply (slabs_of_a_say _ _ (fun p => In p (leaf_points B k))); auto using corners_beyond_right.
+    - intros u U. now apply node_in.
+    - intros p P. rewrite E. now apply (corners_in B opened_b k m j p). }
+  assert (forall those, incl (firstn 1 (those B k)) (slabs B k) -> corners_pass_b A B pose those n k = true) as OfB.
+  { intros those In_. pose proof (leaf_below A opened_a n l below_n L) as E.
+    apply (slabs_of_b_say _ _ (fun p => In p (leaf_points A n))); auto using corners_beyond_right.
+    intros p P. rewrite E. now apply (corners_in A opened_a n l i p). }
+  destruct side; rewrite OfA, OfB; auto using first_of, first_baked.
 Qed.
 End Common.
 
@@ -505,10 +565,9 @@ Proof.
   - pose proof (windows_say exact R n k l m i j UN UK I J Y) as W.
     pose proof (boxes_against_a_say exact R n k l m i j UN UK I J Y) as S.
     pose proof (boxes_against_b_say exact R n k l m i j UN UK I J Y) as T.
-    pose proof (corners_against_a_say exact R n k l m i j UN UK I J Y) as C.
-    pose proof (corners_against_b_say exact R n k l m i j UN UK I J Y) as D.
+    pose proof (leaves_say exact R n k l m i j UN UK I J Y) as C.
     unfold touch. destruct side; [destruct (is_leaf (cells A) n) | destruct (is_leaf (cells A) n) |
-      destruct (is_leaf (cells B) k)]; auto; rewrite W, ?S, ?T, ?C, ?D; auto.
+      destruct (is_leaf (cells B) k)]; auto; rewrite W, ?S, ?T, C; auto.
 Qed.
 End Pair.
 
@@ -552,12 +611,12 @@ Proof.
   destruct H as [[H | H] | [[H | H] | [H | H]]]; on_some_axis ltac:(intros w v W [-> | [-> | ->]]; lia).
 Qed.
 
-Lemma far_is_rejected e offset margin t lower upper : - kMaxCoordinate <= lower -> upper <= kMaxCoordinate ->
-  margin <= @kWidestMargin@ -> far_along e offset t lower upper -> axis_rejects e offset margin t lower upper.
+Lemma far_is_rejected e offset margin wide t lower upper : - kMaxCoordinate <= lower -> upper <= kMaxCoordinate ->
+  margin <= wide -> far_along e offset wide t lower upper -> axis_rejects e offset margin t lower upper.
 Proof.
-  assert (forall g o f b, margin <= @kWidestMargin@ -> 0 < b -> bound_sum (start_of g o @kWidestMargin@) f t / cell14 < b ->
+  assert (forall g o f b, margin <= wide -> 0 < b -> bound_sum (start_of g o wide) f t / cell14 < b ->
     whole (bound_sum (start_of g o margin) f t) < b) as G.
-  { intros g o f b M P H. unfold whole. assert (bound_sum (start_of g o margin) f t <= bound_sum (start_of g o @kWidestMargin@) f t)
+  { intros g o f b M P H. unfold whole. assert (bound_sum (start_of g o margin) f t <= bound_sum (start_of g o wide) f t)
       as L by (unfold bound_sum, start_of; lia). apply (Z.div_le_mono _ _ cell14 eq_refl) in L. lia. }
   intros L U M [H | H]; [left | right].
   - enough (whole (bound_sum (start_of e offset margin) e t) < bias + lower) by lia.
@@ -569,10 +628,11 @@ Qed.
 Theorem early_ends_are_right : Early_ends_are_right.
 Proof.
   intros A B r j OA OB (k & _ & J) H.
+  assert (filled B 0) as F
+    by (apply (filled_of B OB 0%nat k j); [apply all_under; now apply has_in_range in J | exact J]).
+  destruct (filled_box B 0 OB F) as [O L']. cbv zeta in L'.
   assert (box_margin (most_rest r) (reach (box B 0)) + kHalf <= @kWidestMargin@) as M.
-  { assert (filled B 0) as F
-      by (apply (filled_of B OB 0%nat k j); [apply all_under; now apply has_in_range in J | exact J]).
-    destruct (filled_box B 0 OB F) as [O L]. cbv zeta in L. apply widest_margin.
+  { apply widest_margin.
     - pose proof (rests_small r) as S. cbv zeta in S. unfold most_rest.
       assert (forall e, Z.abs (rest e) <= 128) as R by (intros e; pose proof (rest_fits e); lia).
       split; [apply (Z.le_trans _ (Z.abs (rest (a1 r)))); [apply Z.abs_nonneg | apply S]|].
@@ -581,30 +641,40 @@ Proof.
   destruct (node_in A OA 0%nat (low (box A 0))) as [L _].
   { apply (fmt_some _ _ (proj1 (is_tree A OA))). }
   unfold is_inside, lattice in L. cbn [low high x y z] in L. bools.
-  unfold bound, boxes_overlap, decide. destruct (dec_or _ _ _ _) as [|N]; auto. exfalso. apply N.
-  unfold on_a, with_all, with_entries, rejects_on_a. cbv zeta.
-  destruct H as [H | [H | H]]; [left | right; left | right; right]; apply far_is_rejected; auto; lia.
+  unfold bound, boxes_overlap. apply not_true_iff_false. rewrite andb_true_iff, !decided. intros [N1 N2].
+  unfold far_apart, on_a, on_b, with_all, with_entries, rejects_on_a, rejects_on_b in *. cbv zeta in *.
+  destruct H as [H | H]; [apply N1 | apply N2]; (destruct H as [H | [H | H]]; [left | right; left | right; right]);
+    (eapply far_is_rejected; [| | | exact H]; lia).
+Qed.
+
+Theorem baked_slabs_fit : Baked_slabs_fit.
+Proof.
+  intros m n b O [S _] L I. destruct (checked m O n L) as (_ & _ & G). specialize (G b I). apply andb_true_iff in G as [G _].
+  apply begun_fits; auto. now apply (S n).
 Qed.
 
 (* ---- The premises can be met, by tests that reject some pairs: two triangles, and a quarter turn. *)
 Definition at_ p q r := {| x := p; y := q; z := r |}.
-Definition two : Image := {|
+Definition two_with along slabs_ : Image := {|
   cells := [ {| c_link := 3; c_rank := 5; c_parent_rank := kRootParentRank |};
     {| c_link := 2; c_rank := -7; c_parent_rank := 0 |}; {| c_link := 1; c_rank := -7; c_parent_rank := 0 |} ];
   box n := match n with 1%nat => {| low := at_ 10 0 0; high := at_ 19 9 9 |} |
     2%nat => {| low := at_ 40 0 0; high := at_ 49 9 9 |} | _ => {| low := at_ 10 0 0; high := at_ 49 9 9 |} end;
   corners i := match i with O => (at_ 10 0 0, at_ 19 9 0, at_ 15 0 9) | _ => (at_ 40 0 0, at_ 49 9 0, at_ 45 0 9) end;
   own_triangles n := match n with 1%nat => [0%nat] | 2%nat => [1%nat] | _ => [] end;
-  directions n := [at_ @2**kDirectionBits@ (- @2**kDirectionBits@) 0; at_ 0 0 @2**kDirectionBits@] |}.
+  directions n := along; baked n := match n with 1%nat => slabs_ | _ => [] end |}.
+Definition flat := two_with [at_ 0 0 @2**kDirectionBits@] [].
+Definition two := two_with [at_ @2**kDirectionBits@ (- @2**kDirectionBits@) 0; at_ 0 0 @2**kDirectionBits@] [].
+Definition two_baked := two_with [] [{| towards := at_ 127 (-127) 0; thickness := 4; units := 4 |}].
 Definition quarter : Rotation := {| a1 := 0; a2 := one22; a3 := 0; b1 := - one22; b2 := 0; b3 := 0; c1 := 0; c2 := 0;
   c3 := one22; o1 := 20 * cell14; o2 := -2 * cell14; o3 := 0; defect := 0 |}.
-Example premises_met : opens two = true /\ sound two /\ fits (Turned quarter) /\
+Example premises_met : Forall (fun m => opens m = true /\ sound m) [two; two_baked] /\ fits (Turned quarter) /\
   bound two two (Turned quarter) 1 1 = true /\ bound two two (Turned quarter) 1 2 = false.
 Proof.
-  split; [reflexivity|]. split; [|repeat split; vm_compute; easy]. repeat split.
-  1-3: now destruct H as [<- | [<- | []]].
-  - intros [|[|[|n]]]; repeat constructor; easy.
-  - intros [|[|[|n]]] [|[|[|k]]] i; unfold triangles; cbn; intuition congruence.
+  split; [|repeat split; vm_compute; easy]. repeat constructor.
+  all: try (intros [|[|[|n]]]; repeat constructor; easy).
+  all: try (intros [|[|[|n]]] [|[|[|k]]] i; unfold triangles; cbn; intuition congruence).
+  all: destruct n as [|[|n]]; cbn in H; repeat destruct H as [<- | H]; easy.
 Qed.
 
 (* The corners' test rejects leaves that all boxes pass, of either side, under a translation and under a rotation, here
@@ -616,7 +686,16 @@ Example corners_reject_more : Forall (fun pose => fits pose /\ bound two two pos
   box_passes_a two two pose 1 1 = true /\ touch two two pose LeafA 1 1 = false /\
   box_passes_b two two pose 1 1 = true /\ touch two two pose LeafB 1 1 = false) [near_by; rotated_near_by].
 Proof. apply Forall_forall. intros pose [<- | [<- | []]]; vm_compute; easy. Qed.
+(* So does the other leaf's baked slab. *)
+Definition moved_more := Moved (at_ 4 (- 4) 0).
+Definition rotated_more := Turned {| a1 := one22; a2 := 0; a3 := 0; b1 := 0; b2 := one22; b3 := 0; c1 := 0; c2 := 0;
+  c3 := one22; o1 := 6 * cell14; o2 := -6 * cell14; o3 := 0; defect := 0 |}.
+Example baked_slabs_reject_more : Forall (fun pose => fits pose /\
+  touch flat flat pose LeafA 1 1 = true /\ touch flat two_baked pose LeafA 1 1 = false /\
+  touch flat flat pose LeafB 1 1 = true /\ touch two_baked flat pose LeafB 1 1 = false) [moved_more; rotated_more].
+Proof. apply Forall_forall. intros pose [<- | [<- | []]]; vm_compute; easy. Qed.
 
+Print Assumptions baked_slabs_fit.
 Print Assumptions early_ends_are_right.
 Print Assumptions left_out_rightly.
 Print Assumptions answers_are_the_pairs_with_a_common_point.
