@@ -1,5 +1,5 @@
 // Writes Differential.v: the library's results on random trees, whole and damaged, and the claim
-// that the definitions of Code.v and Image.v give equal results.
+// that the definitions of Code.v, Image.v and Exact.v give equal results.
 #include <cstdio>
 
 #include "flashbvh/detail/lattice/image_parts.hpp"
@@ -11,7 +11,7 @@ using namespace flashbvh::test;
 namespace {
 
 constexpr const char* kHead = R"(From Coq Require Import List ZArith Bool.
-Require Import Constants Ranked Code Query Image.
+Require Import Constants Ranked Code Query Image Triangle Rejects Exact.
 Import ListNotations.
 Definition make := map (fun c => let '(l, r, p) := c in
   {| c_link := Z.to_nat l; c_rank := r; c_parent_rank := p |}).
@@ -43,6 +43,11 @@ Definition walks a b (m start i j : Z) visits found :=
   let c := if (start =? 0)%Z then begin_walk a b else resume_walk a b (start =? 1)%Z p in
   let (v, f) := visited_in a b m 3000 c in same v (nats visits) && same f (nats found).
 Local Open Scope Z_scope.
+(* A leaf's box, to a cube's sides, its triangle and its baked slabs. *)
+Definition leaf_opens (reach : Z) (p q r : Point) (slabs : list Baked) := opens {|
+  cells := [ {| c_link := 1; c_rank := -1; c_parent_rank := 0 |} ];
+  box _ := {| low := Build_Point (- reach) (- reach) (- reach); high := Build_Point reach reach reach |};
+  corners _ := (p, q, r); own_triangles _ := [0%nat]; directions _ := []; baked _ := slabs |}.
 )";
 
 int parent_rank_of(const ModelNode& node) {
@@ -101,18 +106,21 @@ void write_walk(Random& random) {
   claim();
 }
 
-/// Whether opening an image accepts these nodes, with everything else valid.
-bool library_accepts(const std::vector<ModelNode>& nodes, uint32_t leaves) {
-  static const Vertex vertex = {0, 0, 0};
+/// Whether opening an image accepts these nodes, with everything else valid. Each leaf has a
+/// triangle of three vertices.
+bool library_accepts(const std::vector<ModelNode>& nodes, uint32_t leaves,
+                     const Vertex (&vertices)[3], const LeafSlabs* slabs) {
   static const uint16_t shell = 0;
-  const std::vector<Corners<uint16_t>> triangles(leaves, {{0, 0, 0}});
+  const std::vector<Corners<uint16_t>> triangles(leaves + 1, {{0, 1, 2}});
   Mesh mesh = {};
+  mesh.slabs = slabs;
   mesh.nodes = nodes.data();
   mesh.node_count = static_cast<uint16_t>(nodes.size());
   mesh.leaf_count = mesh.triangle_count = static_cast<uint16_t>(leaves);
   mesh.triangles = triangles.data();
-  mesh.vertices = &vertex;
-  mesh.vertex_count = mesh.shell_count = 1;
+  mesh.vertices = vertices;
+  mesh.vertex_count = 3;
+  mesh.shell_count = 1;
   mesh.shell_vertices = &shell;
   detail::TreeShape shape;
   return detail::check_tree(mesh, {}, shape) == Status::done;
@@ -137,10 +145,45 @@ bool write_check(Random& random) {
       node.data = static_cast<uint16_t>(rank << 8 | random.below(128));
     }
   }
-  const bool accepted = library_accepts(nodes, leaves);
+  const bool accepted = library_accepts(nodes, leaves, {}, nullptr);
   std::printf("Goal eqb %s (accepts (make ", accepted ? "true" : "false");
   print(nodes);
   std::printf(") (fun _ _ => true))");
+  claim();
+  return accepted;
+}
+
+bool write_slabs(Random& random) {
+  const auto most = random.one_of<int16_t>({2, 40, 3000, kMaxCoordinate});
+  const auto least = static_cast<int16_t>(-most);
+  const ModelNode leaf = {pack({{least, least, least}, {most, most, most}}), 1,
+                          ModelNode::kLeafFlag};
+  const auto coordinate = [&] {
+    return static_cast<int16_t>(random.between(least, most) + (random.below(200) == 0 ? 1 : 0));
+  };
+  Vertex v[3];
+  for (Vertex& at : v) {
+    at = {coordinate(), coordinate(), coordinate()};
+  }
+  const auto byte = [&] { return static_cast<int8_t>(random.between(-128, 127)); };
+  LeafSlabs slabs;
+  for (int i = 0; i < 2; ++i) {
+    const uint32_t thickness = random.below(256);
+    slabs.of[i] = {byte(), byte(), byte(), static_cast<uint8_t>(thickness)};
+    const auto half = static_cast<int32_t>((thickness & 31) << 2 * (thickness >> 5)) / 2;
+    slabs.least[i] = static_cast<int16_t>(random.between(-2, 2) - half);
+  }
+  const bool accepted = library_accepts({leaf}, 1, v, &slabs);
+  std::printf("Goal eqb %s (leaf_opens %d", accepted ? "true" : "false", most);
+  for (const Vertex& at : v) {
+    std::printf(" (Build_Point (%d) (%d) (%d))", at.x, at.y, at.z);
+  }
+  for (int i = 0; i < 2; ++i) {
+    const LeafSlabs::Direction& d = slabs.of[i];
+    std::printf("%s Build_Baked (Build_Point (%d) (%d) (%d)) %d (%d)", i == 0 ? " [" : ";", d.x,
+                d.y, d.z, d.thickness, slabs.least[i]);
+  }
+  std::printf("])");
   claim();
   return accepted;
 }
@@ -153,10 +196,14 @@ int main() {
   for (int i = 0; i < 300; ++i) {
     write_walk(random);
   }
-  int accepted = 0;
-  constexpr int kChecks = 600;
-  for (int i = 0; i < kChecks; ++i) {
-    accepted += write_check(random) ? 1 : 0;
+  for (const auto& write : {write_check, write_slabs}) {
+    constexpr int kChecks = 600;
+    int accepted = 0;
+    for (int i = 0; i < kChecks; ++i) {
+      accepted += write(random) ? 1 : 0;
+    }
+    if (accepted < kChecks / 10 || accepted > kChecks * 9 / 10) {
+      return 1;
+    }
   }
-  return accepted > kChecks / 10 && accepted < kChecks * 9 / 10 ? 0 : 1;
 }
