@@ -1,7 +1,7 @@
 # slabs: a box's or a corner's sums, biases, extents, offsets and margins together stay in 32 bits; of a far B all boxes touch
 #
 # A direction's magnitudes add up to at most 3 * 2^kDirectionBits, rotated 18 more (Slabs.v). `extent`: either end of a
-# slab: a direction's sum times the largest coordinate, or a baked one (Baked_slabs_fit of Exact.v), which is larger.
+# slab: a direction's sum times the largest coordinate, or a baked one (baked_slabs_fit of Exact.v), which is larger.
 # `offset`: along an axis, at most kMaxOffset rotated, and 2^15 translated, for pairs whose boxes overlap. A far B's
 # offset is rounded to at most a cell before it is translated; its `least` is below all sums of boxes.
 # code: include/flashbvh/detail/bounds/transform.hpp | return slab_margin_ * kMarginUnit + static_cast<int32_t>(placing_) / 2 * kFarMargin;

@@ -3,8 +3,8 @@
    Rejects.v which tests a query makes; this file has the data of each node of an image, and so the tests of each pair.
 
    Remaining premises: a rotation's columns are orthogonal within its defect (Near_rotation), and leaves share no
-   triangle. Slabs that a query makes may have any directions of 13 bits, and baked ones any that open accepts. gappa and
-   cvc5 prove the widths of integers.
+   triangle. Slabs that a query makes may have any directions of 13 bits; baked ones are any that open accepts. gappa
+   and cvc5 prove the widths of integers.
 
    Part 1  definitions.   Part 2  the theorems.   Part 3  their proofs. *)
 From Coq Require Import List ZArith Lia Bool FinFun.
@@ -21,7 +21,7 @@ Local Instance dec_or P Q : Dec P -> Dec Q -> Dec (P \/ Q).
 Proof. intros [] []; [left | left | left | right]; tauto. Defined.
 Definition decide P {d : Dec P} : bool := if d then true else false.
 
-(* ---- A slab, and its baked form: a direction of bytes, and the extent's begin in units.
+(* ---- A slab, and its baked form: a direction of bytes, the thickness's code, and the extent's begin in units.
    code: include/flashbvh/detail/bounds/slab.hpp | const int32_t least = slabs.least[which] * (1 << kSlabUnitBits); const uint32_t thickness = (d.thickness & 31u) << (kSlabUnitBits + 2 * (d.thickness >> 5));
    code: include/flashbvh/detail/bounds/slab.hpp | begin({join_halves(static_cast<uint16_t>(d.x * scale), static_cast<uint16_t>(d.y * scale)), d.z * scale}, {least, least + static_cast<int32_t>(thickness)}); *)
 Record Slab := { direction : Point; from : Z; to : Z }.
@@ -31,8 +31,8 @@ Definition begun b : Slab :=
   {| direction := {| x := scaled (x (towards b)); y := scaled (y (towards b)); z := scaled (z (towards b)) |};
     from := start; to := start + (thickness b mod 32) * 2 ^ (@kSlabUnitBits@ + 2 * (thickness b / 32)) |}.
 
-(* ---- An image: nodes, their boxes, and triangles by their slots; for a leaf, by its node, its triangles and its slabs,
-   the plane's first: baked, or made along directions. *)
+(* ---- An image: nodes, their boxes, and triangles by their slots; for a leaf, by its node, its triangles and its
+   slabs, the plane's first: baked, or made along directions. *)
 Record Image := { cells : list Cell; box : nat -> Box; corners : nat -> Point * Point * Point;
   own_triangles : nat -> list nat; directions : nat -> list Point; baked : nat -> list Baked }.
 Definition triangles m n := if (n <? length (cells m))%nat then own_triangles m n else [].
@@ -64,7 +64,8 @@ Definition opens m : bool :=
     forallb (fun b => is_in_range b && holds (begun b) (leaf_points m n)) (baked m n)) (seq 0 (length (cells m))).
 Definition within most e : Prop := Z.abs (x e) <= most /\ Z.abs (y e) <= most /\ Z.abs (z e) <= most.
 Definition has_widths b : Prop := let byte c := -128 <= c < 128 in
-  byte (x (towards b)) /\ byte (y (towards b)) /\ byte (z (towards b)) /\ 0 <= thickness b < 256 /\ - 2 ^ 15 <= units b < 2 ^ 15.
+  byte (x (towards b)) /\ byte (y (towards b)) /\ byte (z (towards b)) /\ 0 <= thickness b < 256 /\
+  - 2 ^ 15 <= units b < 2 ^ 15.
 Definition sound m : Prop :=
   (forall n, (forall e, In e (directions m n) -> within most_part e) /\ (forall b, In b (baked m n) -> has_widths b)) /\
   (forall n, NoDup (triangles m n)) /\
@@ -83,7 +84,8 @@ Definition most := extreme Z.max.
    code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs != nullptr) { edge.begin(m.slabs[node_->leaf()], 1); return true; } *)
 Definition baked_slabs m n : list Slab := map begun (baked m n).
 Definition slabs m n : list Slab := match baked_slabs m n with
-  | [] => map (fun e => {| direction := e; from := least e (leaf_points m n); to := most e (leaf_points m n) |}) (directions m n)
+  | [] => let those := leaf_points m n in
+      map (fun e => {| direction := e; from := least e those; to := most e those |}) (directions m n)
   | those => those
   end.
 
@@ -179,8 +181,8 @@ Definition box_passes_a n k : bool := slabs_pass_a (slabs A n) (box_beyond (box 
 Definition box_passes_b n k : bool := slabs_pass_b (slabs B k) (box_beyond (box A n)).
 Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b k then box_passes_b n k else true.
 
-(* Below a leaf, a leaf whose box passes is tested against the first slab, the plane's, by its corners; and then the leaf
-   against the first baked slab of the other one.
+(* Below a leaf, a leaf whose box passes is tested against the first slab, the plane's, by its corners; then the leaf
+   above against the first baked slab of the one below.
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[first].corner; const auto* const end = m.triangles[after].corner; if (!plane.may_touch(m.vertices, corner, end)) {
    code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs == nullptr || may_touch_plane_of(m.slabs[leaf])) { return false; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | other.begin(slabs, 0); see(other, side_ == Side::a ? Side::b : Side::a); const Mesh& m = mesh(); const uint32_t leaf = node_->leaf(); return other.may_touch(m.vertices, m.triangles[m.first_triangle(leaf)].corner, m.triangles[m.end_triangle(leaf)].corner);
@@ -250,7 +252,8 @@ Definition far_apart r s t : Prop :=
   let on_a kx ky kz o := far_along (column kx ky kz) o @kWidestMargin@ t in
   let on_b k1 k2 k3 := far_along (column k1 k2 k3) (clamped (- back (o1 r) (o2 r) (o3 r) k1 k2 k3))
     (axis_margin (reach t) (defect r)) s in
-  (on_a (a1 r) (b1 r) (c1 r) (o1 r) (x (low s)) (x (high s)) \/ on_a (a2 r) (b2 r) (c2 r) (o2 r) (y (low s)) (y (high s)) \/
+  (on_a (a1 r) (b1 r) (c1 r) (o1 r) (x (low s)) (x (high s)) \/
+   on_a (a2 r) (b2 r) (c2 r) (o2 r) (y (low s)) (y (high s)) \/
    on_a (a3 r) (b3 r) (c3 r) (o3 r) (z (low s)) (z (high s))) \/
   (on_b (a1 r) (a2 r) (a3 r) (x (low t)) (x (high t)) \/ on_b (b1 r) (b2 r) (b3 r) (y (low t)) (y (high t)) \/
    on_b (c1 r) (c2 r) (c3 r) (z (low t)) (z (high t))).
@@ -260,10 +263,6 @@ Definition beside t (p q r : Point) : Prop :=
 
 Definition Early_ends_are_right := forall A B r j, opens A = true -> opens B = true -> has B j ->
   far_apart r (box A 0) (box B 0) -> bound A B (Turned r) 0 0 = false.
-(* slab.g's premise about baked slabs. *)
-Definition Baked_slabs_fit := forall m n b, opens m = true -> sound m -> (n < length (cells m))%nat -> In b (baked m n) ->
-  let s := begun b in let most := @tree_check.cpp:most * 2**kSlabUnitBits@ in
-  within (127 * @slab.hpp:scale@) (direction s) /\ - most <= from s /\ to s <= most.
 Definition Left_out_rightly := forall A B pose n i j, opens A = true -> In i (triangles A n) ->
   (let '(p, q, r) := corners B j in beside (box A n) (put pose p) (put pose q) (put pose r)) ->
   ~ common_point A B pose i j.
@@ -293,12 +292,13 @@ Proof.
   intros [<- | I]; auto.
 Qed.
 
-Lemma begun_fits b : has_widths b -> is_in_range b = true -> let s := begun b in
+(* slab.g's premise about baked slabs. *)
+Theorem baked_slabs_fit b : has_widths b -> is_in_range b = true -> let s := begun b in
   let most := @tree_check.cpp:most * 2**kSlabUnitBits@ in
   within (127 * @slab.hpp:scale@) (direction s) /\ - most <= from s /\ to s <= most.
 Proof.
-  destruct b as [[p q r] t u]. unfold has_widths, is_in_range, within, begun. cbn [towards thickness units direction from to x y z].
-  cbv zeta. intros (P & Q & R & T & U). rewrite !andb_true_iff, !negb_true_iff, !Z.eqb_neq, Z.leb_le.
+  destruct b as [[p q r] t u]. unfold has_widths, is_in_range, within, begun.
+  cbn [towards thickness units direction from to x y z]. cbv zeta. intros (P & Q & R & T & U). rewrite !andb_true_iff, !negb_true_iff, !Z.eqb_neq, Z.leb_le.
   pose proof (Z.div_pos t 32 (proj1 T) eq_refl). rewrite Z.pow_add_r, (Z.mul_comm (2 ^ _)), Z.mul_assoc by lia. lia.
 Qed.
 
@@ -324,7 +324,7 @@ Proof.
   intros [S _] L. destruct (checked n L) as (_ & _ & G), (S n) as [D W]. unfold slabs.
   destruct (baked_slabs m n) eqn:E; [|rewrite <- E]; intros I; apply in_map_iff in I as (e & <- & I).
   - split; [now apply D | intros p; apply extreme_bounds].
-  - specialize (G e I). apply andb_true_iff in G as [G H]. destruct (begun_fits e (W e I) G) as [N _]. split.
+  - specialize (G e I). apply andb_true_iff in G as [G H]. destruct (baked_slabs_fit e (W e I) G) as [N _]. split.
     + unfold within, most_part in *. lia.
     + intros p P. unfold holds in H. rewrite forallb_forall in H. specialize (H p P). bools. exact H.
 Qed.
@@ -537,8 +537,8 @@ Lemma boxes_against_b_say : is_leaf (cells B) k = true -> box_passes_b A B pose 
 Proof. intros L. apply (slabs_of_b_say _ _ (in_box (box A n))); auto using box_beyond_right, in_a, incl_refl. Qed.
 Lemma first_of {T} (those : list T) : incl (firstn 1 those) those.
 Proof. destruct those; intros e; cbn; tauto. Qed.
-Lemma first_baked i' n' : incl (firstn 1 (baked_slabs i' n')) (slabs i' n').
-Proof. unfold slabs. destruct (baked_slabs i' n'); [easy | apply first_of]. Qed.
+Lemma first_baked mesh leaf : incl (firstn 1 (baked_slabs mesh leaf)) (slabs mesh leaf).
+Proof. unfold slabs. destruct (baked_slabs mesh leaf); [easy | apply first_of]. Qed.
 Lemma leaves_say side : leaves_pass A B pose side n k = true.
 Proof.
   unfold leaves_pass. destruct (is_leaf (cells A) n) eqn:L, (is_leaf (cells B) k) eqn:K; auto. cbn [andb].
@@ -647,12 +647,6 @@ Proof.
     (eapply far_is_rejected; [| | | exact H]; lia).
 Qed.
 
-Theorem baked_slabs_fit : Baked_slabs_fit.
-Proof.
-  intros m n b O [S _] L I. destruct (checked m O n L) as (_ & _ & G). specialize (G b I). apply andb_true_iff in G as [G _].
-  apply begun_fits; auto. now apply (S n).
-Qed.
-
 (* ---- The premises can be met, by tests that reject some pairs: two triangles, and a quarter turn. *)
 Definition at_ p q r := {| x := p; y := q; z := r |}.
 Definition two_with along slabs_ : Image := {|
@@ -679,20 +673,17 @@ Qed.
 
 (* The corners' test rejects leaves that all boxes pass, of either side, under a translation and under a rotation, here
    by no angle. *)
-Definition near_by := Moved (at_ 3 (- 3) 0).
-Definition rotated_near_by := Turned {| a1 := one22; a2 := 0; a3 := 0; b1 := 0; b2 := one22; b3 := 0; c1 := 0; c2 := 0;
-  c3 := one22; o1 := 5 * cell14; o2 := -5 * cell14; o3 := 0; defect := 0 |}.
+Definition moved_by_ d := Moved (at_ d (- d) 0).
+Definition rotated_by d := Turned {| a1 := one22; a2 := 0; a3 := 0; b1 := 0; b2 := one22; b3 := 0; c1 := 0; c2 := 0;
+  c3 := one22; o1 := d * cell14; o2 := - d * cell14; o3 := 0; defect := 0 |}.
 Example corners_reject_more : Forall (fun pose => fits pose /\ bound two two pose 1 1 = true /\
   box_passes_a two two pose 1 1 = true /\ touch two two pose LeafA 1 1 = false /\
-  box_passes_b two two pose 1 1 = true /\ touch two two pose LeafB 1 1 = false) [near_by; rotated_near_by].
+  box_passes_b two two pose 1 1 = true /\ touch two two pose LeafB 1 1 = false) [moved_by_ 3; rotated_by 5].
 Proof. apply Forall_forall. intros pose [<- | [<- | []]]; vm_compute; easy. Qed.
 (* So does the other leaf's baked slab. *)
-Definition moved_more := Moved (at_ 4 (- 4) 0).
-Definition rotated_more := Turned {| a1 := one22; a2 := 0; a3 := 0; b1 := 0; b2 := one22; b3 := 0; c1 := 0; c2 := 0;
-  c3 := one22; o1 := 6 * cell14; o2 := -6 * cell14; o3 := 0; defect := 0 |}.
 Example baked_slabs_reject_more : Forall (fun pose => fits pose /\
   touch flat flat pose LeafA 1 1 = true /\ touch flat two_baked pose LeafA 1 1 = false /\
-  touch flat flat pose LeafB 1 1 = true /\ touch two_baked flat pose LeafB 1 1 = false) [moved_more; rotated_more].
+  touch flat flat pose LeafB 1 1 = true /\ touch two_baked flat pose LeafB 1 1 = false) [moved_by_ 4; rotated_by 6].
 Proof. apply Forall_forall. intros pose [<- | [<- | []]]; vm_compute; easy. Qed.
 
 Print Assumptions baked_slabs_fit.
