@@ -16,11 +16,12 @@ from machine_code.loops import Loops
 from machine_code.program import Program
 
 # Units of work. Programs of this folder and of tests/figures have them, too.
-GO_ON, SHAPE, TRIANGLE_PAIR = 2, 8, 32
+GO_ON, OTHER_PLANE, SHAPE, TRIANGLE_PAIR = 2, 3, 8, 32
 
 
 WORK = "include/flashbvh/detail/walk/work.hpp"
-UNITS = [(WORK, f"kGoOnWork = {GO_ON};"), (WORK, f"kShapeWork = {SHAPE};"),
+UNITS = [(WORK, f"kGoOnWork = {GO_ON};"), (WORK, f"kOtherPlaneWork = {OTHER_PLANE};"),
+         (WORK, f"kShapeWork = {SHAPE};"),
          (WORK, f"kTrianglePairWork = {TRIANGLE_PAIR};")]
 
 
@@ -35,9 +36,11 @@ def bounds(costs: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
     turn = on_below.term("turn") + below.fixed + below.term("climb")
     again = part("take-again").total
     made = sum(slab.fixed for slab in slabs)
-    # A leaf's corners, three per triangle, against the plane. It has at least as many pairs of triangles as triangles.
-    corners = 3 * part("compare-leaf").term("vertex")
-    compared = part("compare-leaf").fixed + corners
+    # A leaf's corners, three per triangle, against the plane; then the leaf above against its baked plane. Both have
+    # at most as many triangles as pairs of triangles. A rejection by the latter spends the larger number, and more.
+    corners, own = 3 * part("compare-leaf").term("vertex"), 3 * part("compare-other").term("own-vertex")
+    rejected = part("compare-leaf").fixed + corners
+    compared = rejected + part("compare-other").fixed + own
     # Loading a leaf's planes: reached, or the next one after the leaf at which a run resumed.
     reached = part("reach-leaf").total + part("below-reached").total
     shape = made + max(reached + below.fixed + below.term("climb"), again + turn)
@@ -51,13 +54,14 @@ def bounds(costs: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
     # From the start of one path to the end of another, a turn without a visit, and no answer left.
     once = part("walk").total + max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
     triangle = pair + once + max(part("near-test").total, part("wide-test").total)
-    other = sum(slab.term("other") for slab in slabs) + corners
+    other = sum(slab.term("other") for slab in slabs) + corners + own
     # Before the first walk, and for a pair of leaves that the next run gets.
     yield "start", run.fixed + once + again + made + 2 * tests + compared + part("found").total
     yield "ascent", ascent
     yield "later-sibling", on_below.term("sibling") + max(walk.term("sibling") for walk in walks)
     yield "leaf-triangle", other
-    yield "work", max(visit, compared, -(-turn // GO_ON), -(-shape // SHAPE), other, -(-triangle // TRIANGLE_PAIR))
+    yield "work", max(visit, rejected, -(-compared // (OTHER_PLANE + 1)), -(-turn // GO_ON), -(-shape // SHAPE),
+                      other, -(-triangle // TRIANGLE_PAIR))
     yield "make-query", costs.of(roots["make-query"]).total
 
 

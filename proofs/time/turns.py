@@ -25,7 +25,8 @@ def allowed_in(line):
     pairs, shapes = (work + 31) // 32, (work + 7) // 8 + 1
     turns = walks + shapes + min(visits, work // 2)
     visited = visits + 2 * walks + turns
-    return {"visit": visited, "vertex": 3 * int(leaf_size) * visited, "turn": turns, "sibling": 8 * walks,
+    corners = 3 * int(leaf_size) * visited
+    return {"visit": visited, "vertex": corners, "own-vertex": corners, "turn": turns, "sibling": 8 * walks,
             "row": pairs, "triangle": pairs, "other": 2 * (int(leaf_size) - 1) * shapes, "test": pairs + walks + 2,
             "ascent": depths + visits, "skipped": 2 * (depths + visits), "corner": 6 * pairs,
             "climb": depths + visits + turns}

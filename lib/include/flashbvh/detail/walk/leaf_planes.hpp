@@ -120,7 +120,9 @@ class LeafPlanes {
     if (m.slabs == nullptr || may_touch_plane_of(m.slabs[leaf])) {
       return false;
     }
-    progress.spend(kOtherPlaneWork);
+    const uint32_t own = mesh().triangles_in(node_->leaf());
+    const uint32_t larger = own > after - first ? own : after - first;
+    progress.spend(kOtherPlaneWork + kRejectedTriangleWork * larger);
     return true;
   }
 

@@ -26,8 +26,9 @@ constexpr uint32_t kShapeWork = 8;
 /// Each triangle of a leaf of the other tree that the leaf's plane rejects by its corners.
 constexpr uint32_t kRejectedTriangleWork = 1;
 
-/// A pair of leaves that the other leaf's plane rejects, by this leaf's corners.
-constexpr uint32_t kOtherPlaneWork = 4;
+/// A pair of leaves that the other leaf's plane rejects, by this leaf's corners; and
+/// kRejectedTriangleWork for each triangle of the larger leaf.
+constexpr uint32_t kOtherPlaneWork = 3;
 
 /// The next subtree against an unchanged leaf, in a walk that resumed below the leaf.
 constexpr uint32_t kGoOnWork = 2;
