@@ -38,9 +38,9 @@ def bounds(costs: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
     made = sum(slab.fixed for slab in slabs)
     # A leaf's corners, three per triangle, against the plane; then the leaf above against its baked plane. Both have
     # at most as many triangles as pairs of triangles. A rejection by the latter spends the larger number, and more.
-    corners, own = 3 * part("compare-leaf").term("vertex"), 3 * part("compare-other").term("own-vertex")
+    corners = 3 * part("compare-leaf").term("vertex")
     rejected = part("compare-leaf").fixed + corners
-    compared = rejected + part("compare-other").fixed + own
+    compared = 2 * rejected + part("compare-other").total
     # Loading a leaf's planes: reached, or the next one after the leaf at which a run resumed.
     reached = part("reach-leaf").total + part("below-reached").total
     shape = made + max(reached + below.fixed + below.term("climb"), again + turn)
@@ -54,7 +54,7 @@ def bounds(costs: Costs, roots: dict[str, str]) -> Iterator[tuple[str, int]]:
     # From the start of one path to the end of another, a turn without a visit, and no answer left.
     once = part("walk").total + max(walk.fixed for walk in walks) + on_below.fixed + turn + tests
     triangle = pair + once + max(part("near-test").total, part("wide-test").total)
-    other = sum(slab.term("other") for slab in slabs) + corners + own
+    other = sum(slab.term("other") for slab in slabs) + 2 * corners
     # Before the first walk, and for a pair of leaves that the next run gets.
     yield "start", run.fixed + once + again + made + 2 * tests + compared + part("found").total
     yield "ascent", ascent

@@ -26,7 +26,7 @@ def allowed_in(line):
     turns = walks + shapes + min(visits, work // 2)
     visited = visits + 2 * walks + turns
     corners = 3 * int(leaf_size) * visited
-    return {"visit": visited, "vertex": corners, "own-vertex": corners, "turn": turns, "sibling": 8 * walks,
+    return {"visit": visited, "vertex": 2 * corners, "turn": turns, "sibling": 8 * walks,
             "row": pairs, "triangle": pairs, "other": 2 * (int(leaf_size) - 1) * shapes, "test": pairs + walks + 2,
             "ascent": depths + visits, "skipped": 2 * (depths + visits), "corner": 6 * pairs,
             "climb": depths + visits + turns}

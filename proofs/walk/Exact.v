@@ -183,11 +183,11 @@ Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b 
 
 (* Below a leaf, a leaf whose box passes is tested against the first slab, the plane's, by its corners; then the leaf
    above against the first baked slab of the one below.
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | const auto* const corner = m.triangles[first].corner; const auto* const end = m.triangles[after].corner; if (plane.may_touch(m.vertices, corner, end)) { return false; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | return rejects_corners(node, progress) || is_rejected_by(node, progress);
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (other.slabs == nullptr) { return false; }
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | slab.begin(other.slabs[leaf], 0); see(slab, side_ == Side::a ? Side::b : Side::a); const Mesh& m = mesh(); const uint32_t first = m.first_triangle(node_->leaf()); const uint32_t after = m.end_triangle(node_->leaf()); if (slab.may_touch(m.vertices, m.triangles[first].corner, m.triangles[after].corner)) { return false; }
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | const uint32_t first = m.first_triangle(leaf); const uint32_t after = m.end_triangle(leaf);
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | return slab.may_touch(m.vertices, m.triangles[m.first_triangle(leaf)].corner, m.triangles[m.end_triangle(leaf)].corner);
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (may_touch_corners(plane, other_mesh(), leaf)) { return false; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | slab.begin(slabs[other_mesh().nodes[node].leaf()], 0); see_other(slab); if (may_touch_corners(slab, mesh(), node_->leaf())) { return false; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | see(slab, side_ == Side::a ? Side::b : Side::a);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | static constexpr bool kComparesLeaves = true;
    code: include/flashbvh/detail/walk/walk_below.hpp | if (!at.node().is_leaf()) { at.descend(); continue; } progress.go_on(work_left, overlaps); const bool go_on = found(at.node_index());

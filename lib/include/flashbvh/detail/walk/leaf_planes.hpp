@@ -104,8 +104,8 @@ class LeafPlanes {
   }
 
   /// True if all corners of the other tree's leaf at `node` lie on one side of the plane's slab, or
-  /// all of this leaf's on one side of that leaf's baked plane. A rejection spends work, as no other
-  /// step charges for the leaves' triangles. The edges' slabs would seldom reject more.
+  /// all of this leaf's on one side of that leaf's baked plane. A rejection spends work, as no
+  /// other step charges for the leaves' triangles. The edges' slabs would seldom reject more.
   FLASHBVH_INLINE bool rejects_leaf(uint32_t node, Progress& progress) const {
     return rejects_corners(node, progress) || is_rejected_by(node, progress);
   }
@@ -120,38 +120,37 @@ class LeafPlanes {
   const Mesh& b;
 
  protected:
-  // Two functions, one after the other, for a flat stack.
+  /// False only if all corners of a leaf lie on one side of a slab.
+  FLASHBVH_NOINLINE static bool may_touch_corners(const Slab& slab, const Mesh& m, uint32_t leaf) {
+    return slab.may_touch(m.vertices, m.triangles[m.first_triangle(leaf)].corner,
+                          m.triangles[m.end_triangle(leaf)].corner);
+  }
+  FLASHBVH_NOINLINE void see_other(Slab& slab) const {
+    see(slab, side_ == Side::a ? Side::b : Side::a);
+  }
+  // One after the other, for a flat stack.
   FLASHBVH_NOINLINE bool rejects_corners(uint32_t node, Progress& progress) const {
-    const Mesh& m = other_mesh();
-    const uint32_t leaf = m.nodes[node].leaf();
-    const uint32_t first = m.first_triangle(leaf);
-    const uint32_t after = m.end_triangle(leaf);
-    const auto* const corner = m.triangles[first].corner;
-    const auto* const end = m.triangles[after].corner;
-    if (plane.may_touch(m.vertices, corner, end)) {
+    const uint32_t leaf = other_mesh().nodes[node].leaf();
+    if (may_touch_corners(plane, other_mesh(), leaf)) {
       return false;
     }
-    progress.spend(kRejectedTriangleWork * (after - first));
+    progress.spend(kRejectedTriangleWork * other_mesh().triangles_in(leaf));
     return true;
   }
   FLASHBVH_NOINLINE bool is_rejected_by(uint32_t node, Progress& progress) const {
-    const Mesh& other = other_mesh();
-    if (other.slabs == nullptr) {
+    const LeafSlabs* const slabs = other_mesh().slabs;
+    if (slabs == nullptr) {
       return false;
     }
-    const uint32_t leaf = other.nodes[node].leaf();
     Slab slab;
-    slab.begin(other.slabs[leaf], 0);
-    see(slab, side_ == Side::a ? Side::b : Side::a);
-    const Mesh& m = mesh();
-    const uint32_t first = m.first_triangle(node_->leaf());
-    const uint32_t after = m.end_triangle(node_->leaf());
-    if (slab.may_touch(m.vertices, m.triangles[first].corner, m.triangles[after].corner)) {
+    slab.begin(slabs[other_mesh().nodes[node].leaf()], 0);
+    see_other(slab);
+    if (may_touch_corners(slab, mesh(), node_->leaf())) {
       return false;
     }
-    const uint32_t tested = other.triangles_in(leaf);
-    const uint32_t larger = after - first > tested ? after - first : tested;
-    progress.spend(kOtherPlaneWork + kRejectedTriangleWork * larger);
+    const uint32_t own = mesh().triangles_in(node_->leaf());
+    const uint32_t tested = other_mesh().triangles_in(other_mesh().nodes[node].leaf());
+    progress.spend(kOtherPlaneWork + kRejectedTriangleWork * (own > tested ? own : tested));
     return true;
   }
 
