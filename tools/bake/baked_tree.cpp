@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "bake/leaf_order.hpp"
 #include "bake/leaf_slabs.hpp"
 #include "bake/quantise.hpp"
 #include "bake/rank.hpp"
@@ -105,7 +104,7 @@ void lay_out_triangles(const Traversal& order, const BuildTree& tree, const Latt
         baked.slabs.push_back(leaf_slabs(mesh, triangles));
       }
     }
-    for (const std::uint32_t triangle : leaf_order(mesh, triangles)) {
+    for (const std::uint32_t triangle : triangles) {
       const TriangleCorners& corners = mesh.triangles[triangle];
       baked.triangles.push_back({{static_cast<Index>(corners[0]), static_cast<Index>(corners[1]),
                                   static_cast<Index>(corners[2])}});

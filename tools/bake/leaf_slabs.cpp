@@ -3,13 +3,37 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "bake/leaf_order.hpp"
+#include "bake/length.hpp"
 #include "flashbvh/detail/bounds/slab.hpp"
 
 namespace flashbvh::bake {
 namespace {
 
 using Triangles = std::vector<std::uint32_t>;
+
+/// The range of a leaf's triangles along a direction.
+struct Spread {
+  std::int64_t least = INT64_MAX;
+  std::int64_t most = INT64_MIN;
+};
+
+Spread spread_along(const LatticeMesh& mesh, const Triangles& triangles, const Point& d) {
+  Spread spread;
+  for (const std::uint32_t triangle : triangles) {
+    for (const std::uint32_t vertex : mesh.triangles[triangle]) {
+      const auto [x, y, z] = mesh.vertices[vertex];
+      const std::int64_t along = std::int64_t{d.x} * x + d.y * y + d.z * z;
+      spread = {std::min(spread.least, along), std::max(spread.most, along)};
+    }
+  }
+  return spread;
+}
+
+/// That range's size, in 1/256 cell.
+std::uint64_t thickness_of(const Spread& spread, const Point& d) {
+  const auto length = static_cast<std::uint64_t>(d.x * d.x + d.y * d.y + d.z * d.z);
+  return (static_cast<std::uint64_t>(spread.most - spread.least) << 16) / square_root(length << 16);
+}
 
 struct Vector {
   std::int64_t x, y, z;
@@ -48,7 +72,7 @@ struct Thinnest {
     }
     const Point rounded = {static_cast<std::int32_t>(d.x), static_cast<std::int32_t>(d.y),
                            static_cast<std::int32_t>(d.z)};
-    const std::uint64_t now = bake::thickness(mesh, triangles, rounded);
+    const std::uint64_t now = thickness_of(spread_along(mesh, triangles, rounded), rounded);
     if (now < thickness) {
       of = along;
       direction = rounded;
@@ -68,7 +92,7 @@ std::uint8_t thickness_code(std::int64_t thickness) {
 }
 
 void put(const Thinnest& from, int which, LeafSlabs& slabs) {
-  const auto [least, most] = extent_along(from.mesh, from.triangles, from.direction);
+  const auto [least, most] = spread_along(from.mesh, from.triangles, from.direction);
   constexpr std::int64_t unit = 1 << (kSlabUnitBits - (detail::kDirectionBits - 7));
   const std::int64_t from_unit = least >= 0 ? least / unit : -((unit - 1 - least) / unit);
   slabs.least[which] = static_cast<std::int16_t>(from_unit);

@@ -65,16 +65,6 @@ struct SquaredDistance {
 /// Returns the squared distance of two triangles, as for nearest_points_of(); 0 if they intersect.
 [[nodiscard]] SquaredDistance squared_distance(const Triangle& a, const Triangle& b) noexcept;
 
-/// The directions along which a query bounds a leaf's triangles. Components are rounded to 13 bits.
-struct LeafDirections {
-  Point normal;  ///< of the plane of the leaf's first triangle
-  Point across;  ///< in that plane, normal to the triangle's longest edge
-};
-/// Writes the directions of a leaf whose first triangle has these corners; false if that triangle
-/// has no area. For tools that choose the first triangle.
-[[nodiscard]] bool get_leaf_directions(const Vertex (&corners)[3],
-                                       LeafDirections& directions) noexcept;
-
 }  // namespace flashbvh
 
 #endif

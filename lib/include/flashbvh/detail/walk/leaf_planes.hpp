@@ -6,8 +6,7 @@
 // normal, in that plane, of the triangle's longest edge. A mesh with baked slabs has the best two
 // of its leaf's triangles. So no box of the subtree is rotated. The plane tests the corners of a
 // leaf of the subtree before any triangle is placed; then that leaf's baked plane tests this leaf's
-// corners. Without baked slabs, the baker stores first the triangle whose slabs reject most. Any
-// slabs give equal answers.
+// corners. Any slabs give equal answers.
 //
 // The tests of a pair depend on the pair alone, wherever a query is cut. Only the state of the
 // slabs (made, current) depends on the cuts.
