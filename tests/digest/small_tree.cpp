@@ -1,5 +1,6 @@
 #include "small_tree.hpp"
 
+#include "flashbvh/detail/bounds/slab.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 
@@ -59,6 +60,45 @@ PackedBox SmallTree<layout>::box_of(const SmallMesh& mesh, uint32_t first, uint3
     }
   }
   return pack(box);
+}
+
+/// Along the plane of the leaf's first triangle, and across its longest edge.
+template <Layout layout>
+void SmallTree<layout>::set_slabs(const SmallMesh& mesh, uint32_t leaf) {
+  const auto at = [&](uint32_t triangle, int i) {
+    return PackedVector::of(mesh.vertices[mesh.triangles[triangle].corner[i]]);
+  };
+  const uint32_t first = leaf_offsets_[leaf];
+  const PackedTriangle triangle = {at(first, 0), at(first, 1), at(first, 2)};
+  PackedVector direction[2] = {{0, 0}, {0, 0}};
+  if (triangle.plane_direction(direction[0])) {
+    (void)triangle.edge_direction(direction[0], direction[1]);
+  }
+  LeafSlabs& slabs = slabs_[leaf];
+  for (int i = 0; i < 2; ++i) {
+    const auto part = [](int32_t component) { return static_cast<int8_t>(component * 127 / 8192); };
+    slabs.of[i] = {part(direction[i].x()), part(direction[i].y()), part(direction[i].z), 0};
+    slabs.least[i] = 0;
+    Slab slab;
+    slab.begin(slabs, i);
+    Extent extent = {INT32_MAX / 2, INT32_MIN / 2};
+    for (uint32_t t = first; t < leaf_offsets_[leaf + 1]; ++t) {
+      for (int corner = 0; corner < 3; ++corner) {
+        const int32_t along = dot(slab.direction(), at(t, corner));
+        extent = {along < extent.least ? along : extent.least,
+                  along > extent.most ? along : extent.most};
+      }
+    }
+    slabs.least[i] = static_cast<int16_t>(extent.least >> kSlabUnitBits);
+    const int32_t most = ((extent.most - 1) >> kSlabUnitBits) + 1;
+    uint32_t thickness = static_cast<uint32_t>(most - slabs.least[i]);
+    uint32_t exponent = 0;
+    while (thickness > 31) {
+      thickness = (thickness + 3) / 4;
+      ++exponent;
+    }
+    slabs.of[i].thickness = static_cast<uint8_t>(exponent << 5 | thickness);
+  }
 }
 
 /// `sibling`: the node of the parent's other child.
@@ -124,7 +164,11 @@ bool SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   view_.triangles = mesh.triangles;
   view_.triangle_ids = kIds;
   view_.leaf_offsets = leaf_size == 1 ? nullptr : leaf_offsets_;
-  view_.slabs = nullptr;
+  const bool has_slabs = kPost && mesh.triangle_count % 2 != 0;
+  for (uint32_t i = 0; has_slabs && i < leaf_count; ++i) {
+    set_slabs(mesh, i);
+  }
+  view_.slabs = has_slabs ? slabs_ : nullptr;
   view_.vertices = mesh.vertices;
   view_.node_count = nodes_of(leaf_count);
   view_.leaf_count = static_cast<uint16_t>(leaf_count);

@@ -32,7 +32,8 @@ class SmallTree {
  public:
   using Tree = flashbvh::BasicMeshWithLevels<uint16_t, layout>;
 
-  /// `leaf_size`: triangles in each leaf but the last. False if check_tree() refuses the tree.
+  /// `leaf_size`: triangles in each leaf but the last. Trees of an odd number of triangles have
+  /// slabs. False if check_tree() refuses the tree.
   [[nodiscard]] bool make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size);
 
   /// Points into this object and the mesh.
@@ -45,6 +46,7 @@ class SmallTree {
     bool last_child;
   };
 
+  void set_slabs(const SmallMesh& mesh, uint32_t leaf);
   void set_node(const SmallMesh& mesh, const Range& range, uint16_t sibling);
   flashbvh::PackedBox box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const;
 
@@ -54,6 +56,7 @@ class SmallTree {
   uint16_t levels_[kMostNodes];
   uint16_t climb_[kMostNodes];
   uint16_t leaf_offsets_[kMostTriangles + 1];
+  flashbvh::LeafSlabs slabs_[kMostTriangles];
   Tree view_;
 };
 
