@@ -245,10 +245,10 @@ bool RotatedTransform::prepare_boxes(const PackedBox& root_a, const PackedBox& r
   const int32_t margin = axis_margin(*matrix, reach_b);
   const int32_t offset[3] = {offset_of(on_a[0]), offset_of(on_a[1]), offset_of(on_a[2])};
   for (int axis = 0; axis < 3; ++axis) {
-    const SplitRow column = matrix->rows.column(axis);
+    columns.row[axis] = matrix->rows.column(axis);
+    const SplitRow& column = columns.row[axis];
     const int64_t back = product(column.x(), offset[0]) + product(column.y(), offset[1]) +
                          product(column.z_entry(), offset[2]);
-    columns.row[axis] = column;
     on_b[axis] = start_of(column, clamp_offset(-(back >> kSplitBits)), margin);
     if (may_stop && far_apart(column, on_b[axis], root_a, root_b, axis)) {
       return false;
