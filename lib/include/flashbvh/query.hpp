@@ -66,7 +66,7 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
   /// `suspended` and `full` the next run resumes at this point. Any non-zero `work` makes progress:
   /// the last step may cost more than is left. UINT32_MAX: no limit.
   ///
-  /// Stack on Cortex-M3 to M55 at -O2: at most 560 bytes. Instructions: time_bound.hpp.
+  /// Stack on Cortex-M3 to M55 at -O2: at most 600 bytes. Instructions: time_bound.hpp.
   FLASHBVH_INLINE RunResult run(uint32_t work, Pair* found, uint32_t capacity) {
     uint32_t count = 0;
     if (capacity == 0 && status() == Status::suspended) {
