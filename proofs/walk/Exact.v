@@ -22,12 +22,12 @@ Proof. intros [] []; [left | left | left | right]; tauto. Defined.
 Definition decide P {d : Dec P} : bool := if d then true else false.
 
 (* ---- A slab, and its baked form: a direction of bytes, the thickness's code, and the extent's begin in units.
-   code: include/flashbvh/detail/bounds/slab.hpp | const int32_t least = slabs.least[which] * (1 << kSlabUnitBits); const uint32_t thickness = (d.thickness & 31u) << (kSlabUnitBits + 2 * (d.thickness >> 5));
-   code: include/flashbvh/detail/bounds/slab.hpp | begin({join_halves(static_cast<uint16_t>(d.x * scale), static_cast<uint16_t>(d.y * scale)), d.z * scale}, {least, least + static_cast<int32_t>(thickness)}); *)
+   code: include/flashbvh/detail/lattice/baked_slab.hpp | const int32_t least = slabs.least[which] * (1 << kSlabUnitBits); const uint32_t thickness = (d.thickness & 31u) << (kSlabUnitBits + 2 * (d.thickness >> 5));
+   code: include/flashbvh/detail/lattice/baked_slab.hpp | return {{join_halves(static_cast<uint16_t>(d.x * scale), static_cast<uint16_t>(d.y * scale)), d.z * scale}, least, least + static_cast<int32_t>(thickness)}; *)
 Record Slab := { direction : Point; from : Z; to : Z }.
 Record Baked := { towards : Point; thickness : Z; units : Z }.
 Definition begun b : Slab :=
-  let scaled c := c * @slab.hpp:scale@ in let start := units b * @2**kSlabUnitBits@ in
+  let scaled c := c * @baked_slab.hpp:scale@ in let start := units b * @2**kSlabUnitBits@ in
   {| direction := {| x := scaled (x (towards b)); y := scaled (y (towards b)); z := scaled (z (towards b)) |};
     from := start; to := start + (thickness b mod 32) * 2 ^ (@kSlabUnitBits@ + 2 * (thickness b / 32)) |}.
 
@@ -80,8 +80,8 @@ Definition least := extreme Z.min.
 Definition most := extreme Z.max.
 
 (* A leaf's slabs.
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs != nullptr) { plane.begin(m.slabs[node_->leaf()], 0); return true; }
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs != nullptr) { edge.begin(m.slabs[node_->leaf()], 1); return true; } *)
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs != nullptr) { plane.begin(BakedSlab::of(m.slabs[node_->leaf()], 0)); return true; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | if (m.slabs != nullptr) { edge.begin(BakedSlab::of(m.slabs[node_->leaf()], 1)); return true; } *)
 Definition baked_slabs m n : list Slab := map begun (baked m n).
 Definition slabs m n : list Slab := match baked_slabs m n with
   | [] => let those := leaf_points m n in
@@ -186,7 +186,7 @@ Definition begin n k : bool := if leaf_a n then box_passes_a n k else if leaf_b 
    code: include/flashbvh/detail/walk/leaf_planes.hpp | return rejects_corners(node, progress) || is_rejected_by(node, progress);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | return slab.may_touch(m.vertices, m.triangles[m.first_triangle(leaf)].corner, m.triangles[m.end_triangle(leaf)].corner);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | if (may_touch_corners(plane, other_mesh(), leaf)) { return false; }
-   code: include/flashbvh/detail/walk/leaf_planes.hpp | slab.begin(slabs[other_mesh().nodes[node].leaf()], 0); see_other(slab); if (may_touch_corners(slab, mesh(), node_->leaf())) { return false; }
+   code: include/flashbvh/detail/walk/leaf_planes.hpp | slab.begin(BakedSlab::of(slabs[other_mesh().nodes[node].leaf()], 0)); see_other(slab); if (may_touch_corners(slab, mesh(), node_->leaf())) { return false; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | see(slab, side_ == Side::a ? Side::b : Side::a);
    code: include/flashbvh/detail/walk/leaf_planes.hpp | const Mesh& other_mesh() const { return side_ == Side::a ? b : a; }
    code: include/flashbvh/detail/walk/leaf_planes.hpp | static constexpr bool kComparesLeaves = true;
@@ -296,7 +296,7 @@ Qed.
 (* slab.g's premise about baked slabs. *)
 Theorem baked_slabs_fit b : has_widths b -> is_in_range b = true -> let s := begun b in
   let most := @tree_check.cpp:most * 2**kSlabUnitBits@ in
-  within (127 * @slab.hpp:scale@) (direction s) /\ - most <= from s /\ to s <= most.
+  within (127 * @baked_slab.hpp:scale@) (direction s) /\ - most <= from s /\ to s <= most.
 Proof.
   destruct b as [[p q r] t u]. unfold has_widths, is_in_range, within, begun.
   cbn [towards thickness units direction from to x y z]. cbv zeta. intros (P & Q & R & T & U). rewrite !andb_true_iff, !negb_true_iff, !Z.eqb_neq, Z.leb_le.

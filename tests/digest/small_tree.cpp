@@ -80,7 +80,7 @@ void SmallTree<layout>::set_slabs(const SmallMesh& mesh, uint32_t leaf) {
     slabs.of[i] = {part(direction[i].x()), part(direction[i].y()), part(direction[i].z), 0};
     slabs.least[i] = 0;
     Slab slab;
-    slab.begin(slabs, i);
+    slab.begin(BakedSlab::of(slabs, i));
     Extent extent = {INT32_MAX / 2, INT32_MIN / 2};
     for (uint32_t t = first; t < leaf_offsets_[leaf + 1]; ++t) {
       for (int corner = 0; corner < 3; ++corner) {

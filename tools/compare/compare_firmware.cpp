@@ -85,8 +85,8 @@ struct Cost {
   }
   void print(const Scene& scene, bool is_rotated, const char* name, const char* library) const {
     const ScenePair& pair = scene.pair();
-    port::print(FLASHBVH_CORE " ", scene.is_made() ? "made " : "links ", pair.a_name, "-", pair.b_name,
-                is_rotated ? " rotated " : " translated ", name, " ", library, " ",
+    port::print(FLASHBVH_CORE " ", scene.is_made() ? "made " : "links ", pair.a_name, "-",
+                pair.b_name, is_rotated ? " rotated " : " translated ", name, " ", library, " ",
                 static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");
   }
 };

@@ -9,7 +9,7 @@
 // A post-indexed tree needs only its links: a node's link is the sibling that precedes it in array
 // order. A pre-indexed tree is climbed by its parents.
 #include "flashbvh/detail/arch/inline.hpp"
-#include "flashbvh/detail/bounds/slab.hpp"
+#include "flashbvh/detail/lattice/baked_slab.hpp"
 #include "flashbvh/detail/lattice/image_parts.hpp"
 #include "surface.hpp"
 
@@ -155,13 +155,10 @@ class Checker {
       if (!is_in_range(slabs.of[which], slabs.least[which])) {
         return false;
       }
-      Slab slab;
-      slab.begin(slabs, which);
-      const PackedVector direction = slab.direction();
-      const Extent within = slab.extent();
+      const BakedSlab within = BakedSlab::of(slabs, which);
       const Index* const corner_end = tree_.triangles[end].corner;
       for (const Index* corner = tree_.triangles[first].corner; corner != corner_end; ++corner) {
-        const int32_t along = dot(direction, PackedVector::of(tree_.vertices[*corner]));
+        const int32_t along = dot(within.direction, PackedVector::of(tree_.vertices[*corner]));
         if (along < within.least || along > within.most) {
           return false;
         }

@@ -15,15 +15,12 @@
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/arch/packed_multiply.hpp"
 #include "flashbvh/detail/bounds/transform.hpp"
+#include "flashbvh/detail/lattice/baked_slab.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
 #include "flashbvh/detail/lattice/packed_vector.hpp"
 #include "flashbvh/detail/lattice/split_matrix.hpp"
 
 namespace flashbvh::detail {
-
-/// Bits of a direction's largest component, without its sign. With one more bit, sums with an
-/// offset and biases would leave 32 bits.
-constexpr unsigned kDirectionBits = 13;
 
 /// The range of triangles along a direction.
 struct Extent {
@@ -116,15 +113,8 @@ class Slab {
     least_upper_ = extent.least;
     least_lower_ = extent.most;
   }
-  /// The same from a baked slab.
-  FLASHBVH_INLINE void begin(const LeafSlabs& slabs, int which) {
-    const LeafSlabs::Direction& d = slabs.of[which];
-    constexpr int scale = 1 << (kDirectionBits - 7);
-    const int32_t least = slabs.least[which] * (1 << kSlabUnitBits);
-    const uint32_t thickness = (d.thickness & 31u) << (kSlabUnitBits + 2 * (d.thickness >> 5));
-    begin({join_halves(static_cast<uint16_t>(d.x * scale), static_cast<uint16_t>(d.y * scale)),
-           d.z * scale},
-          {least, least + static_cast<int32_t>(thickness)});
+  FLASHBVH_INLINE void begin(const BakedSlab& baked) {
+    begin(baked.direction, {baked.least, baked.most});
   }
   /// Stores a direction for later; sets nothing else.
   FLASHBVH_INLINE void keep_direction(const PackedVector& direction) {

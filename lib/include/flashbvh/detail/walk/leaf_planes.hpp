@@ -142,7 +142,7 @@ class LeafPlanes {
       return false;
     }
     Slab slab;
-    slab.begin(slabs[other_mesh().nodes[node].leaf()], 0);
+    slab.begin(BakedSlab::of(slabs[other_mesh().nodes[node].leaf()], 0));
     see_other(slab);
     if (may_touch_corners(slab, mesh(), node_->leaf())) {
       return false;
@@ -192,7 +192,7 @@ class LeafPlanes {
     made_ = 1;
     const Mesh& m = mesh();
     if (m.slabs != nullptr) {
-      plane.begin(m.slabs[node_->leaf()], 0);
+      plane.begin(BakedSlab::of(m.slabs[node_->leaf()], 0));
       return true;
     }
     const uint32_t first = m.first_triangle(node_->leaf());
@@ -206,7 +206,7 @@ class LeafPlanes {
     made_ = 2;
     const Mesh& m = mesh();
     if (m.slabs != nullptr) {
-      edge.begin(m.slabs[node_->leaf()], 1);
+      edge.begin(BakedSlab::of(m.slabs[node_->leaf()], 1));
       return true;
     }
     const uint32_t first = m.first_triangle(node_->leaf());
