@@ -30,7 +30,7 @@ def opaque(name, size):
     return struct(name, ("words", c_uint64 * (size // 8)))
 
 
-Mesh, Query, GuardObject = opaque("Mesh", 88), opaque("Query", 152), opaque("GuardObject", 112)
+Mesh, Query, GuardObject = opaque("Mesh", 96), opaque("Query", 152), opaque("GuardObject", 112)
 Pose = struct("Pose", ("words", c_uint32 * 17))
 Pair, Witness = (struct(name, ("a", c_uint16), ("b", c_uint16)) for name in ("Pair", "Witness"))
 FineLength = struct("FineLength", ("count", c_uint32))
