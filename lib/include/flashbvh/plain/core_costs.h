@@ -6,7 +6,7 @@
 /* clang-format off */
 #define FLASHBVH_FOR_EACH_CORE(core) \
   core(CortexM0, cortex_m0, "Cortex-M0", 9247, 32, 12, 314, 780) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 3484, 24, 12, 159, 237) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 3884, 24, 12, 210, 237) \
   core(CortexM4F, cortex_m4f, "Cortex-M4F", 3381, 23, 12, 172, 199) \
   core(CortexM7, cortex_m7, "Cortex-M7", 3043, 24, 12, 130, 193) \
   core(CortexM33, cortex_m33, "Cortex-M33", 3019, 24, 12, 130, 189) \
