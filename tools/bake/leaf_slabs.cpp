@@ -11,6 +11,10 @@ namespace {
 
 using Triangles = std::vector<std::uint32_t>;
 
+std::int64_t dot(const Point& u, const Point& v) {
+  return std::int64_t{u.x} * v.x + std::int64_t{u.y} * v.y + std::int64_t{u.z} * v.z;
+}
+
 /// The range of a leaf's triangles along a direction.
 struct Spread {
   std::int64_t least = INT64_MAX;
@@ -22,7 +26,7 @@ Spread spread_along(const LatticeMesh& mesh, const Triangles& triangles, const P
   for (const std::uint32_t triangle : triangles) {
     for (const std::uint32_t vertex : mesh.triangles[triangle]) {
       const auto [x, y, z] = mesh.vertices[vertex];
-      const std::int64_t along = std::int64_t{d.x} * x + d.y * y + d.z * z;
+      const std::int64_t along = dot(d, {x, y, z});
       spread = {std::min(spread.least, along), std::max(spread.most, along)};
     }
   }
@@ -31,7 +35,7 @@ Spread spread_along(const LatticeMesh& mesh, const Triangles& triangles, const P
 
 /// That range's size, in 1/256 cell.
 std::uint64_t thickness_of(const Spread& spread, const Point& d) {
-  const auto length = static_cast<std::uint64_t>(d.x * d.x + d.y * d.y + d.z * d.z);
+  const auto length = static_cast<std::uint64_t>(dot(d, d));
   return (static_cast<std::uint64_t>(spread.most - spread.least) << 16) / square_root(length << 16);
 }
 

@@ -197,7 +197,8 @@ void print_simplified(const Json& meshes, double length, std::uint32_t leaf_size
                       const Units& units) {
   const Json total = total_of(meshes);
   std::cout << "simplified: " << total["source_triangles"] << " triangles -> " << total["triangles"]
-            << ", leaves of " << bake::most_in_leaf(leaf_size) << "; every point within " << units.with_unit(length)
+            << ", leaves of " << bake::most_in_leaf(leaf_size) << "; every point within "
+            << units.with_unit(length)
             << " of the file's mesh, and the other way round; triangles are numbered again\n";
 }
 

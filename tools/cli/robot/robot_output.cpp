@@ -166,7 +166,8 @@ std::string simplified_text(const BakedRobot& robot) {
     before += robot.model.links[i].mesh.triangles.size();
     after += robot.links[i].tree.triangles.size();
   }
-  return concat("simplified: ", before, " triangles -> ", after, ", leaves of ", bake::most_in_leaf(robot.leaf_size),
+  return concat("simplified: ", before, " triangles -> ", after, ", leaves of ",
+                bake::most_in_leaf(robot.leaf_size),
                 "; firmware's links and the URDF's lie within ", shortest(robot.simplified),
                 " m of each other, so a guard stops up to ",
                 shortest(kEarlyByDeviation * robot.simplified),
