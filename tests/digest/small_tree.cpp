@@ -74,7 +74,7 @@ void SmallTree<layout>::set_slabs(const SmallMesh& mesh, uint32_t leaf) {
   if (triangle.plane_direction(direction[0])) {
     (void)triangle.edge_direction(direction[0], direction[1]);
   }
-  LeafSlabs& slabs = slabs_[leaf];
+  LeafSlabs& slabs = this->slabs()[leaf];
   for (int i = 0; i < 2; ++i) {
     const auto part = [](int32_t component) { return static_cast<int8_t>(component * 127 / 8192); };
     slabs.of[i] = {part(direction[i].x()), part(direction[i].y()), part(direction[i].z), 0};
@@ -164,11 +164,11 @@ bool SmallTree<layout>::make(const SmallMesh& mesh, Shape shape, uint32_t leaf_s
   view_.triangles = mesh.triangles;
   view_.triangle_ids = kIds;
   view_.leaf_offsets = leaf_size == 1 ? nullptr : leaf_offsets_;
-  const bool has_slabs = kPost && mesh.triangle_count % 2 != 0;
+  const bool has_slabs = kPost && mesh.triangle_count % 2 != 0 && leaf_count <= kMostSlabs;
   for (uint32_t i = 0; has_slabs && i < leaf_count; ++i) {
     set_slabs(mesh, i);
   }
-  view_.slabs = has_slabs ? slabs_ : nullptr;
+  view_.slabs = has_slabs ? slabs() : nullptr;
   view_.vertices = mesh.vertices;
   view_.node_count = nodes_of(leaf_count);
   view_.leaf_count = static_cast<uint16_t>(leaf_count);

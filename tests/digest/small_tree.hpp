@@ -32,8 +32,8 @@ class SmallTree {
  public:
   using Tree = flashbvh::BasicMeshWithLevels<uint16_t, layout>;
 
-  /// `leaf_size`: triangles in each leaf but the last. Trees of an odd number of triangles have
-  /// slabs. False if check_tree() refuses the tree.
+  /// `leaf_size`: triangles in each leaf but the last. Trees of an odd number of triangles, in up
+  /// to kMostSlabs leaves, have slabs. False if check_tree() refuses the tree.
   [[nodiscard]] bool make(const SmallMesh& mesh, Shape shape, uint32_t leaf_size);
 
   /// Points into this object and the mesh.
@@ -50,13 +50,18 @@ class SmallTree {
   void set_node(const SmallMesh& mesh, const Range& range, uint16_t sibling);
   flashbvh::PackedBox box_of(const SmallMesh& mesh, uint32_t first, uint32_t end) const;
 
+  static constexpr uint32_t kMostSlabs = 8;
   static constexpr bool kPost = layout == flashbvh::Layout::post_indexed;
+
+  /// A small tree's slabs lie in the nodes that it does not use, for the smallest board's RAM.
+  flashbvh::LeafSlabs* slabs() {
+    return reinterpret_cast<flashbvh::LeafSlabs*>(nodes_ + 2 * kMostSlabs);
+  }
 
   flashbvh::Node<uint16_t> nodes_[kMostNodes];
   uint16_t levels_[kMostNodes];
   uint16_t climb_[kMostNodes];
   uint16_t leaf_offsets_[kMostTriangles + 1];
-  flashbvh::LeafSlabs slabs_[kMostTriangles];
   Tree view_;
 };
 
