@@ -4,6 +4,7 @@
 #include <set>
 
 #include "bake/binary_tree.hpp"
+#include "bake/image_bytes.hpp"
 #include "bake/measure.hpp"
 #include "bake/rank.hpp"
 #include "flashbvh/mesh.hpp"
@@ -200,6 +201,15 @@ TEST_CASE("reinsertion never makes a tree cost more, and keeps it whole") {
     improved += after < before ? 1 : 0;
   });
   CHECK(improved > 30);
+}
+
+TEST_CASE("by default a triangle takes at most 27 bytes, and leaves up to four") {
+  for (const LatticeMesh& mesh : {torus(24, 12, 3000, 900), torus(60, 30, 9000, 4000)}) {
+    const auto baked = test::baked<Layout::post_indexed>(bake::build_default(mesh), mesh);
+    CHECK(bake::image_size(baked) <= bake::kBytesByMesh * mesh.triangles.size());
+    CHECK(baked.leaf_size == bake::kMostByMesh);
+    CHECK(baked.leaf_count > mesh.triangles.size() / bake::kMostByMesh);
+  }
 }
 
 TEST_CASE("surface area heuristic: it costs less than the median, and builds the same again") {

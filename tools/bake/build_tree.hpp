@@ -45,8 +45,8 @@ BuildTree build_sah(const LatticeMesh& mesh, std::uint32_t leaf_size);
 /// they do not fit, or the child's test often saves theirs (collapse.cpp). 2 keeps a binary tree.
 BuildTree collapse(const BuildTree& binary, std::uint32_t arity);
 
-/// In place of a leaf size: leaves of up to kMostByMesh triangles. They are merged in order of what
-/// a merge costs queries, until an image takes kBytesByMesh bytes a triangle.
+/// In place of a leaf size: leaves of up to kMostByMesh triangles. Merges that cost
+/// queries least come first, until an image takes kBytesByMesh bytes a triangle.
 constexpr std::uint32_t kLeavesByMesh = 0;
 constexpr std::uint32_t kMostByMesh = 4;
 constexpr std::uint32_t kBytesByMesh = 27;

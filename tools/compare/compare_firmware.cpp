@@ -46,9 +46,9 @@ class Scene {
   explicit Scene(uint32_t number)
       : is_made_(number < kSceneCount),
         number_(is_made_ ? number : number - kSceneCount),
-        pair_(is_made_ ? kScenes[number_] : of_links(kPairs[number_])) {}
+        pair_(is_made_ ? kScenes[number_] : kPairs[number_]) {}
 
-  const ScenePair& pair() const { return pair_; }
+  const LinkPair& pair() const { return pair_; }
   bool is_made() const { return is_made_; }
   uint32_t poses() const { return is_made_ ? kScenePosesOfClass : kPosesOfPair; }
   Pose pose(bool is_rotated, uint32_t proximity, uint32_t i) const {
@@ -62,13 +62,9 @@ class Scene {
   }
 
  private:
-  static ScenePair of_links(const LinkPair& links) {
-    return {links.a_name, links.b_name, links.a, links.b};
-  }
-
   bool is_made_;
   uint32_t number_;
-  ScenePair pair_;
+  const LinkPair& pair_;
 };
 
 struct Cost {
@@ -84,7 +80,7 @@ struct Cost {
     ++count;
   }
   void print(const Scene& scene, bool is_rotated, const char* name, const char* library) const {
-    const ScenePair& pair = scene.pair();
+    const LinkPair& pair = scene.pair();
     port::print(FLASHBVH_CORE " ", scene.is_made() ? "made " : "links ", pair.a_name, "-",
                 pair.b_name, is_rotated ? " rotated " : " translated ", name, " ", library, " ",
                 static_cast<uint32_t>(sum / count), " ", most, " ", found, "\n");

@@ -199,7 +199,7 @@ def source(poses):
     lines += [f'#include "{name}.fbvh.h"' for name in MESHES]
     lines += ["", "using flashbvh::Mesh;", "namespace compare {", "namespace {"]
     lines += [f"const Mesh {name} = flashbvh::view_unchecked<Mesh>({name}_image);" for name in MESHES]
-    lines += ["}  // namespace", "const ScenePair kScenes[] = {"]
+    lines += ["}  // namespace", "const figures::LinkPair kScenes[] = {"]
     lines += [f'    {{"{a}", "{b}", &{a}, &{b}}},' for a, b, _ in PAIRS]
     lines += ["};", f"const uint32_t kSceneCount = {len(PAIRS)};", "const int32_t kScenePoses[][7] = {", *poses, "};"]
     return "\n".join(lines + ["}  // namespace compare"]) + "\n"
