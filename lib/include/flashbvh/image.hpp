@@ -75,7 +75,7 @@ inline TreeSize tree_size_of(const ImageHeader& header) {
 /// and closedness must be right. On `done`, queries on `mesh` end and read only the image. After an
 /// error the mesh is not open: queries on it return `not_open`.
 ///
-/// Instructions: 10 a byte for the checksum and, on a Cortex-M4, 240 to 370 a node. Stack: 400
+/// Instructions: 10 a byte for the checksum and, on a Cortex-M4, 720 a node with slabs. Stack: 400
 /// bytes on Cortex-M3 to M55 at -O2.
 ///
 /// If `size` exceeds the header's byte count, the bytes after the image are ignored. MeshType:

@@ -41,7 +41,7 @@ class Query : protected detail::QueryRun<Traversal, Predicate> {
   /// B is at `pose` in A's frame. status() and every run return errors.
   ///
   /// Instructions on a Cortex-M4 at -O2: about 60 under a translation. Under a rotation about 190
-  /// if the objects are far apart, which the query detects, and at most 720. With the
+  /// if the objects are far apart, which the query detects, and at most 1,000. With the
   /// first visit about 400 and 1,070.
   FLASHBVH_INLINE_TO_RUN Query(const Mesh& a, const Mesh& b, const Pose& pose,
                                const Cursor& start = Cursor(),

@@ -14,6 +14,7 @@ namespace flashbvh::detail {
 /// offset and biases would leave 32 bits.
 constexpr unsigned kDirectionBits = 13;
 
+/// The products of a direction, within +-8,128, with coordinates: within +-2^29.
 struct BakedSlab {
   PackedVector direction;
   int32_t least;  ///< of the leaf's triangles along the direction
