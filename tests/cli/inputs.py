@@ -41,15 +41,9 @@ def numbers(file):
     return [list(map(int, line.split())) for line in text(file).splitlines()]
 
 
-def vertices(file):
-    """The vertices of an OBJ file."""
-    return [tuple(map(float, line.split()[1:])) for line in text(file).splitlines() if line.startswith("v ")]
-
-
-def faces(file):
-    """The faces of an OBJ file, with vertex numbers from 0; negative numbers unchanged."""
-    return [tuple(int(word) - (int(word) > 0) for word in line.split()[1:]) for line in text(file).splitlines()
-            if line.startswith("f ")]
+def box_in_cells(image):
+    """The lower and the upper corner of a mesh in an image."""
+    return list(flashbvh(f"info {image} --json").json["box_cells"].values())
 
 
 def box(x=0, y=0, z=0, size=1, first=0, inwards=False):

@@ -73,9 +73,9 @@ class BadMeshesTest(Case):
         os.symlink("/dev/null", "null.stl")
         refuse_each("", {
             "info meshes/ring.stl": "meshes/ring.stl: is no flashbvh image; name a .fbvh file",
-            "check few.fbvh": "few.fbvh: is no flashbvh image; name a .fbvh file",
+            "info few.fbvh": "few.fbvh: is no flashbvh image; name a .fbvh file",
             "info few": "few: is no flashbvh image; name a .fbvh file",
-            "check few.robot": "few.robot: is no image of a robot; name one that",
+            "info few.robot": "few.robot: is no image of a robot; name one that",
             **{f"info folder.{kind}": f"folder.{kind}: is a folder; name a file" for kind in ("stl", "robot", "fbvh")},
             "info null.stl": "null.stl: is a device; name a file or a pipe",
         })

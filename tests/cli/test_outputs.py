@@ -8,6 +8,8 @@ from pathlib import Path
 from cli import Case, FLASHBVH, flashbvh, refuse_each, same, search, size, text, write
 from inputs import images, meshes
 
+PAIRS = "collide post/ring.fbvh post/coarse.fbvh --poses home --pairs"
+
 
 def until_full(reader, writer, **options):
     """Starts `bake` with a full pipe as standard output, and waits until all bytes are on the disk, under temporary
@@ -86,15 +88,15 @@ class OutputsTest(Case):
 
     def test_a_link_is_written_through_one_that_leads_to_no_file_is_refused(self):
         images()
-        flashbvh("export post/ring.fbvh -o plain.obj")
-        write("far/target.obj", "old")
-        os.symlink("far/target.obj", "link.obj")
-        flashbvh("export post/ring.fbvh -o link.obj")
-        self.assertTrue(os.path.islink("link.obj"))
-        same("far/target.obj", "plain.obj")
+        flashbvh(f"{PAIRS} plain")
+        write("far/target", "old")
+        os.symlink("far/target", "link")
+        flashbvh(f"{PAIRS} link")
+        self.assertTrue(os.path.islink("link"))
+        same("far/target", "plain")
         os.symlink("missing", "dangling")
         os.symlink("loop", "loop")
-        refuse_each("export post/ring.fbvh -o", {
+        refuse_each(PAIRS, {
             "dangling": "dangling: is a link that leads to no file: No such file or directory; remove it or write "
                 "elsewhere",
             "loop": "loop: is a link that leads to no file: Too many levels of symbolic links",
@@ -102,14 +104,11 @@ class OutputsTest(Case):
 
     def test_standard_output_has_other_names_as_a_file_it_holds_the_output_too(self):
         images()
-        flashbvh("export post/ring.fbvh -o plain.obj")
-        collide = "collide post/ring.fbvh post/coarse.fbvh --poses home --pairs"
-        out = flashbvh(f"{collide} pairs")
-        self.assertEqual(flashbvh("export post/ring.fbvh -o /proc/self/fd/1"), text("plain.obj"))
-        for command, wanted in (("export post/ring.fbvh -o", text("plain.obj")), (collide, text("pairs") + out)):
-            with open("whole", "w") as file:
-                subprocess.run([FLASHBVH, *command.split(), "/proc/self/fd/1"], stdout=file, check=True)
-            self.assertEqual(text("whole"), wanted)
+        wanted = flashbvh(f"{PAIRS} pairs")
+        self.assertEqual(flashbvh(f"{PAIRS} /proc/self/fd/1"), text("pairs") + wanted)
+        with open("whole", "w") as file:
+            subprocess.run([FLASHBVH, *PAIRS.split(), "/proc/self/fd/1"], stdout=file, check=True)
+        self.assertEqual(text("whole"), text("pairs") + wanted)
 
     def test_standard_output_that_takes_nothing_no_file_is_left(self):
         images()

@@ -48,14 +48,9 @@ class RobotTest(Case):
         image = b"".join(int(word, 16).to_bytes(4, "little") for word in words)
         self.assertEqual(image, Path("image/two_fingers.robot").read_bytes())
 
-    def test_check_and_info_say_what_is_in_an_image(self):
-        flashbvh("check image/two_fingers.robot").matches(
-            "^two_fingers: well-formed, a robot of [0-9]+ joints, [0-9]+ links with [0-9]+ triangles, [0-9]+ pairs")
-        flashbvh("check image/two_fingers.robot --json").contains(
-            '{"image":"image/two_fingers.robot","ok":true,"kind":"robot","joints":')
-        refuse("check image/two_fingers.robot --mesh arm.stl",
-               "image/two_fingers.robot: is a robot's image, which --mesh can't be compared to")
+    def test_info_says_what_is_in_an_image(self):
         flashbvh("info image/two_fingers.robot").matches(
+            "^two_fingers: well-formed, a robot$",
             f"^robot two_fingers, format version 5: {size('image/two_fingers.robot')} bytes of flash;",
             "^right  wrist  *revolute  *-0.75 to 0.5 rad, as left by -0.5$",
             "^base - finger.l *0.005 *0.01$")
@@ -65,7 +60,7 @@ class RobotTest(Case):
             '{"name":"finger.r","joint":"right","triangles":320,"size":[0.0407',
             '"name":"right","type":"revolute","parent":"wrist"')
 
-    def test_a_damaged_image_is_refused_by_info_check_and_guard(self):
+    def test_a_damaged_image_is_refused_by_info_and_guard(self):
         whole = Path("image/two_fingers.robot").read_bytes()
         for content, wanted in (
                 (b"X" + whole[1:], "bad.robot: is no image of a robot; name one"),
@@ -76,7 +71,7 @@ class RobotTest(Case):
                 (whole[:40], "is truncated: it has 40 bytes and needs a header of 52"),
                 (whole[:400], f"is truncated: it has 400 bytes of {len(whole)}")):
             Path("bad.robot").write_bytes(content)
-            for command in "info bad.robot", "check bad.robot", "guard bad.robot nothing.csv":
+            for command in "info bad.robot", "guard bad.robot nothing.csv":
                 refuse(command, wanted)
 
     def test_a_page_has_what_json_has_on_one_line_and_nothing_from_elsewhere(self):

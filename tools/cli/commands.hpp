@@ -61,8 +61,8 @@ enum ExitCode : int { kSuccess = 0, kCheckFailed = 1, kBadInput = 2, kRefusedVal
 
 /// Parsing runs the command; CLI::RuntimeError has its exit code unless that is kSuccess.
 using AddCommand = void(CLI::App& app);
-AddCommand add_bake, add_info, add_check, add_export, add_report, add_collide, add_clearance,
-    add_motion, add_inside, add_ray, add_bench, add_robot, add_guard, add_audit;
+AddCommand add_bake, add_info, add_report, add_collide, add_clearance, add_motion, add_inside,
+    add_ray, add_bench, add_robot, add_guard, add_audit;
 
 /// Declares a command that calls run(arguments), which returns an ExitCode or nothing; the options
 /// fill the arguments.

@@ -29,8 +29,8 @@ int run(int argc, char** argv) {
   app.allow_windows_style_options(false);  // "/part.stl" is a file on every system
   app.set_version_flag("--version", version_text());
   for (AddCommand* const add :
-       {add_bake, add_info, add_check, add_export, add_report, add_collide, add_clearance,
-        add_motion, add_inside, add_ray, add_bench, add_robot, add_guard, add_audit}) {
+       {add_bake, add_info, add_report, add_collide, add_clearance, add_motion, add_inside, add_ray,
+        add_bench, add_robot, add_guard, add_audit}) {
     add(app);
   }
   add_example(app, "bake --help", "prints the options of bake, and an example");

@@ -134,22 +134,6 @@ Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place
   return made;
 }
 
-/// Coordinate `axis` of a vertex of B in A's frame, rounded as lib/docs/derivations.md defines it:
-/// the rotation has 22 fraction bits, the translation 16, the sum 14.
-std::int64_t transformed_coordinate(const std::int32_t* origin, const Vertex& v, const Pose& pose,
-                                    int axis) {
-  const std::int64_t p[3] = {v.x, v.y, v.z};
-  std::int64_t offset = pose.translation(axis) * (std::int64_t{1} << 30) +
-                        pose.fraction(axis) * (std::int64_t{1} << 14);
-  std::int64_t rotated = 0;
-  for (int i = 0; i < 3; ++i) {
-    const std::int64_t entry = pose.rotation(axis, i);
-    offset += entry * origin[i];
-    rotated += ((entry + 128) >> 8) * p[i];
-  }
-  return ((rotated >> 8) + ((offset + 32768) >> 16) + 8192) >> 14;
-}
-
 }  // namespace
 
 float cells_in_unit(double cell) {
@@ -205,21 +189,6 @@ std::array<double, 12> pose_numbers(const Pose& pose, double cell) {
               : (pose.translation(i - 9) + pose.fraction(i - 9) / 65536.0) * cell;
   }
   return numbers;
-}
-
-std::vector<LatticePoint> transformed_vertices(const AnyTree& any, const Pose& pose) {
-  return std::visit(
-      [&](const auto& b) {
-        std::vector<LatticePoint> vertices;
-        for (std::uint32_t i = 0; i < b.vertex_count; ++i) {
-          const auto along = [&](int axis) {
-            return transformed_coordinate(b.origin, b.vertices[i], pose, axis);
-          };
-          vertices.push_back({along(0), along(1), along(2)});
-        }
-        return vertices;
-      },
-      any);
 }
 
 std::vector<Point> read_lattice_points(const std::string& path, double cell) {

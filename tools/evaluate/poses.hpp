@@ -1,6 +1,6 @@
 // Poses as text of 12 numbers: the rotation row by row, then the translation, of B in A's frame in
-// the mesh's unit. Poses on the lattice, as in the library, and transformed meshes. Points and rays
-// as text, in a mesh's frame and unit.
+// the mesh's unit. Poses on the lattice, as in the library. Points and rays as text, in a mesh's
+// frame and unit.
 #pragma once
 
 #include <array>
@@ -39,10 +39,6 @@ std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool 
 
 /// A pose's 12 numbers, the translation in the unit of the cell.
 std::array<double, 12> pose_numbers(const Pose& pose, double cell);
-
-/// The vertices of B in cells of A's frame: the same as in a query with any A, including vertices
-/// too far from A for a query to read.
-std::vector<LatticePoint> transformed_vertices(const AnyTree& b, const Pose& pose);
 
 /// Reads one point per line, rounded to the nearest cells, halves away from zero; '#' starts a
 /// comment; empty lines are skipped. UserError, naming the line, if there is none, a line is not

@@ -146,18 +146,6 @@ bake::LatticeMesh mesh_of(const ImageFile& image, const std::vector<SourceTriang
   return mesh;
 }
 
-std::vector<LatticePoint> vertices_of(const AnyTree& any) {
-  return std::visit(
-      [](const auto& tree) {
-        std::vector<LatticePoint> points;
-        for (std::uint32_t i = 0; i < tree.vertex_count; ++i) {
-          points.push_back(lattice_point(tree.vertices[i], tree.origin));
-        }
-        return points;
-      },
-      any);
-}
-
 const char* layout_name(Layout layout) {
   return layout == Layout::pre_indexed ? "pre" : "post";
 }

@@ -68,16 +68,6 @@ class ImageFile {
   AnyTree tree_;
 };
 
-/// A point of the lattice, in cells of the mesh's frame: the vertex and the origin.
-using LatticePoint = std::array<std::int64_t, 3>;
-
-/// `origin`: of the mesh, an array.
-template <class Origin>
-LatticePoint lattice_point(const Vertex& vertex, const Origin& origin) {
-  return {std::int64_t{vertex.x} + origin[0], std::int64_t{vertex.y} + origin[1],
-          std::int64_t{vertex.z} + origin[2]};
-}
-
 /// A triangle by its number in the source mesh.
 struct SourceTriangle {
   std::uint32_t number;
@@ -90,9 +80,6 @@ std::vector<SourceTriangle> source_triangles(const ImageFile& image);
 
 /// The image's vertices and these triangles of it, in cells from its own origin.
 bake::LatticeMesh mesh_of(const ImageFile& image, const std::vector<SourceTriangle>& triangles);
-
-/// The vertices in the order of the image.
-std::vector<LatticePoint> vertices_of(const AnyTree& any);
 
 /// "pre" or "post".
 const char* layout_name(Layout layout);

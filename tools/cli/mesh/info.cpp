@@ -1,4 +1,4 @@
-// flashbvh info: prints the contents of an image.
+// flashbvh info: proves that an image is well-formed, and prints its contents.
 #include <array>
 #include <iostream>
 
@@ -15,12 +15,19 @@
 namespace flashbvh::tool {
 namespace {
 
-/// The root's box in cells of the mesh's frame: its lower and its upper corner.
+/// A point in cells of the mesh's frame.
+using LatticePoint = std::array<std::int64_t, 3>;
+
+/// The root's box: its lower and its upper corner.
 std::array<LatticePoint, 2> root_box(const AnyTree& any) {
   return std::visit(
       [](const auto& tree) -> std::array<LatticePoint, 2> {
         const auto box = unpack(tree.nodes[0].box);
-        return {lattice_point(box.lower, tree.origin), lattice_point(box.upper, tree.origin)};
+        const auto framed = [&](const Vertex& v) -> LatticePoint {
+          const auto& o = tree.origin;
+          return {std::int64_t{v.x} + o[0], std::int64_t{v.y} + o[1], std::int64_t{v.z} + o[2]};
+        };
+        return {framed(box.lower), framed(box.upper)};
       },
       any);
 }
@@ -70,14 +77,18 @@ struct InfoArguments {
 void info(const InfoArguments& arguments) {
   const auto& [path, json] = arguments;
   if (is_robot_file_name(path)) {
-    return print_robot_file(RobotFile(path), json);
+    const RobotFile file(path);
+    check_whole(file.robot(), path);
+    return print_robot_file(file, json);
   }
   const ImageFile image(path);
+  check_whole(image);
   const Json facts = image_facts(image);
   if (json) {
     print_object(facts);
     return;
   }
+  std::cout << image.name() << ": well-formed, a mesh\n";
   for (const auto& [name, value] : facts.items()) {
     const std::string unit = unit_of(name, image.unit());
     std::string label = name;
@@ -142,7 +153,8 @@ Json image_facts(const ImageFile& image) {
 
 void add_info(CLI::App& app) {
   auto [command, a] = add_command<InfoArguments>(
-      app, "info", "Print what is in an image of a mesh or a robot.", info);
+      app, "info",
+      "Prove that an image of a mesh or a robot is well-formed, and print what is in it.", info);
   add_option(command, "IMAGE", a.image, "FILE", "Image (.fbvh, .robot)")->required();
   command.add_flag("--json", a.json, "As one JSON object");
   add_example(command, "info baked/plate.fbvh", "prints triangles, nodes, box and bytes");

@@ -23,7 +23,7 @@ void query_points(const InsideArguments& arguments) {
         query_post_mesh<PointAnswer>(image, [&](const auto& mesh) { return inside(mesh, point); });
     if (answer.status == Status::not_closed) {
       throw UserError(image.path(),
-                      "is no closed surface and has no inside; `flashbvh check` says where it is "
+                      "is no closed surface and has no inside; `flashbvh bake` says where it is "
                       "open");
     }
     lines.push_back({{"point", lines.size()},

@@ -257,12 +257,13 @@ void print_robot_file(const RobotFile& file, bool is_json) {
     print_object(json);
     return;
   }
-  std::cout << "robot " << model.name << ", format version " << json["format_version"] << ": "
-            << json["bytes"] << " bytes of flash; " << json["ram_bytes"]
-            << " bytes of RAM for a guard, " << kMeshViewBytes * model.links.size()
-            << " for views of its meshes\ncell " << shortest(file.cell()) << " m; slack "
-            << significant(json["slack"], 4) << " m; variables " << model.variables.size()
-            << "; hash " << hex(file.robot().hash, 8) << "\n\n";
+  std::cout << file.name() << ": well-formed, a robot\nrobot " << model.name << ", format version "
+            << json["format_version"] << ": " << json["bytes"] << " bytes of flash; "
+            << json["ram_bytes"] << " bytes of RAM for a guard, "
+            << kMeshViewBytes * model.links.size() << " for views of its meshes\ncell "
+            << shortest(file.cell()) << " m; slack " << significant(json["slack"], 4)
+            << " m; variables " << model.variables.size() << "; hash " << hex(file.robot().hash, 8)
+            << "\n\n";
   print_unguarded(model, file.unguarded());
   print_links(model, json, true);
   std::cout << (json["pairs"].empty() ? "" : "\npairs that can collide: stop, warn in m\n");
