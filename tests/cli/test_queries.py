@@ -1,4 +1,4 @@
-"""inside, ray, clearance, and what else collide has: contacts, poses of floats, bounds. Answers in the images' unit and
+"""inside, ray, clearance, and what else collide has: contacts, bounds. Answers in the images' unit and
 as frame; what can't be answered. Answers themselves: tests/query."""
 import math
 
@@ -104,16 +104,6 @@ class QueriesTest(Case):
             self.assertAlmostEqual(min(along), least, delta=0.1 / 256)
             self.assertAlmostEqual(max(along), most, delta=0.1 / 256)
         refuse("collide mm/block.fbvh mm/blade.fbvh --poses poses --contacts out --pairs out", "same file")
-
-    # 499.995 mm are 49,999.5 cells, plus a float's rounding or a double's. Firmware's: tests/lattice/pose_float.
-    def test_poses_that_firmware_makes_of_floats(self):
-        write("point.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")
-        flashbvh("bake point.obj -o fine --cell 0.01")
-        write("poses", f"{HOME}  499.995 0 0")
-        for option, distance in ("", 499), ("--float", 498.99):
-            out = flashbvh(f"clearance fine/point.fbvh fine/point.fbvh --poses poses {option} --json")
-            self.assertAlmostEqual(out.json["distance"], distance, delta=0.001)
-        flashbvh("collide fine/point.fbvh fine/point.fbvh --poses poses --float --json")
 
     def test_distances_with_their_points(self):
         boxes_of_8()

@@ -70,7 +70,6 @@ void read(const std::string& kind, const std::string& path) {
     (void)read_srdf(path, arm(), warnings);
   } else if (kind == "poses") {
     (void)read_lattice_poses(path, 0.001);
-    (void)read_lattice_poses(path, 0.001, /*as_floats=*/true);
   } else {
     const Trajectory values = read_trajectory(path, arm(), warnings);
     for (std::size_t period = 0; period < values.size(); ++period) {

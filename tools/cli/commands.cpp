@@ -44,10 +44,4 @@ CLI::Option* add_posed_images(CLI::App& command, PosedImages& to) {
       "in the mesh's unit; 12 numbers");
 }
 
-void add_float_flag(CLI::App& command, PosedImages& to) {
-  command.add_flag("--float", to.floats,
-                   "Take the poses' numbers as 32-bit floats, as firmware's pose_of() does: the "
-                   "same poses to the bit");
-}
-
 }  // namespace flashbvh::tool

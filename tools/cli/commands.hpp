@@ -24,14 +24,10 @@ struct PosedImages {
   std::string a;
   std::string b;
   std::string poses;
-  bool floats = false;
 };
 
 /// Declares A, B and --poses, which it returns.
 CLI::Option* add_posed_images(CLI::App& command, PosedImages& to);
-
-/// Declares --float.
-void add_float_flag(CLI::App& command, PosedImages& to);
 
 /// Ends the command's help. `line`: the arguments after `flashbvh` in a working command line;
 /// `what` it prints or makes, in a few words.

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <system_error>
 
 #include "text/messages.hpp"
 #include "text/numbers.hpp"
@@ -17,27 +16,7 @@ constexpr std::size_t kStepWidth = 40;  ///< so that the whole line fits 80 colu
 
 }  // namespace
 
-Progress::Progress(double total) : total_(total) {
-  if (isatty(STDERR_FILENO) == 0) {
-    return;
-  }
-  try {
-    thread_ = std::thread([this] { draw_after_a_while(); });
-  } catch (const std::system_error&) {
-    // Without threads, as in WebAssembly, the bar appears with the next step.
-    has_no_thread_ = true;
-  }
-}
-
 Progress::~Progress() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopped_ = true;
-  }
-  stop_.notify_all();
-  if (thread_.joinable()) {
-    thread_.join();
-  }
   if (drawn_) {
     std::fprintf(stderr, "\r%79s\r", "");
   }
@@ -48,14 +27,7 @@ void Progress::begin(const std::string& step, double weight) {
   done_ += weight_;
   weight_ = weight;
   step_ = one_line(step);
-  if (drawn_ || (has_no_thread_ && Clock::now() - began_ > kPatience)) {
-    draw();
-  }
-}
-
-void Progress::draw_after_a_while() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  if (!stop_.wait_for(lock, kPatience, [this] { return stopped_; })) {
+  if (drawn_ || (Clock::now() - began_ > kPatience && isatty(STDERR_FILENO) != 0)) {
     draw();
   }
 }

@@ -10,15 +10,9 @@
 
 namespace flashbvh::tool {
 
-/// A pose from an option's value: 12 numbers; 3 numbers, a translation; or the name of a file with
-/// either. UserError, naming the option or the file, if it is none.
+/// A pose from an option's value: 12 numbers, or 3, a translation. UserError, naming the option, if
+/// it is none.
 Pose read_pose_argument(const std::string& given, double cell, const std::string& option);
-
-/// Reads one move per line, of 10 numbers: a point of the axis, its direction of any length,
-/// degrees, the travel; in the mesh's unit. Rounds to the nearest 1/2,048 cell and 2^-28 of a turn.
-/// UserError, naming the line, for other numbers, a result out of range, a turn about no direction,
-/// no moves or more than kMostMoves.
-std::vector<Move> read_moves(const std::string& path, double cell);
 
 struct FoundContact : FirstContactAnswerOf<std::uint32_t> {
   std::uint32_t close_distance;  ///< FirstContact::close_distance()

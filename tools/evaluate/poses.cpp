@@ -111,29 +111,6 @@ RigidPose parse_pose(std::string_view text, const std::string& place) {
   return pose;
 }
 
-Pose pose_of_floats(const RigidPose& pose, double cell, const std::string& place) {
-  float rotation[3][3] = {};
-  float translation[3] = {};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      rotation[i][j] = static_cast<float>(pose.rotation[i][j]);
-    }
-    translation[i] = static_cast<float>(pose.translation[i]);
-  }
-  const Pose made = flashbvh::pose_of(rotation, translation, cells_in_unit(cell));
-  if (made.status() == Status::not_a_rotation) {
-    refuse_rotation(pose.rotation, place);
-  }
-  if (made.status() != Status::done) {
-    const auto& t = pose.translation;
-    refuse_translation(
-        *std::max_element(t.begin(), t.end(),
-                          [](double u, double v) { return std::fabs(u) < std::fabs(v); }),
-        cell, place);
-  }
-  return made;
-}
-
 }  // namespace
 
 float cells_in_unit(double cell) {
@@ -169,15 +146,14 @@ Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) 
   return on_lattice;
 }
 
-Pose read_lattice_pose(std::string_view text, double cell, const std::string& place,
-                       bool as_floats) {
-  return (as_floats ? pose_of_floats : lattice_pose)(parse_pose(text, place), cell, place);
+Pose read_lattice_pose(std::string_view text, double cell, const std::string& place) {
+  return lattice_pose(parse_pose(text, place), cell, place);
 }
 
-std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool as_floats) {
+std::vector<Pose> read_lattice_poses(const std::string& path, double cell) {
   return read_lines<Pose>(path, "has no poses; write 12 numbers",
                           [&](std::string_view line, const std::string& place) {
-                            return read_lattice_pose(line, cell, place, as_floats);
+                            return read_lattice_pose(line, cell, place);
                           });
 }
 

@@ -28,14 +28,11 @@ float cells_in_unit(double cell);
 /// within kRotationTolerance or translates B beyond kMaxTranslation.
 Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place);
 
-/// The pose of 12 finite numbers; else UserError. `as_floats`: uses firmware's own pose_of()
-/// (flashbvh/float.hpp), with the numbers as 32-bit floats and the translation multiplied by the
-/// cells in a unit.
-Pose read_lattice_pose(std::string_view text, double cell, const std::string& place,
-                       bool as_floats);
+/// The pose of 12 finite numbers; else UserError.
+Pose read_lattice_pose(std::string_view text, double cell, const std::string& place);
 
 /// Reads one pose per line; '#' starts a comment; empty lines don't count. UserError without poses.
-std::vector<Pose> read_lattice_poses(const std::string& path, double cell, bool as_floats = false);
+std::vector<Pose> read_lattice_poses(const std::string& path, double cell);
 
 /// A pose's 12 numbers, the translation in the unit of the cell.
 std::array<double, 12> pose_numbers(const Pose& pose, double cell);

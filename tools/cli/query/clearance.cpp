@@ -123,7 +123,6 @@ void add_clearance(CLI::App& app) {
   add_option(command, "--pairs", a.pairs, "FILE",
              "Write `pose a b` for each pair of triangles within that distance, sorted")
       ->needs(within);
-  add_float_flag(command, a);
   command.add_flag("--json", a.json, "One JSON object a pose");
   add_example(command, "clearance baked/plate.fbvh baked/peg.fbvh --poses poses.txt",
               "prints a distance for each pose");

@@ -245,7 +245,6 @@ void add_collide(CLI::App& app) {
       add_option(command, "--contacts", a.contacts, "FILE",
                  "Write `pose a b x y z x y z` for each pair, sorted: both ends of the part that "
                  "the triangles\nhave in common, in the images' unit, in A's frame");
-  add_float_flag(command, a);
   command.add_flag("--json", a.json, "One JSON object a pose");
   command
       .add_flag("--bound", a.bound,

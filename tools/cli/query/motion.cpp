@@ -11,7 +11,6 @@ namespace {
 struct MotionArguments : PosedImages {
   std::string from;
   std::string to;
-  std::string moves;
   double within = 0;
   bool all = false;
   bool json = false;
@@ -70,25 +69,15 @@ void print_parts(Json parts, const Scene& scene, double within) {
 }
 
 ExitCode certify_motion(const MotionArguments& arguments) {
-  if (arguments.to.empty() == arguments.moves.empty()) {
-    throw CLI::RequiredError("--to or --moves");
-  }
   const Scene scene(arguments);
   check_has_clearance(scene.a);
   const double cell = scene.a.cell();
   const FineLength within = fine_length(arguments.within, cell, kMaxMotionDistance);
-  const Pose from = read_pose_argument(arguments.from, cell, "--from");
-  std::vector<Move> moves;
-  if (!arguments.moves.empty()) {
-    moves = read_moves(arguments.moves, cell);
-  }
-  const BodyMotion motion =
-      moves.empty() ? BodyMotion::between(from, read_pose_argument(arguments.to, cell, "--to"))
-                    : BodyMotion(from, moves.data(), static_cast<std::uint32_t>(moves.size()));
-  const std::string place = moves.empty() ? "--to" : arguments.moves;
+  const auto motion = BodyMotion::between(read_pose_argument(arguments.from, cell, "--from"),
+                                          read_pose_argument(arguments.to, cell, "--to"));
   Json parts = Json::array();
   for (const FoundContact& part :
-       first_contacts(scene.a, scene.b, motion, within, arguments.all, place)) {
+       first_contacts(scene.a, scene.b, motion, within, arguments.all, "--to")) {
     parts.push_back(json_of(part, motion, scene));
   }
   if (arguments.json) {
@@ -113,15 +102,12 @@ void add_motion(CLI::App& app) {
   add_option(
       command, "--from", a.from, "POSE",
       "Where B begins, in A's frame: 12 numbers, the rotation row by row and the translation "
-      "in the mesh's\nunit; 3, the translation alone; or the name of a file with one pose")
+      "in the mesh's\nunit; or 3, the translation alone")
       ->required();
-  CLI::Option* const to = add_option(
+  add_option(
       command, "--to", a.to, "POSE",
-      "Where B ends: its origin goes straight, and it turns the shorter way at constant speed");
-  add_option(command, "--moves", a.moves, "FILE",
-             "A move a line, from the outermost to the innermost, all at once: a point of an axis, "
-             "its direction,\ndegrees that B turns about it, and what it travels; 10 numbers")
-      ->excludes(to);
+      "Where B ends: its origin goes straight, and it turns the shorter way at constant speed")
+      ->required();
   add_option(command, "--within", a.within, "LENGTH",
              "How near counts as touching, in the images' unit; default: 0, meshes that intersect");
   command.add_flag("--all", a.all, "Go on behind each place where they are close");

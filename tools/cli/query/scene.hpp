@@ -20,7 +20,7 @@ struct Scene {
   std::string names() const { return a.name() + " and " + b.name(); }
   std::string unit() const { return unit_name(a.unit()); }
   std::vector<Pose> poses(const PosedImages& given) const {
-    return read_lattice_poses(given.poses, a.cell(), given.floats);
+    return read_lattice_poses(given.poses, a.cell());
   }
 
   ImageFile a;
