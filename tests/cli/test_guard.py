@@ -151,7 +151,7 @@ class GuardTest(Case):
         flashbvh("guard image/arm.robot over.csv --json", code=3).contains('"verdict":"refused","a":null')
 
     def test_degrees_and_millimetres_are_suggested_and_only_where_values_are_that_far_off(self):
-        write("units.csv", "fold;turn;grip\n-45;0;0\n0;0;20\n0;0;2\n")
+        write("units.csv", "fold,turn,grip\n-45,0,0\n0,0,20\n0,0,2\n")
         out = flashbvh("guard image/arm.robot units.csv", code=3)
         self.assertTrue(all("units.csv" in line for line in out.err.splitlines()))
         out.err.contains(

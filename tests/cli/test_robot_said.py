@@ -27,12 +27,6 @@ def sized(first, second, third, reach):
                  joint("two", "prismatic", "b", "c", '<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>', (0, reach)))
 
 
-def large_robot():
-    """Of over 1 MiB of flash."""
-    robot("large", link("a", *(shape('<sphere radius="1"/>', f"{i} 0 0") for i in range(1, 131))),
-          link("b", box_of("1 1 1", "0 0 9")), joint("turn", "continuous", "a", "b"))
-
-
 class RobotSaidTest(Case):
     inputs = gantry,
 
@@ -188,14 +182,6 @@ class RobotSaidTest(Case):
                 "distance, 0.005 m; give a finer one, or",
             "--cell 0.002: warning: makes a cell of 0.002 m for link 'c' of 0.01 x 0.005 x 0.005 m; "
                 "give a finer one")
-
-    def test_flash_that_is_much_what_larger_leaves_save(self):
-        large_robot()
-        said = flashbvh("robot large.urdf --dry-run --json").json
-        self.assertGreater(said["flash_bytes"], 1048576)
-        self.assertLess(said["flash_bytes_leaf_size_5"], said["flash_bytes"] * 9 / 10)
-        flashbvh("robot large.urdf --dry-run").matches(
-            f"^--leaf-size 5: {said['flash_bytes_leaf_size_5']} bytes of flash; ")
 
     def test_what_no_image_holds_is_refused_before_any_pair_is_decided(self):
         pair = [link("base", box_of("1 1 1")), link("arm", box_of("0.1 0.1 1", "0 0 2"))]

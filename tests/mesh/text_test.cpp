@@ -149,15 +149,9 @@ TEST_CASE("a file of other contents than its name says is refused by what it hol
       {"\x1F\x8B\x08" + std::string(97, '\0'), "gzip"},
       {"PK\x03\x04" + std::string(96, 'x'), "zip"},
       {"\xFF\xFEs" + std::string(1, '\0') + "o", "UTF-16"},
-      {std::string("\0s\0o\0l\0i\0d", 10), "UTF-16"},
-      {std::string("v\0 \0"
-                   "1\0 \0"
-                   "2\0",
-                   10),
-       "UTF-16"},
       {"glTF" + std::string(96, '\2'), "GLB"},
-      {"<!DOCTYPE html>\n<html>", "page of the web"},
-      {"<?xml version=\"1.0\"?>\n<COLLADA/>", "XML"},
+      {"<!DOCTYPE html>\n<html>", "a page of the web"},
+      {"<?xml version=\"1.0\"?>\n<COLLADA/>", "is XML"},
   };
   for (const auto read : {tool::read_stl, tool::read_obj, tool::read_ply}) {
     for (const auto& [bytes, said] : cases) {

@@ -19,25 +19,15 @@ struct Content {
 constexpr const char* kUtf16 = "is text in UTF-16; save it as UTF-8";
 constexpr const char* kZip = "is a zip archive; unpack it, or name it .3mf if it is one";
 
-constexpr std::array<Content, 10> kContents = {{
+constexpr std::array<Content, 7> kContents = {{
     {"version https://git-lfs", "is a pointer of Git LFS; fetch the file by 'git lfs pull'"},
     {"\x1F\x8B", "is compressed by gzip; unpack it"},
     {"PK\x03\x04", kZip, "3mf"},
     {"\xFF\xFE", kUtf16},
     {"\xFE\xFF", kUtf16},
     {"glTF", "is a GLB file; name it .glb", "glb"},
-    {"<!DOCTYPE html", "is a page of the web; download the file itself"},
-    {"<!doctype html", "is a page of the web; download the file itself"},
-    {"<html", "is a page of the web; download the file itself"},
-    {"<?xml", "is XML; name it by its format", "dae"},
+    {"<", "is XML or a page of the web; download the file itself, or name it by its format", "dae"},
 }};
-
-/// Text in UTF-16 without a byte order mark.
-bool has_wide_letters(std::string_view bytes) {
-  const auto is_nul = [&](std::size_t i) { return bytes[i] == 0; };
-  return bytes.size() >= 4 && is_nul(0) != is_nul(1) && is_nul(0) == is_nul(2) &&
-         is_nul(1) == is_nul(3);
-}
 
 }  // namespace
 
@@ -48,9 +38,6 @@ void refuse_other_contents(std::string_view bytes, const std::string& file) {
         (content.right.empty() || extension != concat(".", content.right))) {
       throw UserError(file, content.what);
     }
-  }
-  if (has_wide_letters(bytes)) {
-    throw UserError(file, kUtf16);
   }
 }
 

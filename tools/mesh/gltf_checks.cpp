@@ -30,9 +30,6 @@ const std::map<std::string_view, std::set<std::string_view>> kMembers = {
 constexpr std::array<std::string_view, 6> kHarmless = {
     "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_xmp", "FB_ngon_encoding"};
 
-/// assimp reads triangles with 16-bit indices.
-constexpr const char* kDraco = "KHR_draco_mesh_compression";
-
 bool is_harmless(std::string_view extension) {
   return std::any_of(kHarmless.begin(), kHarmless.end(), [&](std::string_view known) {
     return extension.substr(0, known.size()) == known;
@@ -96,7 +93,7 @@ class GltfChecks {
   }
 
   void check_extension(const std::string& name, const std::string& user) const {
-    if (name != kDraco && !is_harmless(name)) {  // check_mesh() checks what Draco compresses
+    if (!is_harmless(name)) {
       refuse(user, " the extension ", name, ", which is not read; export it without");
     }
   }
@@ -161,17 +158,9 @@ class GltfChecks {
         refuse(where, " has a primitive of mode ", mode,
                mode < 0 || mode > 6 ? "" : " without positions", "; export the mesh again");
       }
-      const Gltf& draco = member(member(primitive, "extensions"), kDraco);
-      const bool is_indexed = primitive.contains("indices");
-      if (!draco.is_null() &&
-          (mode != 4 || !is_indexed || !member(draco, "attributes").contains("POSITION"))) {
-        refuse(where, " is compressed by ", kDraco,
-               ", of which triangles of positions with indices are read; export it without");
-      }
-      const std::uint64_t positions =
-          count_of(attributes["POSITION"], kPositions, !draco.is_null());
+      const std::uint64_t positions = count_of(attributes["POSITION"], kPositions);
       const std::uint64_t count =
-          is_indexed ? count_of(primitive["indices"], kCorners, !draco.is_null()) : positions;
+          primitive.contains("indices") ? count_of(primitive["indices"], kCorners) : positions;
       if (mode == 4 ? count % 3 != 0 : count < 3) {
         refuse("can't be read: ", where, " has ", count,
                " corners, which make no whole triangles; export the mesh again");
@@ -180,21 +169,14 @@ class GltfChecks {
     }
   }
 
-  /// The number of elements of an accessor of these data, which lie within its buffer view, or are
-  /// compressed by Draco.
-  std::uint64_t count_of(const Gltf& number, const Data& data, bool is_draco) const {
+  /// The number of elements of an accessor of these data, which lie within its buffer view.
+  std::uint64_t count_of(const Gltf& number, const Data& data) const {
     const Gltf& accessor = element("accessors", number.get<std::size_t>());
     const std::string where = concat("accessors[", number.get<std::size_t>(), "]");
     const auto size = data.sizes.find(accessor.at("componentType").get<int>());
     if (accessor.at("type") != data.type || size == data.sizes.end()) {
       refuse(where, " does not hold ", data.what, ", which alone are read; export it again, ",
              "without quantization");
-    }
-    if (is_draco && size->first == 5125) {
-      refuse(where, " has 32-bit indices compressed by ", kDraco, "; export it without");
-    }
-    if (is_draco) {
-      return accessor.at("count").get<std::uint64_t>();
     }
     if (!accessor.contains("bufferView")) {
       refuse("can't be read: ", where, " has no data; export the mesh again");

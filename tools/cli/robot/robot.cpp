@@ -79,19 +79,6 @@ std::string robot_page(const BakedRobot& robot, const ImageWords& image, const J
                     {"zones", drawn_zones(robot)}});
 }
 
-/// If `bytes` is large: the size with leaves of kLargeLeaf triangles.
-std::optional<std::size_t> bytes_with_large_leaves(const BakedRobot& baked, std::size_t bytes,
-                                                   const OutputArguments& arguments) {
-  if (bytes <= kMuchFlash || baked.leaf_size >= kLargeLeaf || baked.simplified > 0) {
-    return std::nullopt;
-  }
-  std::vector<BakedLink> links;
-  for (const ModelLink& link : baked.model.links) {
-    links.push_back(bake_link(link, baked.cell, kLargeLeaf, arguments.urdf));
-  }
-  return bytes - image_bytes(baked.links) + image_bytes(links);
-}
-
 void make_robot(const OutputArguments& arguments) {
   if (arguments.folder.empty() && !arguments.dry_run) {
     throw CLI::RequiredError("--output or --dry-run");
@@ -104,7 +91,7 @@ void make_robot(const OutputArguments& arguments) {
                                                  : output_name(arguments.urdf, arguments.name);
   const ImageWords image = image_of(baked, name.stem);
   const std::size_t bytes = image.size() * sizeof image[0];
-  const Json facts = robot_json(baked, bytes, bytes_with_large_leaves(baked, bytes, arguments));
+  const Json facts = robot_json(baked, bytes);
   FileSet files(files_read(arguments, baked.model));
   if (!arguments.dry_run) {
     add_files(arguments, name, baked, image, files);

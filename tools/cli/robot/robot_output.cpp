@@ -184,27 +184,23 @@ Json witness_json(const Model& model, const PairVerdict& pair) {
   return witness;
 }
 
-Json robot_json(const BakedRobot& robot, std::size_t bytes, std::optional<std::size_t> smaller) {
+Json robot_json(const BakedRobot& robot, std::size_t bytes) {
   double most = 0;
   for (const BakedLink& link : robot.links) {
     most = std::max(most, link.tree.deviation);
   }
-  Json json = {{"name", robot.model.name},
-               {"not_guarded", unguarded_json(robot.model, robot.unguarded)},
-               {"zones", zones_json(robot)},
-               {"pairs", pairs_json(robot.model, robot.pairs)},
-               {"links", links_json(robot)},
-               {"joints", joints_json(robot.model)},
-               {"cell", robot.cell},
-               {"deviation", most},
-               {"simplified", robot.simplified},
-               {"leaf_size", bake::most_in_leaf(robot.leaf_size)},
-               {"flash_bytes", bytes}};
-  if (smaller) {
-    json["flash_bytes_leaf_size_5"] = *smaller;
-  }
-  json["ram_bytes"] = robot_ram_bytes(robot.robot());
-  return json;
+  return {{"name", robot.model.name},
+          {"not_guarded", unguarded_json(robot.model, robot.unguarded)},
+          {"zones", zones_json(robot)},
+          {"pairs", pairs_json(robot.model, robot.pairs)},
+          {"links", links_json(robot)},
+          {"joints", joints_json(robot.model)},
+          {"cell", robot.cell},
+          {"deviation", most},
+          {"simplified", robot.simplified},
+          {"leaf_size", bake::most_in_leaf(robot.leaf_size)},
+          {"flash_bytes", bytes},
+          {"ram_bytes", robot_ram_bytes(robot.robot())}};
 }
 
 void print_robot(const BakedRobot& robot, const Json& json) {
@@ -243,10 +239,6 @@ void print_robot(const BakedRobot& robot, const Json& json) {
             << " bytes of flash, " << json["ram_bytes"] << " bytes of RAM for a guard\n";
   if (robot.simplified > 0) {
     std::cout << simplified_text(robot);
-  }
-  if (json.contains("flash_bytes_leaf_size_5")) {
-    std::cout << "--leaf-size " << kLargeLeaf << ": " << json["flash_bytes_leaf_size_5"]
-              << " bytes of flash; queries take up to three times the work\n";
   }
 }
 

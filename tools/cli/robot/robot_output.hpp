@@ -2,23 +2,17 @@
 // in the order of the firmware's arrays.
 #pragma once
 
-#include <optional>
-
 #include "cli/table.hpp"
 #include "robot/baked/robot_file.hpp"
 #include "robot/pipeline/baked_robot.hpp"
 
 namespace flashbvh::tool {
 
-/// Robots with more bytes of flash print the size with leaves of kLargeLeaf triangles.
-constexpr std::size_t kMuchFlash = 1 << 20;
-
 /// The values of the variables at a pair's witness.
 Json witness_json(const Model& model, const PairVerdict& pair);
 
-/// The facts of a baked robot, for --json and pages. `bytes`: of the image; `smaller`: with leaves
-/// of kLargeLeaf, if to be printed.
-Json robot_json(const BakedRobot& robot, std::size_t bytes, std::optional<std::size_t> smaller);
+/// The facts of a baked robot, for --json and pages. `bytes`: of the image.
+Json robot_json(const BakedRobot& robot, std::size_t bytes);
 /// Prints tables of these facts to standard output.
 void print_robot(const BakedRobot& robot, const Json& json);
 

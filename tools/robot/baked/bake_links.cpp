@@ -87,14 +87,6 @@ double reach_of(const Model& model) {
 
 }  // namespace
 
-std::size_t image_bytes(const std::vector<BakedLink>& links) {
-  std::size_t bytes = 0;
-  for (const BakedLink& link : links) {
-    bytes += link.image_bytes();
-  }
-  return bytes;
-}
-
 void check_counts(const Model& model, const std::string& path) {
   if (model.joints.size() > kMaxJoints) {
     throw UserError(path, "has ", model.joints.size(), " moving joints, firmware holds ",

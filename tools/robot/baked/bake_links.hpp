@@ -22,9 +22,6 @@ struct BakedLink {
   std::size_t image_bytes() const { return static_cast<std::size_t>(bake::image_size(tree)); }
 };
 
-/// The size of all images together.
-std::size_t image_bytes(const std::vector<BakedLink>& links);
-
 /// UserError if the robot has no joint, or more joints or links than firmware holds. `path`: the
 /// URDF.
 void check_counts(const Model& model, const std::string& path);

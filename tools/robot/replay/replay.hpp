@@ -23,9 +23,8 @@ namespace flashbvh::tool {
 ///
 /// The first line names the columns' variables, in any order. Each other line has their values one
 /// period after the line before: radians, or metres for prismatic joints. '#' begins a comment.
-/// Semicolons, commas or tabs separate fields. Columns of mimics are checked, but not used; those
-/// without a name are not used. The first column of times, if all its values are numbers, labels
-/// the lines; it sets no period.
+/// Columns of mimics are checked, but not used; those without a name are not used. The first column
+/// of times, if all its values are numbers, labels the lines; it sets no period.
 struct Trajectory {
   std::size_t variables;
   std::vector<std::size_t> lines{};  ///< of each period: its line in the file, from 1

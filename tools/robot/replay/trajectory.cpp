@@ -26,31 +26,10 @@ struct TrajectoryColumn {
   bool is_time() const { return !is_joint() && has_name(); }
 };
 
-struct TrajectoryColumns {
-  char separator;  ///< between the fields of a line: a semicolon, a comma or a tab
-  std::vector<TrajectoryColumn> columns;
-};
-
 /// "a,b": the joints that a trajectory must have.
 std::string variable_names(const Model& model) {
   return joined(
       model.variables, [&](std::size_t joint) { return model.joints[joint].name; }, ",");
-}
-
-/// The first separator that the line holds outside quotation marks; any one for a single column.
-char separator_of(std::string_view line) {
-  std::string bare;
-  bool is_quoted = false;
-  for (const char c : line) {
-    is_quoted = is_quoted != (c == '"');
-    bare += is_quoted ? ' ' : c;
-  }
-  for (const char separator : {';', ',', '\t'}) {
-    if (bare.find(separator) != std::string::npos) {
-      return separator;
-    }
-  }
-  return ',';
 }
 
 /// "time", "t", "Time [s]", "__time", "%time", "time_from_start", "timestamp", "header.stamp",
@@ -64,25 +43,16 @@ bool names_time(std::string_view name) {
          std::find(std::begin(kNames), std::end(kNames), first) != std::end(kNames);
 }
 
-std::string with_point(std::string_view number) {
-  std::string pointed(number);
-  std::replace(pointed.begin(), pointed.end(), ',', '.');
-  return pointed;
-}
-
 TrajectoryColumn column_named(const Model& model, std::string_view name, const std::string& place) {
   const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
                                   [&](const ModelJoint& j) { return j.name == name; });
   if (joint != model.joints.end()) {
     return {std::string(name), static_cast<std::size_t>(joint - model.joints.begin())};
   }
-  if (name.empty() || name.substr(0, 8) == "Unnamed:") {  // as pandas names it when it reads it
-    return {"", kNoJoint};
-  }
-  if (names_time(name)) {
+  if (name.empty() || names_time(name)) {
     return {std::string(name), kNoJoint};
   }
-  if (parse_number(with_point(name))) {
+  if (parse_number(name)) {
     throw UserError(
         place, "has the value ", quoted(name),
         " in place of a name; the first line names all joints that move: ", variable_names(model));
@@ -102,45 +72,33 @@ void check_complete(const Model& model, const std::vector<TrajectoryColumn>& col
   }
 }
 
-std::string_view without_blanks(std::string_view field, std::string_view blanks) {
-  field.remove_prefix(std::min(field.find_first_not_of(blanks), field.size()));
-  return field.substr(0, field.find_last_not_of(blanks) + 1);
-}
-
-/// The fields of a line, without quotation marks and the blanks around them.
-std::vector<std::string_view> fields_of(std::string_view line, char separator,
-                                        const std::string& place) {
-  const std::string_view blanks = separator == '\t' ? " \v\f" : " \t\v\f";
+/// The fields of a line, without blanks around them.
+std::vector<std::string_view> fields_of(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\v\f";
   std::vector<std::string_view> fields;
   for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
-    const std::size_t first = line.find_first_not_of(blanks, begin);
-    const bool is_quoted = first != std::string_view::npos && line[first] == '"';
-    const std::size_t close = is_quoted ? line.find('"', first + 1) : begin;
-    end = line.find(separator, close);
-    std::string_view field = without_blanks(line.substr(begin, end - begin), blanks);
-    if (is_quoted && (close == std::string_view::npos || field.back() != '"' ||
-                      std::count(field.begin(), field.end(), '"') != 2)) {
-      throw UserError(place, quoted(field), " has quotation marks that enclose no field");
-    }
-    fields.push_back(is_quoted ? without_blanks(field.substr(1, field.size() - 2), blanks) : field);
+    end = line.find(',', begin);
+    std::string_view field = line.substr(begin, end - begin);
+    field.remove_prefix(std::min(field.find_first_not_of(kBlanks), field.size()));
+    fields.push_back(field.substr(0, field.find_last_not_of(kBlanks) + 1));
   }
   return fields;
 }
 
 /// UserError, with `place`, unless each variable has one column and every other column is a time, a
 /// joint that mimics, or without a name.
-TrajectoryColumns read_columns(const Model& model, std::string_view line,
-                               const std::string& place) {
-  TrajectoryColumns made = {separator_of(line), {}};
-  for (const std::string_view name : fields_of(line, made.separator, place)) {
-    if (!name.empty() &&
-        std::any_of(made.columns.begin(), made.columns.end(),
-                    [&](const TrajectoryColumn& column) { return column.name == name; })) {
+std::vector<TrajectoryColumn> read_columns(const Model& model, std::string_view line,
+                                           const std::string& place) {
+  std::vector<TrajectoryColumn> made;
+  for (const std::string_view name : fields_of(line)) {
+    if (!name.empty() && std::any_of(made.begin(), made.end(), [&](const TrajectoryColumn& column) {
+          return column.name == name;
+        })) {
       throw UserError(place, "has two columns ", quoted(name), "; leave one out");
     }
-    made.columns.push_back(column_named(model, name, place));
+    made.push_back(column_named(model, name, place));
   }
-  check_complete(model, made.columns, place);
+  check_complete(model, made, place);
   return made;
 }
 
@@ -152,26 +110,21 @@ double number_in(std::string_view field, const std::string& column, const std::s
   if (value && is_coordinate(*value)) {
     return *value;
   }
-  const std::string pointed = with_point(field);
-  if (pointed != field && parse_number(pointed)) {
-    throw UserError(place, quoted(field), " in the column ", tool::quoted(column),
-                    " has a decimal comma; write a point: ", pointed);
-  }
   throw UserError(place, quoted(field), " in the column ", tool::quoted(column),
                   " is no finite number; give radians, or metres");
 }
 
 /// The numbers of a line, one per column; none for a time that is no number, such as a date.
-std::vector<std::optional<double>> numbers_of(const TrajectoryColumns& header,
+std::vector<std::optional<double>> numbers_of(const std::vector<TrajectoryColumn>& columns,
                                               std::string_view line, const std::string& place) {
-  const std::vector<std::string_view> fields = fields_of(line, header.separator, place);
-  if (fields.size() != header.columns.size()) {
+  const std::vector<std::string_view> fields = fields_of(line);
+  if (fields.size() != columns.size()) {
     throw UserError(place, "has ", fields.size(), fields.size() == 1 ? " value" : " values",
-                    ", the first line names ", header.columns.size(), " columns; give each one");
+                    ", the first line names ", columns.size(), " columns; give each one");
   }
   std::vector<std::optional<double>> numbers;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const TrajectoryColumn& column = header.columns[i];
+    const TrajectoryColumn& column = columns[i];
     numbers.push_back(column.is_joint() ? number_in(fields[i], column.name, place)
                                         : parse_number(fields[i]));
   }
@@ -194,19 +147,19 @@ void check_mimic(const Model& model, const TrajectoryColumn& column, double give
 /// Reads lines one after the other.
 class RowReader {
  public:
-  RowReader(const Model& model, TrajectoryColumns columns)
-      : model_(model), header_(std::move(columns)), last_(header_.columns.size()) {
-    while (times_in_ < last_.size() && !header_.columns[times_in_].is_time()) {
+  RowReader(const Model& model, std::vector<TrajectoryColumn> columns)
+      : model_(model), columns_(std::move(columns)), last_(columns_.size()) {
+    while (times_in_ < last_.size() && !columns_[times_in_].is_time()) {
       ++times_in_;
     }
   }
 
   /// Adds a period.
   void read(std::string_view line, const std::string& place, Trajectory& trajectory) {
-    const std::vector<std::optional<double>> numbers = numbers_of(header_, line, place);
+    const std::vector<std::optional<double>> numbers = numbers_of(columns_, line, place);
     check_times(numbers, place);
     if (times_in_ < numbers.size() && numbers[times_in_]) {
-      trajectory.time_name = header_.columns[times_in_].name;
+      trajectory.time_name = columns_[times_in_].name;
       trajectory.times.push_back(*numbers[times_in_]);
     } else {
       times_in_ = numbers.size();  // for example a date
@@ -214,14 +167,14 @@ class RowReader {
     }
     std::vector<double> values(model_.variables.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const TrajectoryColumn& column = header_.columns[i];
+      const TrajectoryColumn& column = columns_[i];
       if (column.is_joint() && !is_mimic(model_, column.joint)) {
         values[model_.joints[column.joint].variable] = *numbers[i];
       }
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (header_.columns[i].is_joint() && is_mimic(model_, header_.columns[i].joint)) {
-        check_mimic(model_, header_.columns[i], *numbers[i], values, place);
+      if (columns_[i].is_joint() && is_mimic(model_, columns_[i].joint)) {
+        check_mimic(model_, columns_[i], *numbers[i], values, place);
       }
     }
     trajectory.all_values.insert(trajectory.all_values.end(), values.begin(), values.end());
@@ -229,10 +182,10 @@ class RowReader {
 
   /// Warns of columns of times that name no line.
   void warn_of_unused_times(const std::string& path, Warnings& warnings) const {
-    for (std::size_t i = 0; i < header_.columns.size(); ++i) {
-      if (header_.columns[i].is_time() && i != times_in_) {
-        warnings.add(path, concat("the column ", tool::quoted(header_.columns[i].name),
-                                  " is not used: ", kPeriod));
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].is_time() && i != times_in_) {
+        warnings.add(
+            path, concat("the column ", tool::quoted(columns_[i].name), " is not used: ", kPeriod));
       }
     }
   }
@@ -240,11 +193,11 @@ class RowReader {
  private:
   void check_times(const std::vector<std::optional<double>>& numbers, const std::string& place) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (!header_.columns[i].is_time() || !numbers[i]) {
+      if (!columns_[i].is_time() || !numbers[i]) {
         continue;
       }
       if (last_[i] && *numbers[i] < *last_[i]) {
-        throw UserError(place, tool::quoted(header_.columns[i].name), " goes back from ",
+        throw UserError(place, tool::quoted(columns_[i].name), " goes back from ",
                         shortest(*last_[i]), " to ", shortest(*numbers[i]), "; ", kPeriod,
                         ": sort them");
       }
@@ -253,7 +206,7 @@ class RowReader {
   }
 
   const Model& model_;
-  TrajectoryColumns header_;
+  std::vector<TrajectoryColumn> columns_;
   std::vector<std::optional<double>> last_;  ///< last times, by column
   std::size_t times_in_ = 0;  ///< the column that names lines; if none, the number of columns
 };
@@ -283,11 +236,7 @@ Trajectory read_trajectory(const std::string& path, const Model& model, Warnings
   const std::string text = read_file(path);
   refuse_other_contents(text, path);
   Lines lines(without_padding(text));
-  bool has_line = lines.next_content();
-  if (has_line && lines.line().substr(0, 4) == "sep=") {  // Excel's line, which the next one shows
-    has_line = lines.next_content();
-  }
-  if (!has_line) {
+  if (!lines.next_content()) {
     throw UserError(path, "has no line that names the joints: ", variable_names(model));
   }
   const std::string place = at_line(path, lines.number());
