@@ -1,12 +1,8 @@
-"""Pairs of triangles by all algorithms and layouts. Against brute force: tests/walk."""
+"""Pairs of triangles in both layouts. All traversals against brute force: tests/walk."""
 from pathlib import Path
 
 from cli import Case, fixture, flashbvh, write
 from inputs import any_poses, images, numbers
-
-# Of images baked with --layout post and pre, all traversals.
-ALGORITHMS = [*(("post", name) for name in ("ranked", "stackless-post", "volume-stack", "alternating-stack", "leaf")),
-              *(("pre", name) for name in ("stackless", "volume-stack", "alternating-stack", "leaf"))]
 
 
 @fixture
@@ -17,26 +13,14 @@ def poses():
 class CollideTest(Case):
     inputs = images, poses
 
-    def test_all_algorithms_find_the_same_pairs(self):
-        flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --pairs wanted")
-        wanted = numbers("wanted")
-        counts = [sum(pair[0] == pose for pair in wanted) for pose in range(22)]
-        self.assertGreaterEqual(sum(count > 0 for count in counts), 5)
-        for folder, algorithm in ALGORITHMS:
-            with self.subTest((folder, algorithm)):
-                out = flashbvh(f"collide {folder}/ring.fbvh {folder}/coarse.fbvh --poses poses --pairs found --json "
-                               f"--algorithm {algorithm}")
-                self.assertEqual(numbers("found"), wanted)
-                self.assertEqual(out.each("triangle_pairs"), counts)
-                self.assertEqual(out.each("algorithm"), [algorithm] * 22)
-                self.assertEqual(out.each("status"), ["ok"] * 22)
-
     def test_the_defaults_the_first_pair_alone_and_the_table(self):
         out = flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --json --pairs wanted")
         self.assertEqual(set(out.each("algorithm")), {"ranked"})
         intersecting = sorted({pair[0] for pair in numbers("wanted")})
-        out = flashbvh("collide pre/ring.fbvh pre/coarse.fbvh --poses poses --json")
+        self.assertGreaterEqual(len(intersecting), 5)
+        out = flashbvh("collide pre/ring.fbvh pre/coarse.fbvh --poses poses --json --pairs found")
         self.assertEqual(set(out.each("algorithm")), {"stackless"})
+        self.assertEqual(numbers("found"), numbers("wanted"))
         out = flashbvh("collide post/ring.fbvh post/coarse.fbvh --poses poses --first --pairs first --json")
         self.assertEqual([pair[0] for pair in numbers("first")], intersecting)
         self.assertEqual(max(out.each("triangle_pairs")), 1)

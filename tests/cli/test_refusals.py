@@ -120,8 +120,6 @@ class RefusalsTest(Case):
                 ("meshes/ring.stl", "to/ring.fbvh.c", "bake meshes/ring.stl -o to --format both"),
                 ("images/ring.fbvh home", "to/x", f"report {two} --poses home -o to/x"),
                 ("images/ring.fbvh home", "to/x", f"collide {two} --poses home --pairs to/x"),
-                ("images/ring.fbvh home", "to/x", f"collide {two} --poses home --contacts to/x"),
-                ("images/ring.fbvh home", "to/x", f"clearance {two} --poses home --within 1 --pairs to/x"),
                 (robot_files, "to/arm.robot", "robot arm.urdf --srdf arm.srdf -o to --format both"),
                 (robot_files, "to/arm.robot.h", "robot arm.urdf --srdf arm.srdf -o to --format both"),
                 (robot_files, "to/arm.robot.c", "robot arm.urdf --srdf arm.srdf -o to --format both"),
@@ -149,13 +147,8 @@ class RefusalsTest(Case):
         for line, wanted in (
                 ("1 0 0 0 1 0 0 0 1 0 0", "has 11 numbers"),
                 ("1 0 0 0 1 0 0 0 1 0 0 x", "'x'"),
-                ("1 0 0 0 1 0 0 0 1 0 0 nan", "'nan'"),
-                ("1 0 0 0 1 0 0 0 1 0 0x1 0", "'0x1'"),
-                ("1 0 0 0 1 0 0 0 1 0 1,5 0", "'1,5'"),
                 ("2 0 0 0 1 0 0 0 1 0 0 0", no_rotation),
-                ("1 0.001 0 0 1 0 0 0 1 0 0 0", no_rotation),
                 ("0.67 -0.33 0.67 0.67 0.67 -0.33 -0.33 0.67 0.67 0 0 0", no_rotation),
-                ("1e300 0 0 0 1 0 0 0 1 0 0 0", no_rotation),
                 ("1 0 0 5 0 1 0 6 0 0 1 7", no_rotation),  # row by row with the translation
                 ("1 0 0 0 1 0 0 0 -1 0 0 0", "the matrix mirrors"),
                 ("0 -1 0 1 0 0 0 0 1 0 0 5368709.13", "the pose translates B"),
@@ -178,11 +171,6 @@ class RefusalsTest(Case):
             "wide/ring.fbvh post/coarse.fbvh --poses home --pairs out": "bake both",
             "coarser/ring.fbvh post/coarse.fbvh --poses home --pairs out":
                 "cell of 0.01, but coarser/ring.fbvh one of 0.02",
-            "post/ring.fbvh post/coarse.fbvh --poses home --pairs out --algorithm stackless":
-                "stackless can't walk; bake it with --layout pre",
-            "post/ring.fbvh post/coarse.fbvh --poses home --algorithm magic": "--algorithm",
             "post/ring.fbvh post/coarse.fbvh": "required",
             "post/ring.fbvh --poses home": "required",
         })
-        refuse_each("collide pre/ring.fbvh pre/coarse.fbvh --poses home --pairs out --algorithm", {
-            name: f"{name} can't walk; bake it with --layout post" for name in ("ranked", "stackless-post")})

@@ -1,8 +1,6 @@
 #include "evaluate/queries.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "flashbvh/triangle.hpp"
 #include "image/fine_length.hpp"
@@ -20,16 +18,6 @@ NearestPair nearest_pair(const FoundPair& ids, const Triangle& a, const Triangle
   return {ids, std::sqrt(as_double(squared.above) / as_double(squared.below)),
           nearest_points_of(a, b)};
 }
-
-/// Firmware's predicate; counts triangle tests.
-struct CountingWithin : Within {
-  std::uint64_t* tested;
-
-  bool test(const Triangle& a, const Triangle& b, std::uint32_t i, std::uint32_t j) {
-    ++*tested;
-    return Within::test(a, b, i, j);
-  }
-};
 
 template <class Mesh>
 ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
@@ -60,30 +48,7 @@ ClearanceAnswer clearance_of(const Mesh& a, const Mesh& b, const Pose& pose,
   Triangle of_a;
   Triangle of_b;
   query.nearest_triangles(of_a, of_b);
-  answer.nearest.push_back(nearest_pair({found.triangles.a, found.triangles.b}, of_a, of_b));
-  return answer;
-}
-
-template <class Mesh>
-ClearanceAnswer within_of(const Mesh& a, const Mesh& b, const Pose& pose, FineLength distance,
-                          bool all) {
-  ClearanceAnswer answer;
-  Query<Ranked<Mesh>, CountingWithin> query(a, b, pose, {},
-                                            {within(distance), &answer.triangle_pairs});
-  const auto take = [&](const auto& pair) {
-    Triangle of_a;
-    Triangle of_b;
-    query.last_pair(of_a, of_b);
-    answer.nearest.push_back(nearest_pair({pair.a, pair.b}, of_a, of_b));
-    return all;
-  };
-  answer.status = query.run(UINT32_MAX, take).status;
-  answer.status = answer.status == Status::full ? Status::done : answer.status;
-  answer.visits = query.stats().visits;
-  std::sort(
-      answer.nearest.begin(), answer.nearest.end(), [](const NearestPair& p, const NearestPair& q) {
-        return std::tie(p.triangles.a, p.triangles.b) < std::tie(q.triangles.a, q.triangles.b);
-      });
+  answer.nearest = nearest_pair({found.triangles.a, found.triangles.b}, of_a, of_b);
   return answer;
 }
 
@@ -96,10 +61,10 @@ void check_has_clearance(const ImageFile& image) {
   }
 }
 
-FineLength fine_length(double length, double cell, std::uint32_t most, const std::string& what) {
+FineLength fine_length(double length, double cell, std::uint32_t most) {
   const FineLength fine = fine_length_rounded_up(length, cell);
   if (fine.count > most) {
-    throw UserError(what + " " + shortest(length), "is out of range: 0 to ",
+    throw UserError("--within " + shortest(length), "is out of range: 0 to ",
                     significant(most * cell / kFineOne, 6), ", ", most / kFineOne,
                     " cells; bake with a larger --cell to reach further");
   }
@@ -110,14 +75,6 @@ ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                           Witness<std::uint32_t>& hint) {
   const auto query = [&](const auto& mesh_a, const auto& mesh_b) {
     return clearance_of(mesh_a, mesh_b, pose, hint);
-  };
-  return query_post<ClearanceAnswer>(query, a, b).value();
-}
-
-ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
-                                FineLength distance, bool all) {
-  const auto query = [&](const auto& mesh_a, const auto& mesh_b) {
-    return within_of(mesh_a, mesh_b, pose, distance, all);
   };
   return query_post<ClearanceAnswer>(query, a, b).value();
 }

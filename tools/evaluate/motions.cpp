@@ -19,22 +19,15 @@ std::string farthest(double cell) {
 }
 
 template <class Mesh>
-std::vector<FoundContact> contacts_of(const Mesh& a, const Mesh& b, const BodyMotion& motion,
-                                      FineLength within, bool all) {
-  std::vector<FoundContact> found;
+FoundContact contact_of(const Mesh& a, const Mesh& b, const BodyMotion& motion, FineLength within) {
   BasicFirstContact<Mesh> query(a, b, motion, within);
-  do {
-    query.pass();
-    const auto answer = query.run(UINT32_MAX);
-    found.push_back({{answer.status,
-                      answer.outcome,
-                      {answer.triangles.a, answer.triangles.b},
-                      answer.from,
-                      answer.to},
-                     query.close_distance()});
-  } while (all && found.back().status == Status::done &&
-           found.back().outcome == ContactOutcome::close);
-  return found;
+  const auto answer = query.run(UINT32_MAX);
+  return {{answer.status,
+           answer.outcome,
+           {answer.triangles.a, answer.triangles.b},
+           answer.from,
+           answer.to},
+          query.close_distance()};
 }
 
 }  // namespace
@@ -49,24 +42,23 @@ Pose read_pose_argument(const std::string& given, double cell, const std::string
   return read_lattice_pose((count == 3 ? "1 0 0 0 1 0 0 0 1 " : "") + given, cell, option);
 }
 
-std::vector<FoundContact> first_contacts(const ImageFile& a, const ImageFile& b,
-                                         const BodyMotion& motion, FineLength within, bool all,
-                                         const std::string& place) {
-  auto found = query_post<std::vector<FoundContact>>(
+FoundContact first_contact(const ImageFile& a, const ImageFile& b, const BodyMotion& motion,
+                           FineLength within) {
+  const std::optional<FoundContact> found = query_post<FoundContact>(
       [&](const auto& mesh_a, const auto& mesh_b) {
-        return contacts_of(mesh_a, mesh_b, motion, within, all);
+        return contact_of(mesh_a, mesh_b, motion, within);
       },
       a.tree(), b.tree());
-  const Status status = found.value().back().status;
+  const Status status = found.value().status;
   if (status == Status::motion_out_of_range) {
-    throw UserError(place, "may take B farther than ", farthest(a.cell()),
+    throw UserError("--to", "may take B farther than ", farthest(a.cell()),
                     ", from A's origin; cut the motion, or bake with a larger --cell, or draw the "
                     "meshes nearer to their origins");
   }
   if (status != Status::done) {
-    throw UserError(place, "can't be answered: ", status_name(status));
+    throw UserError("--to", "can't be answered: ", status_name(status));
   }
-  return *std::move(found);
+  return *found;
 }
 
 const char* outcome_name(ContactOutcome outcome) {

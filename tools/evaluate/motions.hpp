@@ -18,12 +18,10 @@ struct FoundContact : FirstContactAnswerOf<std::uint32_t> {
   std::uint32_t close_distance;  ///< FirstContact::close_distance()
 };
 
-/// The outcomes of a motion. `free` or `contact` ends the list; so does the first `close`, unless
-/// `all` is true. Both images are post-indexed partners. UserError, naming `place`, if the
+/// The outcome of a motion. Both images are post-indexed partners. UserError, naming `--to`, if the
 /// library refuses the motion.
-std::vector<FoundContact> first_contacts(const ImageFile& a, const ImageFile& b,
-                                         const BodyMotion& motion, FineLength within, bool all,
-                                         const std::string& place);
+FoundContact first_contact(const ImageFile& a, const ImageFile& b, const BodyMotion& motion,
+                           FineLength within);
 
 /// "free", "contact" or "close".
 const char* outcome_name(ContactOutcome outcome);

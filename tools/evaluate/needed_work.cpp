@@ -8,7 +8,7 @@
 // where a leaf's rank is 0 and a root's parent is above all. There are few ranks, so nodes are
 // counted by their own and their parent's rank.
 //
-// All other traversals visit a pair at most once. If all inner nodes have at least two children,
+// `stackless` visits a pair at most once. If all inner nodes have at least two children,
 // the visits form a tree whose inner nodes have at least two children, and whose leaves are at most
 // all pairs of leaves.
 #include "evaluate/needed_work.hpp"
@@ -110,13 +110,11 @@ TreeSize size_of(const Tree& tree) {
 }
 
 template <class Tree>
-VisitBound bound_of(const Tree& a, const Tree& b, const std::string& algorithm) {
-  const std::uint64_t visits = algorithm == "ranked" ? ranked_visits(a, b) : visits_of_any(a, b);
-  // Each shape takes a visit and has below it at least as many visits as a node has children; but
-  // `leaf` begins with one shape for each leaf of A.
-  const std::uint64_t shapes = algorithm == "leaf"                          ? a.leaf_count
-                               : has_single_child(a) || has_single_child(b) ? visits / 2
-                                                                            : visits / 3;
+VisitBound bound_of(const Tree& a, const Tree& b) {
+  const std::uint64_t visits =
+      Tree::kLayout == Layout::post_indexed ? ranked_visits(a, b) : visits_of_any(a, b);
+  // Each shape takes a visit and has below it at least as many visits as a node has children.
+  const std::uint64_t shapes = visits / (has_single_child(a) || has_single_child(b) ? 2 : 3);
   return {visits, std::uint64_t{a.leaf_count} * b.leaf_count,
           std::uint64_t{a.triangle_count} * b.triangle_count,
           most_work(size_of(a), size_of(b), visits, shapes)};
@@ -131,10 +129,10 @@ NeededWork needed_work(std::vector<std::uint64_t> work) {
           sum / static_cast<double>(work.size())};
 }
 
-VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm) {
+VisitBound visit_bound(const AnyTree& a, const AnyTree& b) {
   return std::visit(
       [&](const auto& tree_a) {
-        return bound_of(tree_a, std::get<std::decay_t<decltype(tree_a)>>(b), algorithm);
+        return bound_of(tree_a, std::get<std::decay_t<decltype(tree_a)>>(b));
       },
       a);
 }

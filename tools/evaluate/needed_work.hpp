@@ -26,9 +26,9 @@ struct VisitBound {
   std::uint64_t work = 0;
 };
 
-/// Attained if all boxes overlap: exact for `ranked`. For the others, which use other orders, it is
-/// at most twice the visits if no node has a single child.
-/// Precondition: both trees are of one kind, and walks(algorithm, their layout). O(nodes).
-VisitBound visit_bound(const AnyTree& a, const AnyTree& b, const std::string& algorithm);
+/// Attained if all boxes overlap: exact for `ranked`, of post-indexed trees. For `stackless`, of
+/// pre-indexed ones, at most twice the visits if no node has a single child. O(nodes).
+/// Precondition: both trees are of one kind.
+VisitBound visit_bound(const AnyTree& a, const AnyTree& b);
 
 }  // namespace flashbvh::tool

@@ -79,24 +79,6 @@ Point point_of(const Words& words, std::size_t first, double cell, const std::st
           cells_of(words[first + 2], cell, place)};
 }
 
-Segment ray_of(const Words& words, double cell, const std::string& place) {
-  float number[7];
-  for (std::size_t i = 0; i < 7; ++i) {
-    number[i] = static_cast<float>(number_of(words[i], place));
-  }
-  if (number_of(words[6], place) < 0) {  // a small one could round to 0
-    throw UserError(place, "is no ray: the reach is negative; give one from 0");
-  }
-  const MadeSegment made =
-      segment_of({number[0], number[1], number[2]}, {number[3], number[4], number[5]}, number[6],
-                 cells_in_unit(cell));
-  if (made.status != Status::done) {
-    throw UserError(place,
-                    "is no ray: the direction is 0, the reach negative, or its end too far off");
-  }
-  return made.segment;
-}
-
 RigidPose parse_pose(std::string_view text, const std::string& place) {
   const Words words = words_of(text);
   if (words.size() != 12) {
@@ -112,12 +94,6 @@ RigidPose parse_pose(std::string_view text, const std::string& place) {
 }
 
 }  // namespace
-
-float cells_in_unit(double cell) {
-  std::uint64_t cell_bits = 0;
-  std::memcpy(&cell_bits, &cell, sizeof cell_bits);
-  return cells_per_unit(cell_bits);
-}
 
 Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) {
   std::int32_t rotation[3][3] = {};
@@ -180,15 +156,11 @@ std::vector<Point> read_lattice_points(const std::string& path, double cell) {
 
 std::vector<Segment> read_lattice_rays(const std::string& path, double cell) {
   return read_lines<Segment>(
-      path, "is empty; write 6 or 7 numbers",
+      path, "is empty; write 6 numbers",
       [&](std::string_view line, const std::string& place) -> Segment {
         const Words words = words_of(line);
-        if (words.size() == 7) {
-          return ray_of(words, cell, place);
-        }
         if (words.size() != 6) {
-          throw UserError(place, "has ", words.size(),
-                          " numbers; a ray has 6, from and to, or 7: origin, direction, reach");
+          throw UserError(place, "has ", words.size(), " numbers; a ray has 6, from and to");
         }
         return {point_of(words, 0, cell, place), point_of(words, 3, cell, place)};
       });

@@ -20,9 +20,6 @@ struct RigidPose {
   std::array<double, 3> translation;
 };
 
-/// The value of cells_per_unit() in firmware for a mesh with this cell.
-float cells_in_unit(double cell);
-
 /// Rounds the translation to 1/65,536 of a cell and the rotation to 2^-30, halves away from zero;
 /// Pose::rigid() documents the result. UserError, naming `place`, if the matrix is no rotation
 /// within kRotationTolerance or translates B beyond kMaxTranslation.
@@ -42,8 +39,7 @@ std::array<double, 12> pose_numbers(const Pose& pose, double cell);
 /// three numbers, or a point lies beyond 2^29 cells.
 std::vector<Point> read_lattice_points(const std::string& path, double cell);
 
-/// Reads one ray per line, in the same form: two points, its start and its end; or an origin, a
-/// direction and a reach, as floats for segment_of().
+/// Reads one ray per line, in the same form: two points, its start and its end.
 std::vector<Segment> read_lattice_rays(const std::string& path, double cell);
 
 }  // namespace flashbvh::tool

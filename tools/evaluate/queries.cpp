@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "evaluate/count_query.hpp"
+#include "flashbvh/query.hpp"
 #include "flashbvh/solid.hpp"
 #include "text/numbers.hpp"
 
@@ -21,19 +21,15 @@ void add(WideCounts& sum, const QueryStats& now, const QueryStats& before) {
 
 template <class Traversal>
 Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b, const Pose& pose,
-           const Requested& requested) {
-  scene::WalkStart<Traversal> start(a, b);
-  Query<Traversal> query(a, b, pose, start.cursor());
+           bool only_first) {
+  Query<Traversal> query(a, b, pose);
   Answer answer;
   answer.status = query.status();
   while (answer.status == Status::suspended) {
     const QueryStats before = query.stats();
     const RunResult step = query.run(kWorkPerRun, [&](const typename Query<Traversal>::Pair& pair) {
       answer.pairs.push_back({pair.a, pair.b});
-      if (requested.contacts) {
-        answer.contacts.push_back(contact_of_last(query));
-      }
-      return !requested.first;
+      return !only_first;
     });
     answer.status = step.status;
     answer.work += step.work;
@@ -45,45 +41,12 @@ Answer run(const typename Traversal::Tree& a, const typename Traversal::Tree& b,
   return answer;
 }
 
-template <class WithLevels>
-Answer run_named(const std::string& name, const WithLevels& a, const WithLevels& b,
-                 const Pose& pose, const Requested& requested) {
-  Answer answer;
-  for_each_traversal([&](auto traversal) {
-    using Named = decltype(traversal);
-    if constexpr (Named::walks(WithLevels::kLayout)) {
-      if (name == traversal.name) {
-        using Traversal =
-            typename Named::template On<typename WithLevels::Index, WithLevels::kLayout>;
-        answer = run<Traversal>(a, b, pose, requested);
-      }
-    }
-  });
-  return answer;
-}
-
 std::string kind_of(const ImageFile& image) {
   return concat(layout_name(image.layout()), "-indexed with ", image.header().index_bits,
                 "-bit indices");
 }
 
 }  // namespace
-
-std::vector<std::string> traversal_names() {
-  std::vector<std::string> names;
-  for_each_traversal([&](auto traversal) { names.emplace_back(traversal.name); });
-  std::rotate(names.begin(),
-              std::find(names.begin(), names.end(), default_traversal(Layout::post_indexed)),
-              names.end());
-  return names;
-}
-
-bool walks(const std::string& traversal, Layout layout) {
-  bool result = false;
-  for_each_traversal(
-      [&](auto named) { result = result || (named.name == traversal && named.walks(layout)); });
-  return result;
-}
 
 bool are_partners(const ImageFile& a, const ImageFile& b) {
   return a.tree().index() == b.tree().index() && a.cell() == b.cell();
@@ -100,12 +63,17 @@ void check_partners(const ImageFile& a, const ImageFile& b) {
   }
 }
 
-Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
-               const Requested& requested) {
+Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, bool only_first) {
   return std::visit(
       [&](const auto& tree_a) {
-        using WithLevels = std::decay_t<decltype(tree_a)>;
-        return run_named(traversal, tree_a, std::get<WithLevels>(b), pose, requested);
+        using Tree = std::decay_t<decltype(tree_a)>;
+        const auto& tree_b = std::get<Tree>(b);
+        if constexpr (Tree::kLayout == Layout::post_indexed) {
+          using Plain = BasicMesh<typename Tree::Index, Layout::post_indexed>;
+          return run<Ranked<Plain>>(tree_a, tree_b, pose, only_first);
+        } else {
+          return run<BasicStackless<Tree>>(tree_a, tree_b, pose, only_first);
+        }
       },
       a);
 }

@@ -1,4 +1,4 @@
-// Queries on images: pairs, by the name of a traversal, and distances.
+// Queries on images: pairs and distances.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "flashbvh/clearance.hpp"
-#include "flashbvh/contact.hpp"
 #include "flashbvh/pose.hpp"
 #include "flashbvh/traversal/traversals.hpp"
 #include "image/image_file.hpp"
@@ -18,16 +17,10 @@
 
 namespace flashbvh::tool {
 
-/// All names, the default of post-indexed images first.
-std::vector<std::string> traversal_names();
-
-/// The traversal of two meshes in this layout, if none is named.
-constexpr const char* default_traversal(Layout layout) {
+/// The traversal of two meshes in this layout.
+constexpr const char* traversal_of(Layout layout) {
   return layout == Layout::post_indexed ? "ranked" : "stackless";
 }
-
-/// True if the traversal walks trees of this layout.
-bool walks(const std::string& traversal, Layout layout);
 
 /// True if one query accepts both: trees of one kind, lattices of one cell.
 bool are_partners(const ImageFile& a, const ImageFile& b);
@@ -53,21 +46,12 @@ struct Answer {
   Status status = Status::done;  ///< `done` or an error
   WideCounts counts;
   std::uint64_t work = 0;
-  std::vector<FoundPair> pairs;   ///< in the order of the query's reports
-  std::vector<Contact> contacts;  ///< one per pair, if requested
-  std::optional<bool> inside;     ///< if there are no pairs: one mesh is inside the other, if known
+  std::vector<FoundPair> pairs;  ///< in the order of the query's reports
+  std::optional<bool> inside;    ///< if there are no pairs: one mesh is inside the other, if known
 };
 
-/// Requested results in addition to counts and pairs.
-struct Requested {
-  bool first = false;  ///< to end at the first pair
-  bool contacts = false;
-};
-
-/// Runs the library's query to its end, or to the first pair.
-/// Precondition: both trees are of one kind, and walks(traversal, their layout).
-Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, const std::string& traversal,
-               const Requested& requested);
+/// Runs the library's query to its end, or to the first pair. Both trees are of one kind.
+Answer collide(const AnyTree& a, const AnyTree& b, const Pose& pose, bool only_first);
 
 /// UserError, naming `place` and the pose by its number, if the query ended with an error.
 void check_answered(const Answer& answer, const std::string& place, std::size_t pose);
@@ -84,7 +68,7 @@ struct ClearanceAnswer {
   bool in_range = true;              ///< false: only both bounds of the distance are known
   std::uint32_t lower = 0;           ///< of the distance, in 1/256 cell
   std::uint32_t upper = UINT32_MAX;  ///< UINT32_MAX: this or more
-  std::vector<NearestPair> nearest;  ///< one, or none; within a distance: all, sorted
+  std::optional<NearestPair> nearest;
   std::uint64_t visits = 0;
   std::uint64_t triangle_pairs = 0;  ///< number of tests
 };
@@ -92,18 +76,13 @@ struct ClearanceAnswer {
 /// UserError with a remedy if `image` is pre-indexed: distance queries walk post-indexed trees.
 void check_has_clearance(const ImageFile& image);
 
-/// As fine_length_rounded_up(). UserError, naming `what`, if it is not a number from 0 to `most`.
-FineLength fine_length(double length, double cell, std::uint32_t most,
-                       const std::string& what = "--within");
+/// As fine_length_rounded_up(). UserError, naming --within, if it is not a number from 0 to `most`.
+FineLength fine_length(double length, double cell, std::uint32_t most);
 
 /// The distance at a pose. The last pose's nearest pair is the hint, and `hint` is updated. Both
 /// trees are of one kind, post-indexed.
 ClearanceAnswer clearance(const AnyTree& a, const AnyTree& b, const Pose& pose,
                           Witness<std::uint32_t>& hint);
-
-/// Pairs within a distance; only the first if not `all`.
-ClearanceAnswer within_distance(const AnyTree& a, const AnyTree& b, const Pose& pose,
-                                FineLength distance, bool all);
 
 /// Runs flashbvh::one_is_inside() for two meshes without intersecting triangles; nothing if one
 /// mesh is not closed, or pre-indexed.

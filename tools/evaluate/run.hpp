@@ -60,10 +60,4 @@ struct SetupResult {
 /// tree. Each round runs every row once, so that slowdowns of the machine affect all rows.
 SetupResult run_setup(const scene::Setup& setup, const Effort& effort, Objects& objects);
 
-/// A setup's part of its table, in the paper's columns, as Markdown.
-std::string setup_table(const SetupResult& result);
-
-/// The data of figure 33: the mean time of each row over the number of faces. `results`: table 6.
-std::string figure_33(const std::vector<SetupResult>& results);
-
 }  // namespace flashbvh::tool

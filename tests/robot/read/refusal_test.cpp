@@ -76,8 +76,6 @@ TEST_CASE("a xacro that is not expanded, as a URDF and as an SRDF") {
       {"<xacro:include filename=\"a\"/>", "<xacro:include>"},
       {"\n<group name=\"g\"><xacro:if value=\"1\"/></group>", "<xacro:if>"},
       {"<include filename=\"a.xacro\"/>", "<include>"},
-      {"<macro name=\"m\"/>", "<macro>"},
-      {"<property name=\"w\" value=\"1\"/>", "<property>"},
       {"<link name=\"${prefix}a\"/>", "${prefix}a"},
       {"<disable_collisions link1=\"a\" link2=\"$(arg side)_b\"/>", "$(arg side)_b"},
   }));
@@ -103,7 +101,6 @@ TEST_CASE("joints that firmware can't hold, and what is missing of them") {
       {"floating", "",
        "arm.urdf, joint 'j': is floating, which firmware does not move; make it fixed, or write "
        "it as prismatic and revolute joints with links without geometry between"},
-      {"planar", "", "joint 'j': is planar"},
       {"ball", "", "joint 'j': is of type 'ball'; use revolute"},
       {"revolute", "",
        "arm.urdf, joint 'j': is revolute without limits; give it <limit lower=\"...\" "
@@ -116,14 +113,11 @@ TEST_CASE("joints that firmware can't hold, and what is missing of them") {
       {"revolute", R"(<limit lower="-180" upper="90"/>)",
        "arm.urdf, joint 'j': has limits of four turns or more, -180 to 90 rad; if these are "
        "degrees, write -3.14159 and 1.5708; if it turns without end, make it continuous"},
-      {"revolute", R"(<limit lower="0" upper="25.2"/>)", "has limits of four turns or more"},
       {"revolute", R"(<limit lower="nan" upper="1"/>)", "nan"},
-      {"revolute", R"(<limit lower="-1e999" upper="1"/>)", "-1e999"},
       {"continuous", R"(<axis xyz="0 0 0"/>)",
        "arm.urdf, joint 'j': moves along an axis of length 0, which has no direction; give its "
        "<axis> as in xyz=\"0 0 1\""},
       {"continuous", R"(<axis xyz="0 0"/>)", "axis element for joint [j]"},
-      {"continuous", R"(<origin xyz="0 inf 0"/>)", "[inf]"},
   }));
   check_said(said_of_joint(type, inside), wanted);
 }
@@ -197,8 +191,6 @@ TEST_CASE("shapes that are none") {
       {R"(<sphere radius="-1"/>)", "a radius of -1"},
       {R"(<cylinder radius="1" length="0"/>)", "length of 0"},
       {R"(<sphere radius="nan"/>)", "[nan]"},
-      {R"(<sphere radius="1,5"/>)", "[1,5]"},
-      {"<sphere/>", "Link [a]"},
       {R"(<capsule radius="1" length="1"/>)", "has a <capsule>"},
       {R"(<drake:capsule radius="1"/>)",
        "whose only shape, <drake:capsule>, is no URDF; use <box>"},
@@ -214,26 +206,17 @@ TEST_CASE("what URDF does not know of a pose, a size or a limit") {
       {R"(<origin xyz="1 0 0" quat_xyzw="0 0 0 1"/>)", "",
        "arm.urdf, link 'a': has <origin quat_xyzw=\"0 0 0 1\">, which URDF does not know; its "
        "attributes are xyz, rpy"},
-      {R"(<origin xyz="1 0 0" rpyy="0 0 1"/>)", "", "<origin rpyy=\"0 0 1\">"},
-      {R"(<origin XYZ="1 0 0"/>)", "", "<origin XYZ=\"1 0 0\">"},
       {R"(<origin xyz="0 0 1" xyz="0 0 2"/>)", "", "is no XML"},
       {R"(<origin/><origin xyz="1 0 0"/>)", "",
        "arm.urdf, link 'a': has two <origin> in one <collision>; leave one of them out"},
       {"<origin>1 0 0</origin>", "", "has text in its <origin>"},
       {"<origin><xyz>1 0 0</xyz></origin>", "", "has <xyz> in <origin>"},
       {R"(<orgin xyz="1 0 0"/>)", "", "has <orgin> in <collision>, which URDF does not know"},
-      {"<pose>1 0 0 0 0 0</pose>", "", "has <pose> in <collision>"},
-      {R"(<geometry><box size="2 2 2"/></geometry>)", "", "has two <geometry> in one <collision>"},
       {"", R"(<box size="1 1 1" scale="2 2 2"/>)", "<box scale=\"2 2 2\">"},
       {"", R"(<box size="1 1"/>)", "Link [a]"},
-      {"", R"(<box size="1m 1m 1m"/>)", "[1m]"},
       {"", "<box><size>1 1 1</size></box>", "has <size> in <box>"},
-      {"", R"(<sphere radius="1" diameter="1"/>)", "<sphere diameter=\"1\">"},
-      {"", R"(<cylinder radius="1" lenght="1"/>)", "<cylinder lenght=\"1\">"},
-      {"", R"(<cylinder radius="1"/>)", "Link [a]"},
       {"", R"(<mesh filename="a.stl" scal="0.001 0.001 0.001"/>)", "<mesh scal="},
       {"", R"(<mesh filename="a.stl" scale="0.001"/>)", "Link [a]"},
-      {"", R"(<mesh filename="a.stl"><scale>2 2 2</scale></mesh>)", "has <scale> in <mesh>"},
       {"", R"(<origin xyz="1 0 0"/><box size="1 1 1"/>)", "without one shape in its <geometry>"},
   }));
   const std::string shape = *in_geometry == 0 ? R"(<sphere radius="1"/>)" : in_geometry;
@@ -262,13 +245,8 @@ TEST_CASE("what URDF does not know of a joint") {
       {R"(<axis xyz="0 0 1" rpy="0 0 0"/>)", ""},
       {"<axis/>", "which has no direction"},
       {"<axis>0 0 1</axis>", "has text in its <axis>"},
-      {R"(<axes xyz="0 0 1"/>)", "has <axes> in <joint>"},
       {R"(<axis xyz="0 0 1"/><axis xyz="1 0 0"/>)", "has two <axis> in one <joint>"},
-      {R"(<limit lower="-2" upper="2"/>)", "has two <limit> in one <joint>"},
-      {R"(<origin rotation="0 0 1"/>)", "has <origin rotation=\"0 0 1\">"},
-      {R"(<origin/><origin/>)", "has two <origin> in one <joint>"},
       {R"(<parent link="b"/>)", "has two <parent> in one <joint>"},
-      {R"(<child link="a"/>)", "has two <child> in one <joint>"},
       {R"(<mimic joint="k" multipler="2"/>)", "has <mimic multipler=\"2\">"},
       {R"(<safety_controller soft_lower_limt="0"/>)", "has <safety_controller soft_lower_limt="},
       {R"(<safety_controller soft_lower_limit="0 rad"/>)",

@@ -43,8 +43,7 @@ std::vector<std::string> unique_names(const Images& images) {
 
 /// True if the surfaces intersect, or one mesh is inside the other.
 bool touches(const ImageFile& a, const ImageFile& b, const Pose& pose, std::size_t number) {
-  const Answer answer =
-      collide(a.tree(), b.tree(), pose, default_traversal(a.layout()), {true, false});
+  const Answer answer = collide(a.tree(), b.tree(), pose, true);
   check_answered(answer, b.path(), number);
   return answer.counts.triangle_pairs != 0 || one_is_inside(a, b, pose).value_or(false);
 }

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "cli/commands.hpp"
+#include "cli/table.hpp"
 #include "evaluate/run.hpp"
 #include "text/messages.hpp"
 
@@ -20,6 +21,57 @@ struct BenchArguments {
   }
 };
 
+/// A column of text, aligned as numbers are.
+Column time_column(const std::string& heading) {
+  return {heading, [heading](const Json& row) { return row[heading].get<std::string>(); }, true};
+}
+
+/// A setup's part of its table, in the paper's columns.
+void print_setup(const SetupResult& result) {
+  Json rows = Json::array();
+  for (const Row& row : result.rows) {
+    const Times times = times_of(row.seconds);
+    rows.push_back({{"algorithm", row.name},
+                    {"min.", fixed(times.least, 7)},
+                    {"max.", fixed(times.most, 7)},
+                    {"mean", fixed(times.mean, 7)},
+                    {"std. deviation", fixed(times.deviation, 7)},
+                    {"iterations", row.counts.visits},
+                    {"overlaps", row.counts.overlaps},
+                    {"leaf overlaps", row.counts.leaf_pairs},
+                    {"geometry overlaps", row.counts.triangle_pairs}});
+  }
+  std::cout << result.setup->name << " (seconds; repetitions: " << result.repetitions
+            << ", rounds: " << result.rows[0].seconds.size() << ")\n\n";
+  std::vector<Column> columns = {word_column("algorithm", "algorithm")};
+  for (const char* const heading : {"min.", "max.", "mean", "std. deviation"}) {
+    columns.push_back(time_column(heading));
+  }
+  for (const char* const heading :
+       {"iterations", "overlaps", "leaf overlaps", "geometry overlaps"}) {
+    columns.push_back(number_column(heading, heading));
+  }
+  print_table(rows, columns);
+  std::cout << "\n" << std::flush;
+}
+
+/// The data of figure 33: the mean time of each row over the number of faces. `results`: table 6.
+void print_figure_33(const std::vector<SetupResult>& results) {
+  Json rows = Json::array();
+  std::vector<Column> columns = {number_column("faces", "faces")};
+  for (const SetupResult& result : results) {
+    rows.push_back({{"faces", result.setup->a.faces()}});
+    for (const Row& row : result.rows) {
+      rows.back()[row.name] = fixed(times_of(row.seconds).mean / result.repetitions, 7);
+      if (rows.size() == 1) {
+        columns.push_back(time_column(row.name));
+      }
+    }
+  }
+  std::cout << "Figure 33: mean seconds of one query over faces\n\n";
+  print_table(rows, columns);
+}
+
 /// kCheckFailed if rows of a setup found different overlaps.
 ExitCode run_bench(const BenchArguments& arguments) {
   const double scale = arguments.effort.repetitions_scale;
@@ -36,10 +88,10 @@ ExitCode run_bench(const BenchArguments& arguments) {
     }
     if (setup.table != table) {
       table = setup.table;
-      std::cout << "### Table " << table << ": " << scene::table_title(table) << "\n\n";
+      std::cout << "Table " << table << ": " << scene::table_title(table) << "\n\n";
     }
     const SetupResult result = run_setup(setup, arguments.effort, objects);
-    std::cout << setup_table(result) << "\n" << std::flush;
+    print_setup(result);
     if (!result.rows_agree()) {
       std::cerr << "flashbvh: " << setup.name << ": the algorithms found different overlaps\n";
       exit_code = kCheckFailed;
@@ -49,7 +101,7 @@ ExitCode run_bench(const BenchArguments& arguments) {
     }
   }
   if (!scalability.empty()) {
-    std::cout << figure_33(scalability);
+    print_figure_33(scalability);
   }
   return exit_code;
 }

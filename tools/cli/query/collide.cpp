@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iostream>
-#include <numeric>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -17,26 +15,11 @@ namespace flashbvh::tool {
 namespace {
 
 struct CollideArguments : PosedImages {
-  std::string algorithm;
   std::string pairs;
-  std::string contacts;
   bool first = false;
   bool bound = false;
   bool json = false;
 };
-
-std::string chosen_algorithm(const CollideArguments& arguments, const ImageFile& a) {
-  if (arguments.algorithm.empty()) {
-    return default_traversal(a.layout());
-  }
-  if (!walks(arguments.algorithm, a.layout())) {
-    const bool pre = a.layout() == Layout::pre_indexed;
-    throw UserError(a.path(), "is ", std::string(layout_name(a.layout())), "-indexed, which ",
-                    arguments.algorithm, " can't walk; bake it with --layout ",
-                    pre ? "post" : "pre");
-  }
-  return arguments.algorithm;
-}
 
 Json json_of(std::size_t pose, const std::string& algorithm, const Answer& answer) {
   Json line = {{"pose", pose}, {"intersects", answer.counts.triangle_pairs != 0}};
@@ -70,37 +53,16 @@ std::string verdict_of_all(const Json& lines) {
                 inside == 0 ? "" : concat(", one mesh is inside the other in ", inside));
 }
 
-/// The order of the answer's pairs by triangle numbers.
-std::vector<std::size_t> order_of(const Answer& answer) {
-  std::vector<std::size_t> order(answer.pairs.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    const FoundPair& p = answer.pairs[i];
-    const FoundPair& q = answer.pairs[j];
-    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
-  });
-  return order;
-}
-
-/// Both ends of the common segment, in the images' unit.
-std::string ends_text(const Contact& contact, double cell) {
-  std::string text;
-  for (const FinePoint& end : contact.ends) {
-    for (const std::int64_t coordinate : {end.x, end.y, end.z}) {
-      text += " " + shortest(unit_length(coordinate, cell));
-    }
-  }
-  return text;
-}
-
-/// A line per pair, by poses and triangle numbers; with its contact if there is a `cell`.
-std::string pair_lines(const std::vector<Answer>& found, std::optional<double> cell) {
+/// A line per pair, by poses and triangle numbers.
+std::string pair_lines(std::vector<Answer> found) {
   std::string text;
   for (std::size_t pose = 0; pose < found.size(); ++pose) {
-    const Answer& answer = found[pose];
-    for (const std::size_t i : order_of(answer)) {
-      text += concat(pose, " ", answer.pairs[i].a, " ", answer.pairs[i].b,
-                     cell ? ends_text(answer.contacts[i], *cell) : "", "\n");
+    std::vector<FoundPair>& pairs = found[pose].pairs;
+    std::sort(pairs.begin(), pairs.end(), [](const FoundPair& p, const FoundPair& q) {
+      return std::tie(p.a, p.b) < std::tie(q.a, q.b);
+    });
+    for (const auto& [a, b] : pairs) {
+      text += concat(pose, " ", a, " ", b, "\n");
     }
   }
   return text;
@@ -110,7 +72,7 @@ std::string pair_lines(const std::vector<Answer>& found, std::optional<double> c
 /// work of the given poses, if any.
 Json bound_json(const Scene& scene, const std::string& algorithm,
                 const std::vector<Answer>& answers) {
-  const VisitBound bound = visit_bound(scene.a.tree(), scene.b.tree(), algorithm);
+  const VisitBound bound = visit_bound(scene.a.tree(), scene.b.tree());
   const ImageHeader& a = scene.a.header();
   const ImageHeader& b = scene.b.header();
   const auto later = [](const ImageHeader& header) {
@@ -155,21 +117,19 @@ void print_bound(const Json& bound, const std::string& names) {
 }
 
 /// The answers for all poses, in order.
-std::vector<Answer> answers_of(const CollideArguments& arguments, const Scene& scene,
-                               const std::string& algorithm) {
+std::vector<Answer> answers_of(const CollideArguments& arguments, const Scene& scene) {
   std::vector<Answer> found;
   if (arguments.poses.empty()) {
     return found;
   }
-  const Requested requested = {arguments.first, !arguments.contacts.empty()};
   for (const Pose& pose : scene.poses(arguments)) {
-    found.push_back(collide(scene.a.tree(), scene.b.tree(), pose, algorithm, requested));
+    found.push_back(collide(scene.a.tree(), scene.b.tree(), pose, arguments.first));
     Answer& answer = found.back();
     check_answered(answer, arguments.poses, found.size() - 1);
     if (answer.counts.triangle_pairs == 0 && !arguments.bound) {
       answer.inside = one_is_inside(scene.a, scene.b, pose);
     }
-    if (arguments.pairs.empty() && arguments.contacts.empty()) {
+    if (arguments.pairs.empty()) {
       answer.pairs = {};  // may be many
     }
   }
@@ -196,16 +156,10 @@ void collide_all(const CollideArguments& arguments) {
   if (!arguments.bound && arguments.poses.empty()) {
     throw CLI::RequiredError("--poses or --bound");
   }
-  for (const std::string& output : {arguments.pairs, arguments.contacts}) {
-    check_output(output, {arguments.poses});
-  }
-  if (!arguments.pairs.empty() && arguments.pairs == arguments.contacts) {
-    throw UserError("--contacts " + arguments.contacts,
-                    "is the same file as that of --pairs; name two");
-  }
+  check_output(arguments.pairs, {arguments.poses});
   const Scene scene(arguments);
-  const std::string algorithm = chosen_algorithm(arguments, scene.a);
-  const std::vector<Answer> found = answers_of(arguments, scene, algorithm);
+  const std::string algorithm = traversal_of(scene.a.layout());
+  const std::vector<Answer> found = answers_of(arguments, scene);
   if (arguments.bound) {
     const Json bound = bound_json(scene, algorithm, found);
     arguments.json ? print_object(bound) : print_bound(bound, scene.names());
@@ -213,10 +167,7 @@ void collide_all(const CollideArguments& arguments) {
   }
   FileSet files;
   if (!arguments.pairs.empty()) {
-    files.add(arguments.pairs, pair_lines(found, std::nullopt));
-  }
-  if (!arguments.contacts.empty()) {
-    files.add(arguments.contacts, pair_lines(found, scene.a.cell()));
+    files.add(arguments.pairs, pair_lines(found));
   }
   files.write([&] { print_collisions(arguments, scene, algorithm, found); });
 }
@@ -233,23 +184,15 @@ void add_collide(CLI::App& app) {
                                     "pre-indexed\nimages are not tested.",
                                     collide_all);
   (void)add_posed_images(command, a);
-  command
-      .add_option("--algorithm", a.algorithm,
-                  "Traversal; default: ranked, or stackless on pre-indexed images")
-      ->check(CLI::IsMember(traversal_names()));
   CLI::Option* const first =
       command.add_flag("--first", a.first, "Stop at the first pair of triangles");
   CLI::Option* const pairs =
       add_option(command, "--pairs", a.pairs, "FILE", "Write `pose a b` for each pair, sorted");
-  CLI::Option* const contacts =
-      add_option(command, "--contacts", a.contacts, "FILE",
-                 "Write `pose a b x y z x y z` for each pair, sorted: both ends of the part that "
-                 "the triangles\nhave in common, in the images' unit, in A's frame");
   command.add_flag("--json", a.json, "One JSON object a pose");
   command
       .add_flag("--bound", a.bound,
                 "Print the work that no pose exceeds, instead, and what the given poses needed")
-      ->excludes(first, pairs, contacts);
+      ->excludes(first, pairs);
   add_example(command, "collide baked/plate.fbvh baked/peg.fbvh --poses poses.txt",
               "prints a verdict and the work of each pose");
 }

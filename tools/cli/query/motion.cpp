@@ -12,7 +12,6 @@ struct MotionArguments : PosedImages {
   std::string from;
   std::string to;
   double within = 0;
-  bool all = false;
   bool json = false;
 };
 
@@ -32,12 +31,6 @@ Json json_of(const FoundContact& part, const BodyMotion& motion, const Scene& sc
   return line;
 }
 
-/// The worst outcome of all parts; the last may be free.
-std::string outcome_of(const Json& parts) {
-  const std::string last = parts.back()["outcome"];
-  return last == "free" && parts.size() > 1 ? "close" : last;
-}
-
 /// "1.5 0 3.25".
 std::string origin_text(const Json& part) {
   const Json& pose = part["to_pose"];
@@ -46,26 +39,21 @@ std::string origin_text(const Json& part) {
       [](double along) { return significant(along, 6); }, " ");
 }
 
-void print_parts(Json parts, const Scene& scene, double within) {
-  const std::string outcome = outcome_of(parts);
-  std::cout << scene.names()
-            << (within == 0 ? ""
-                            : ", within " + shortest(within) +
-                                  (scene.unit().empty() ? "" : " " + scene.unit()))
+void print_outcome(const Json& line, const Scene& scene, double within) {
+  const std::string outcome = line["outcome"];
+  std::cout << scene.names() << (within == 0 ? "" : ", within " + length_text(within, scene.unit()))
             << ": " << outcome;
   if (outcome == "close") {
-    std::cout << ", at most " << length_text(parts[0]["distance_at_most"], scene.unit())
-              << " apart";
+    std::cout << ", at most " << length_text(line["distance_at_most"], scene.unit()) << " apart";
   }
   std::cout << "\n";
-  if (parts.back()["outcome"] == "free") {
-    parts.erase(parts.size() - 1);
+  if (outcome != "free") {
+    print_table(Json::array({line}), {word_column("", "outcome"),
+                                      number_column("from", "from", 9),
+                                      number_column("to", "to", 9),
+                                      word_column("triangles", "triangles"),
+                                      {"B's origin at `to`", origin_text}});
   }
-  print_table(parts, {word_column("", "outcome"),
-                      number_column("from", "from", 9),
-                      number_column("to", "to", 9),
-                      word_column("triangles", "triangles"),
-                      {"B's origin at `to`", origin_text}});
 }
 
 ExitCode certify_motion(const MotionArguments& arguments) {
@@ -75,17 +63,14 @@ ExitCode certify_motion(const MotionArguments& arguments) {
   const FineLength within = fine_length(arguments.within, cell, kMaxMotionDistance);
   const auto motion = BodyMotion::between(read_pose_argument(arguments.from, cell, "--from"),
                                           read_pose_argument(arguments.to, cell, "--to"));
-  Json parts = Json::array();
-  for (const FoundContact& part :
-       first_contacts(scene.a, scene.b, motion, within, arguments.all, "--to")) {
-    parts.push_back(json_of(part, motion, scene));
-  }
+  const FoundContact found = first_contact(scene.a, scene.b, motion, within);
+  const Json line = json_of(found, motion, scene);
   if (arguments.json) {
-    print_answers(true, parts, "", {});
+    print_object(line);
   } else {
-    print_parts(parts, scene, arguments.within);
+    print_outcome(line, scene, arguments.within);
   }
-  return outcome_of(parts) == "free" ? kSuccess : kCheckFailed;
+  return found.outcome == ContactOutcome::free ? kSuccess : kCheckFailed;
 }
 
 }  // namespace
@@ -110,9 +95,7 @@ void add_motion(CLI::App& app) {
       ->required();
   add_option(command, "--within", a.within, "LENGTH",
              "How near counts as touching, in the images' unit; default: 0, meshes that intersect");
-  command.add_flag("--all", a.all, "Go on behind each place where they are close");
-  command.add_flag("--json", a.json,
-                   "One JSON object; with --all one for each place, and how it ends");
+  command.add_flag("--json", a.json, "One JSON object");
   add_example(command, "motion baked/plate.fbvh baked/peg.fbvh --from \"0 0 5\" --to \"20 0 5\"",
               "prints free, or where they first touch");
 }

@@ -50,8 +50,8 @@ std::vector<Size> link_sizes(const Model& model);
 /// Sizes of a model without meshes, from the baked meshes. `cell`: of the meshes.
 std::vector<Size> link_sizes(const Model& model, const Mesh* meshes, double cell);
 
-/// Warns of links with odd sizes, of meshes that are all far larger than the distances of the
-/// joints, and of a cell coarser than a tenth of the least stop distance or of few cells a link.
+/// Warns of links with odd sizes, and of a cell coarser than a tenth of the least stop distance or
+/// of few cells a link.
 void warn_of_sizes(const Prepared& robot, const RobotRequest& request, Warnings& warnings);
 
 }  // namespace flashbvh::tool

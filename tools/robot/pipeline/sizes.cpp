@@ -63,17 +63,6 @@ void warn_of_units(const Prepared& robot, const std::string& path, Warnings& war
                               "scale=\"0.001 0.001 0.001\""
                             : "; if its mesh is in metres, leave out the scale of its <mesh>"));
   }
-  std::vector<double> sides;
-  std::transform(sizes.begin(), sizes.end(), std::back_inserter(sides), longest_side);
-  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
-  std::nth_element(sides.begin(), middle, sides.end());
-  const double joint = longest_joint(model);
-  if (joint > 0 && *middle >= kOddSize * joint) {
-    warnings.add(path, concat("has links of ", significant(*middle, 3), " m on joints at most ",
-                              significant(joint, 3),
-                              " m apart; URDF is in metres: if the meshes are in millimetres, give "
-                              "each <mesh> scale=\"0.001 0.001 0.001\""));
-  }
 }
 
 /// The smallest stop distance above 0; 0 if there is none.
