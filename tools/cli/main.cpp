@@ -1,4 +1,4 @@
-// flashbvh: bakes meshes and robots; inspects, checks, exports and queries their images.
+// flashbvh: bakes meshes and robots; inspects and queries their images.
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>

@@ -1,39 +1,43 @@
 #include "text/numbers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
-
-#include "text/printed.hpp"
 
 namespace flashbvh::tool {
 namespace {
 
-#ifdef __cpp_lib_to_chars
-template <class Number, class... Format>
-std::string to_text(Number value, Format... format) {
+// By <cstdio>, because not every standard library has floating-point numbers in <charconv>.
+
+std::string print(const char* format, int digits, double value) {
   std::array<char, 400> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format...);
-  return std::string(text.data(), end.ptr);
+  std::snprintf(text.data(), text.size(), format, digits, value);
+  return text.data();
 }
 
-std::optional<double> parse(std::string_view text) {
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ptr != end || result.ec == std::errc::invalid_argument) {
-    return std::nullopt;
-  }
-  if (result.ec == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(text).c_str(), nullptr);  // near zero, unless infinite
-  }
-  return value;
+double read(const std::string& text, double) {
+  return std::strtod(text.c_str(), nullptr);
 }
-#else
-using printed::parse;
-using printed::to_text;
-#endif
+float read(const std::string& text, float) {
+  return std::strtof(text.c_str(), nullptr);
+}
+
+/// In scientific notation, or in fixed notation if that is no longer.
+template <class Number>
+std::string shortest_of(Number number) {
+  const auto value = static_cast<double>(number);
+  int digits = 0;  // after the first one
+  std::string text = print("%.*e", digits, value);
+  while (std::isfinite(number) && read(text, number) != number) {
+    text = print("%.*e", ++digits, value);
+  }
+  const int exponent = std::atoi(text.c_str() + text.find('e') + 1);
+  const std::string point = print("%.*f", std::max(digits - exponent, 0), value);
+  return point.size() <= text.size() ? point : text;
+}
 
 std::string with_point(const std::string& text) {
   const bool is_floating = text.find_first_of(".e") != std::string::npos;
@@ -49,28 +53,35 @@ std::string_view without_plus(std::string_view text) {
 }  // namespace
 
 std::string shortest(double value) {
-  return to_text(value);
+  return shortest_of(value);
 }
 
 std::string floating_literal(double value) {
-  return with_point(to_text(value));
+  return with_point(shortest_of(value));
 }
 
 std::string float_literal(float value) {
-  return with_point(to_text(std::isfinite(value) ? value : 0.0f)) + "f";
+  return with_point(shortest_of(std::isfinite(value) ? value : 0.0f)) + "f";
 }
 
 std::string fixed(double value, int digits) {
-  return to_text(value, std::chars_format::fixed, digits);
+  return print("%.*f", digits, value);
 }
 
 std::string significant(double value, int digits) {
-  return to_text(value, std::chars_format::general, digits);
+  return print("%.*g", digits, value);
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  const std::optional<double> value = parse(without_plus(text));
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  const std::string number(without_plus(text));
+  if (number.empty() || number[0] == '+' ||
+      number.find_first_not_of("0123456789.eE+-") != std::string::npos) {
+    return std::nullopt;
+  }
+  char* end = nullptr;
+  const double value = std::strtod(number.c_str(), &end);
+  return end == number.c_str() + number.size() && std::isfinite(value) ? std::optional(value)
+                                                                       : std::nullopt;
 }
 
 std::optional<long long> parse_integer(std::string_view text) {

@@ -1,4 +1,4 @@
-// Converts numbers to text and back, the same on every machine and in every locale.
+// Converts numbers to text and back, the same on every machine.
 #pragma once
 
 #include <optional>
