@@ -16,8 +16,6 @@ class BadMeshesTest(Case):
                 ("mesh.xyz", "solid", "mesh.xyz: is no mesh by its extension; convert it to one of STL, OBJ"),
                 ("part.step", "ISO-10303-21", "part.step: is no mesh by its extension"),
                 ("part.off", "OFF\n", "part.off: is OFF, which is not read; convert it to STL, OBJ or PLY"),
-                ("huge.obj", "v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n",
-                 "huge.obj:3: '1e39' is no finite number of at most 3.4e38"),
                 ("short.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n", "short.obj:2: a vertex of 2"),
                 ("segment.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "segment.obj:3: a polygon of 2"),
                 ("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n", "line.obj: has no polygons"),
@@ -34,7 +32,6 @@ class BadMeshesTest(Case):
             "meshes": "is a folder",
             "meshes/no_triangles.stl": "triangle",
             "meshes/nan.stl": "nan.stl: polygon 2",
-            "meshes/infinite.stl": "infinite.stl: polygon 2",
         })
 
     def test_too_large_for_the_cell_the_message_names_one_that_fits(self):

@@ -54,10 +54,7 @@ class SimplifyTest(Case):
         refuse_each("bake meshes/ring.stl -o out", {
             "--simplify 0.1 --fit 1000": "--fit: chooses what --simplify says; give one of the two",
             "--simplify 0": "--simplify 0: is no length",
-            "--simplify x": "--simplify x: is no length",
-            "--fit 0": "--fit 0: is no number of bytes",
             "--fit 1e3": "--fit 1e3: is no number of bytes; give one from 1 to 4294967295",
-            "--fit 4294967296": "--fit 4294967296: is no number of bytes",
             "--simplify 0.1 --deformable": "--deformable: keeps the file's vertices",
             "--simplify 0.01 --cell 0.1": "--simplify 0.01: is less than rounding moves a vertex of meshes/ring.stl",
         })
@@ -106,9 +103,7 @@ class SimplifyTest(Case):
         self.assertTrue(two_thirds * 0.8 < out.json["flash_bytes"] <= two_thirds)
         refuse(f"robot arm.urdf {OPTIONS}", "--output or --dry-run")
         refuse_each(f"robot arm.urdf -o out {OPTIONS}", {
-            "--simplify 0.002 --fit 9000": "--fit: chooses what --simplify says; give one of the two",
             "--simplify 0": "--simplify 0: simplifies nothing",
             "--simplify 1e-7": "--simplify 1e-7: is less than rounding moves link",
             "--fit 1000": "--fit 1000: is ",
-            "--fit -1": "--fit -1: is no number of bytes",
         })

@@ -10,7 +10,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <stdexcept>
 #include <system_error>
 
 #include "text/messages.hpp"
@@ -44,46 +43,6 @@ class Rollback {
 
  private:
   std::vector<fs::path> made_;
-};
-
-constexpr std::array kEnding = {SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
-
-volatile std::sig_atomic_t held_signal = 0;  // the last received signal; 0 if none
-
-/// Holds back signals that end the program, so that no partial output stays behind. The destructor
-/// raises the last one. Precondition: there are no other threads.
-class HeldSignals {
- public:
-  HeldSignals() {
-    held_signal = 0;
-    for (std::size_t i = 0; i < kEnding.size(); ++i) {
-      before_[i] = std::signal(kEnding[i], [](int signal) { held_signal = signal; });
-      if (before_[i] == SIG_IGN) {
-        std::signal(kEnding[i], SIG_IGN);
-      }
-    }
-  }
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
-  ~HeldSignals() {
-    for (std::size_t i = 0; i < kEnding.size(); ++i) {
-      std::signal(kEnding[i], before_[i]);
-    }
-    if (held_signal != 0) {
-      std::raise(held_signal);
-    }
-  }
-
-  /// Throws if a signal is held back.
-  static void stop_if_any() {
-    if (held_signal != 0) {
-      throw std::runtime_error("ended by a signal");
-    }
-  }
-
- private:
-  using Handler = void (*)(int);
-  std::array<Handler, kEnding.size()> before_{};
 };
 
 void make_folder(const fs::path& folder, Rollback& rollback) {
@@ -220,10 +179,11 @@ void FileSet::add(fs::path path, std::string bytes) {
 
 void FileSet::write(const std::function<void()>& report) const {
   write_special();
-  const HeldSignals signals;
+  if (!files_.empty()) {
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error, so no file is left behind
+  }
   Rollback rollback;
   for (const File& file : files_) {
-    HeldSignals::stop_if_any();
     make_folder(file.path.parent_path(), rollback);
     const fs::path temporary = temporary_name(file.path);
     rollback.made(temporary);
@@ -231,14 +191,13 @@ void FileSet::write(const std::function<void()>& report) const {
   }
   report();
   flush_output();
-  HeldSignals::stop_if_any();
   for (const File& file : files_) {
     put_in_place(file.path, rollback);
   }
   rollback.keep();
 }
 
-/// Comes before files that could be left behind, and while signals arrive: a pipe may be full.
+/// Comes before files that could be left behind.
 void FileSet::write_special() const {
   for (const File& file : special_) {
     std::error_code error;
