@@ -95,7 +95,7 @@ ARM = (link("column", box_of("0.2 0.2 0.1")), link("upper", box_of("0.4 0.05 0.0
        joint("other", "prismatic", "fore", "right",
              f'<origin xyz="0.4 -0.1 0"/>{ALONG_Y}<mimic joint="grip" multiplier="-1"/>', (-0.1, 0.09)))
 RING = shape('<mesh filename="package://parts/ring.stl" scale="0.01 0.01 0.01"/>')
-OPTIONS = "--srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01"
+OPTIONS = "--srdf arm.srdf --believe base,class --stop 0.005 --warn 0.01 --pair class,upper-arm=0.005,0.01"
 
 
 # A base, a shoulder turned by -y with a mesh, a slide, and two fingers, one of which mimics the other, on a link

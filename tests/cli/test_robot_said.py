@@ -77,7 +77,8 @@ class RobotSaidTest(Case):
         out.matches("^table - bridge *can *intersect at the witness$")
         out.err.contains("a guard would always say stop; disable the pair")
         self.assertNotIn("not guarded", out + out.err)
-        flashbvh("robot gantry.urdf -o baked --zone x=2").matches(r"\Anot guarded: table - bridge within 2 m about x$")
+        flashbvh("robot gantry.urdf -o baked --zone x=2").matches(
+            r"\Anot guarded: table - bridge within 2 m about x$", "^table - bridge *can *outside 2 m about x: intersect")
         refuse_each("robot gantry.urdf -o out", {
             "--zone x": "--zone x: is no JOINT=LENGTH",
             "--zone x=-1": "--zone x=-1: '-1' is no length",

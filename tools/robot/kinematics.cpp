@@ -73,6 +73,20 @@ JointsBetween joints_between(const Model& model, std::size_t link_a, std::size_t
   return joints;
 }
 
+std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
+  const JointsBetween joints = joints_between(model, a, b);
+  if (joints.of_a.size() + joints.of_b.size() != 1) {
+    return std::nullopt;
+  }
+  return joints.of_a.empty() ? joints.of_b[0] : joints.of_a[0];
+}
+
+bool is_between_neighbours(const Model& model, std::size_t joint) {
+  return std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& pair) {
+    return joint_of_neighbours(model, pair.first, pair.second) == joint;
+  });
+}
+
 std::vector<Transform> frames_inwards(const Model& model, const std::vector<std::size_t>& joints,
                                       const std::vector<double>& variables) {
   std::vector<Transform> frames(joints.size());

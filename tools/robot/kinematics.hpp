@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "flashbvh/pose.hpp"
@@ -49,6 +50,11 @@ struct JointsBetween {
   std::vector<std::size_t> of_b;
 };
 JointsBetween joints_between(const Model& model, std::size_t link_a, std::size_t link_b);
+
+/// The joint between two neighbours, if it is the only one.
+std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b);
+/// True if the joint is the only one between two neighbours with meshes.
+bool is_between_neighbours(const Model& model, std::size_t joint);
 
 /// The frames of `joints`, which run from a link towards the base: each in the frame of the last
 /// joint's parent.

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <mutex>
 #include <tuple>
 
 #include "robot/matrix/approximation.hpp"
 #include "robot/matrix/pair_search.hpp"
 #include "robot/matrix/pair_space.hpp"
-#include "robot/matrix/reaches.hpp"
 #include "text/numbers.hpp"
 #include "text/parallel.hpp"
 
@@ -40,70 +39,61 @@ constexpr std::uint64_t kBoxesOutside = 4096;
 /// Cells by which triangles may be farther apart than a query finds: it rounds vertices.
 constexpr double kRounding = 4;
 
-struct Contact {
-  std::uint32_t a;  ///< triangles of the two sides
-  std::uint32_t b;
-};
-
-/// The links at one value of their joint.
-struct Look {
-  std::size_t number;  ///< of kLooks
-  Transform frame;     ///< b's in a's
-  std::vector<Contact> contacts;
-};
-
 /// True if a look is not in an eighth of the range at either end.
 bool is_inner(std::size_t look) {
   return look >= kLooks / 8 && look < kLooks - kLooks / 8;
 }
 
-/// The joint's frame at coordinate 0, in the frame of a link next to it.
-Transform frame_in(const Model& model, std::size_t link, std::size_t joint) {
-  return model.links[link].joint == joint ? Transform() : model.joints[joint].fixed;
-}
+/// One of two neighbours.
+struct ZoneLink {
+  std::size_t link;
+  const ModelLink& chosen_by;  ///< the link, or a coarser one with the same shells
+  WholeMesh mesh;              ///< of that
+  double deviation;            ///< of that from the link, in metres
+};
 
 /// Finds the zone of two neighbours.
 class Finder {
  public:
-  Finder(const Model& model, std::size_t a, std::size_t b, std::size_t joint, double cell,
+  Finder(const Model& model, const ZoneLink& a, const ZoneLink& b, std::size_t joint, double cell,
          const MatrixOptions& options)
       : model_(model),
         joint_(joint),
         cell_(cell),
         options_(options),
-        stop_(options.distances_of(a, b).stop),
-        touching_(stop_ + options.slack + options.early + 2 * kDeviation),
-        links_{a, b},
-        wholes_{side_of(0, model.links[a]), side_of(1, model.links[b])},
-        sides_(wholes_) {
+        stop_(options.distances_of(a.link, b.link).stop),
+        deviations_(a.deviation + b.deviation),
+        touching_(stop_ + options.slack + options.early + 2 * kDeviation + deviations_ / cell),
+        links_{a.link, b.link},
+        wholes_{side_of(a.link, model.links[a.link]), side_of(b.link, model.links[b.link])},
+        sides_{side_of(a.link, a.chosen_by), side_of(b.link, b.chosen_by)},
+        whole_(space(a.mesh, b.mesh)) {
     options_.most_joint_boxes = kBoxesOutside;
     options_.slack += 2 * kDeviation;  // vertices at cuts are rounded again
     shape_.is_cylinder = model.joints[joint].type == JointType::prismatic;
   }
 
-  /// Chooses the zone by coarser links with the same shells. `deviations`: of both, in metres.
-  void choose_by(const ModelLink& a, const ModelLink& b, double deviations) {
-    touching_ += deviations / cell_;
-    deviations_ = deviations;
-    sides_ = {side_of(0, a), side_of(1, b)};
-  }
-
   /// None if time is up or, without a given radius, if the links are apart at one of the first
-  /// looks. The meshes: of the links, or of the coarser links.
-  std::optional<JointZone> find(const WholeMesh& mesh_a, const WholeMesh& mesh_b,
-                                std::optional<double> radius) {
-    const PairSpace whole = space(mesh_a, mesh_b);
-    std::vector<Look> looks;
+  /// looks and may touch, or stop no guard.
+  std::optional<JointZone> find(std::optional<double> radius) {
+    std::vector<ZoneLook> looks;
     for (std::size_t i = 0; i < kLooks; i += kStride) {
-      looks.push_back(look_at(whole, i));
-      if ((!radius && looks.back().contacts.empty()) || deadline_is_past()) {
+      looks.push_back(look_at(whole_, i));
+      passes_ = passes_ || (!radius && looks.back().contacts.empty());
+      if ((passes_ && (!are_kept_apart() || has_own_stop())) || deadline_is_past()) {
         return std::nullopt;
       }
     }
-    find_touching_shells(looks);
+    if (!passes_) {
+      touching_shells_ = take_touching_shells(sides_, looks);
+    } else if (take_all_shells(); are_apart_outside() || !never_touch()) {
+      return std::nullopt;
+    }
     place(looks);
     if (radius) {
       shape_.radius = *radius;
+    } else if (passes_) {
+      grow_until_apart();
     } else {
       grow();
     }
@@ -120,8 +110,9 @@ class Finder {
     return is_late_;
   }
 
-  ZoneSide side_of(std::size_t side, const ModelLink& link) const {
-    return ZoneSide(link, frame_in(model_, links_[side], joint_));
+  ZoneSide side_of(std::size_t link, const ModelLink& chosen_by) const {
+    const bool is_moved = model_.links[link].joint == joint_;
+    return ZoneSide(chosen_by, is_moved ? Transform() : model_.joints[joint_].fixed);
   }
 
   PairSpace space(const WholeMesh& a, const WholeMesh& b) const {
@@ -135,87 +126,42 @@ class Finder {
   }
 
   /// Finds what touches at that value.
-  Look look_at(const PairSpace& space, std::size_t number) const {
+  ZoneLook look_at(const PairSpace& space, std::size_t number) const {
     const double value = value_at(space, number);
-    Look look = {number, space.frame_at({value}), {}};
+    ZoneLook look = {number, space.frame_at({value}), {}};
     space.find_near({value}, touching_, [&](std::uint32_t a, std::uint32_t b) {
       look.contacts.push_back({a, b});
     });
     return look;
   }
 
-  /// Finds the shells that touch at half of the looks or more, and leaves out other contacts.
-  void find_touching_shells(std::vector<Look>& looks) {
-    for (std::size_t side = 0; side < 2; ++side) {
-      std::vector<std::size_t> counts(sides_[side].shell_count());
-      for (const Look& look : looks) {
-        std::set<std::uint32_t> touching;
-        for (const Contact& contact : look.contacts) {
-          touching.insert(sides_[side].shell_of(side == 0 ? contact.a : contact.b));
-        }
-        for (const std::uint32_t shell : touching) {
-          ++counts[shell];
-        }
-      }
-      for (const std::size_t count : counts) {
-        touching_shells_[side].push_back(2 * count >= looks.size());
-        other_shells_[side].push_back(2 * count < looks.size());
-      }
-    }
-    for (Look& look : looks) {
-      const auto is_other = [&](const Contact& contact) {
-        return other_shells_[0][sides_[0].shell_of(contact.a)] ||
-               other_shells_[1][sides_[1].shell_of(contact.b)];
-      };
-      look.contacts.erase(std::remove_if(look.contacts.begin(), look.contacts.end(), is_other),
-                          look.contacts.end());
-    }
-  }
-
   /// The triangles of a contact in the joint's frame on side a.
-  std::array<PointTriangle, 2> triangles_of(const Look& look, const Contact& contact,
+  std::array<PointTriangle, 2> triangles_of(const ZoneLook& look,
+                                            const std::array<std::uint32_t, 2>& contact,
                                             const bake::SourceMesh& a,
                                             const bake::SourceMesh& b) const {
     const Transform& to_joint = sides_[0].to_joint();
-    return {placed_triangle(to_joint, simplify::triangle_of(a, a.triangles[contact.a])),
+    return {placed_triangle(to_joint, simplify::triangle_of(a, a.triangles[contact[0]])),
             placed_triangle(composed(to_joint, look.frame),
-                            simplify::triangle_of(b, b.triangles[contact.b]))};
-  }
-
-  /// The corners of the part of `p` that touches `q`.
-  std::vector<Vector3> touching_part(const PointTriangle& p, const PointTriangle& q) const {
-    return near_part(p, q, (touching_ + kRounding) * cell_);
-  }
-
-  template <class Points>
-  double farthest(const Points& points) const {
-    double most = 0;
-    for (const Vector3& point : points) {
-      most = std::max(most, shape_.distance_of(point));
-    }
-    return most;
+                            simplify::triangle_of(b, b.triangles[contact[1]]))};
   }
 
   /// The radius of the smallest zone outside of which nothing touches; 0 if nothing does anywhere.
-  double radius_at(const Look& look, const bake::SourceMesh& a, const bake::SourceMesh& b) const {
+  double radius_at(const ZoneLook& look, const bake::SourceMesh& a,
+                   const bake::SourceMesh& b) const {
     double radius = 0;
-    for (const Contact& contact : look.contacts) {
+    for (const auto& contact : look.contacts) {
       const auto [p, q] = triangles_of(look, contact, a, b);
-      if (std::min(farthest(p), farthest(q)) > radius) {
-        const double of_p = farthest(touching_part(p, q));
-        if (of_p > radius) {
-          radius = std::max(radius, std::min(of_p, farthest(touching_part(q, p))));
-        }
-      }
+      radius = radius_between(shape_, p, q, (touching_ + kRounding) * cell_, radius);
     }
     return radius == 0 ? 0 : radius * kMargin + kMarginCells * cell_ + deviations_;
   }
 
   /// Chooses the middle with the smallest radius, among contacts.
-  void place(const std::vector<Look>& looks) {
+  void place(const std::vector<ZoneLook>& looks) {
     simplify::Box all;
-    for (const Look& look : looks) {
-      for (const Contact& contact : look.contacts) {
+    for (const ZoneLook& look : looks) {
+      for (const auto& contact : look.contacts) {
         const auto [p, q] = triangles_of(look, contact, sides_[0].mesh(), sides_[1].mesh());
         for (const Vector3& corner : p) {
           all.add(corner);
@@ -239,7 +185,7 @@ class Finder {
   }
 
   /// Takes another middle if its radius is smaller.
-  void try_middle(std::size_t axis, double at, const std::vector<Look>& looks) {
+  void try_middle(std::size_t axis, double at, const std::vector<ZoneLook>& looks) {
     const auto before = std::pair(shape_, median_);
     shape_.middle[axis] = at;
     take_radius(looks);
@@ -249,23 +195,30 @@ class Finder {
   }
 
   /// Sets the radius and the median one.
-  void take_radius(const std::vector<Look>& looks) {
+  void take_radius(const std::vector<ZoneLook>& looks) {
     std::vector<double> radii;
     double most = 0;
-    for (const Look& look : looks) {
+    for (const ZoneLook& look : looks) {
       radii.push_back(radius_at(look, sides_[0].mesh(), sides_[1].mesh()));
       most = is_inner(look.number) ? std::max(most, radii.back()) : most;
     }
     const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
     std::nth_element(radii.begin(), middle, radii.end());
     median_ = *middle;
-    shape_.radius = std::min(most, kMoreThanMedian * median_);
+    shape_.radius = passes_ ? *std::max_element(radii.begin(), radii.end())
+                            : std::min(most, kMoreThanMedian * median_);
   }
 
   /// Grows the zone to contacts between the first looks, by little at the ends of the range. Then,
   /// where a guard would stop: to all of the links if they never touch, or else not too far.
   void grow() {
-    std::vector<double> radii = radii_outside();
+    std::vector<double> radii(kLooks);  // that the zone needs for what touches outside; or 0
+    for (const ZoneBodies& of : outside(sides_)) {
+      const PairSpace pair = space(of.a.view(), of.b.view());
+      for (std::size_t i = 0; i < kLooks && !options_.is_late(); ++i) {
+        radii[i] = radius_at(look_at(pair, i), of.mesh_a, of.mesh_b);
+      }
+    }
     const double at_ends = kMoreAtEnds * shape_.radius;
     for (std::size_t i = 0; i < radii.size(); ++i) {
       if (radii[i] <= (is_inner(i) ? kMoreThanMedian * median_ : at_ends)) {
@@ -291,29 +244,22 @@ class Finder {
     }
   }
 
-  /// For all looks, the radius that a zone needs for what touches outside; or 0.
-  std::vector<double> radii_outside() const {
-    std::vector<double> radii(kLooks);
-    for (const ZoneBodies& of : outside(sides_)) {
-      const PairSpace pair = space(of.a.view(), of.b.view());
-      for (std::size_t i = 0; i < kLooks && !options_.is_late(); ++i) {
-        radii[i] = radius_at(look_at(pair, i), of.mesh_a, of.mesh_b);
-      }
+  void take_all_shells() {
+    for (std::size_t side = 0; side < 2; ++side) {
+      touching_shells_[side].assign(sides_[side].shell_count(), true);
     }
-    return radii;
   }
 
   /// Grows the zone of links that never touch, for all of their shells, until all looks are apart.
   void grow_until_apart() {
+    take_all_shells();
     double high = HUGE_VAL;
     for (std::size_t side = 0; side < 2; ++side) {
-      touching_shells_[side].assign(sides_[side].shell_count(), true);
-      other_shells_[side].assign(sides_[side].shell_count(), false);
-      std::vector<Vector3> vertices = wholes_[side].mesh().vertices;
-      for (Vector3& vertex : vertices) {
-        vertex = placed(sides_[side].to_joint(), vertex);
+      double most = 0;
+      for (const Vector3& vertex : wholes_[side].mesh().vertices) {
+        most = std::max(most, shape_.distance_of(placed(sides_[side].to_joint(), vertex)));
       }
-      high = std::min(high, farthest(vertices));
+      high = std::min(high, most);
     }
     double low = shape_.radius;
     if (are_apart_outside()) {
@@ -345,9 +291,11 @@ class Finder {
 
   /// True if links that never touch have to be guarded for their stop distance.
   bool are_kept_apart() const {
-    return stop_ > 0 && (find_pair(model_.disabled, links_[0], links_[1]) == nullptr ||
-                         find_pair(options_.stops, links_[0], links_[1]) != nullptr);
+    return stop_ > 0 &&
+           (find_pair(model_.disabled, links_[0], links_[1]) == nullptr || has_own_stop());
   }
+
+  bool has_own_stop() const { return find_pair(options_.stops, links_[0], links_[1]) != nullptr; }
 
   /// True if it is proven that nothing outside the zone ever touches.
   bool never_touch() const {
@@ -379,8 +327,11 @@ class Finder {
   /// All but what touches in the zone: outside it; other shells and the other link.
   std::vector<ZoneBodies> bodies() const {
     std::vector<ZoneBodies> all = outside(wholes_);
-    add_bodies(wholes_[0].part(other_shells_[0]), wholes_[1].mesh(), all);
-    add_bodies(wholes_[0].part(touching_shells_[0]), wholes_[1].part(other_shells_[1]), all);
+    std::array<std::vector<bool>, 2> others = touching_shells_;
+    others[0].flip();
+    others[1].flip();
+    add_bodies(wholes_[0].part(others[0]), wholes_[1].mesh(), all);
+    add_bodies(wholes_[0].part(touching_shells_[0]), wholes_[1].part(others[1]), all);
     return all;
   }
 
@@ -388,15 +339,16 @@ class Finder {
   std::size_t joint_;
   double cell_;
   MatrixOptions options_;
-  double stop_;            ///< in cells
-  double touching_;        ///< in cells: distance that counts as contact
-  double deviations_ = 0;  ///< of the sides from the links, in metres
+  double stop_;        ///< in cells
+  double deviations_;  ///< of the sides from the links, in metres
+  double touching_;    ///< in cells: distance that counts as contact
   bool is_late_ = false;
+  bool passes_ = false;  ///< apart at some values, but within the stop distance at others
   std::array<std::size_t, 2> links_;
   std::array<ZoneSide, 2> wholes_;
   std::array<ZoneSide, 2> sides_;  ///< the links, or coarser ones
+  PairSpace whole_;                ///< of these
   std::array<std::vector<bool>, 2> touching_shells_;
-  std::array<std::vector<bool>, 2> other_shells_;
   ZoneShape shape_;
   double median_ = 0;  ///< of the radii for single values, in metres
   double hidden_ = 0;
@@ -413,26 +365,12 @@ StopDistance MatrixOptions::distances_of(std::size_t a, std::size_t b) const {
   return own != nullptr ? *own : StopDistance{a, b, stop, warn};
 }
 
-std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b) {
-  const JointsBetween joints = joints_between(model, a, b);
-  if (joints.of_a.size() + joints.of_b.size() != 1) {
-    return std::nullopt;
-  }
-  return joints.of_a.empty() ? joints.of_b[0] : joints.of_a[0];
-}
-
-bool is_between_neighbours(const Model& model, std::size_t joint) {
-  return std::any_of(model.neighbours.begin(), model.neighbours.end(), [&](const auto& pair) {
-    return joint_of_neighbours(model, pair.first, pair.second) == joint;
-  });
-}
-
 FoundZones joint_zones(const Model& model, const std::vector<WholeMesh>& meshes, double cell,
                        const MatrixOptions& options, const ZoneRadii& radii) {
-  std::vector<std::optional<JointZone>> found(model.neighbours.size());
-  std::vector<std::optional<std::size_t>> late_joints(found.size());
+  FoundZones all;
+  std::mutex mutex;
   const std::vector<std::optional<Approximation>> others = approximations(model, cell, options);
-  for_each_in_parallel(found.size(), [&](std::size_t i) {
+  for_each_in_parallel(model.neighbours.size(), [&](std::size_t i) {
     const auto [a, b] = std::minmax(model.neighbours[i].first, model.neighbours[i].second);
     const std::optional<std::size_t> joint = joint_of_neighbours(model, a, b);
     if (!joint) {
@@ -444,25 +382,21 @@ FoundZones joint_zones(const Model& model, const std::vector<WholeMesh>& meshes,
     if (radius == 0.0) {
       return;
     }
-    Finder finder(model, a, b, *joint, cell, options);
-    if (others[a] || others[b]) {
-      finder.choose_by(others[a] ? others[a]->link : model.links[a],
-                       others[b] ? others[b]->link : model.links[b],
-                       (others[a] ? others[a]->length : 0) + (others[b] ? others[b]->length : 0));
+    const auto link = [&](std::size_t number) -> ZoneLink {
+      const std::optional<Approximation>& of = others[number];
+      return of ? ZoneLink{number, of->link, of->baked.view(), of->length}
+                : ZoneLink{number, model.links[number], meshes[number], 0};
+    };
+    Finder finder(model, link(a), link(b), *joint, cell, options);
+    std::optional<JointZone> zone = finder.find(radius);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (zone) {
+      all.zones.push_back(std::move(*zone));
     }
-    found[i] = finder.find(others[a] ? others[a]->baked.view() : meshes[a],
-                           others[b] ? others[b]->baked.view() : meshes[b], radius);
-    late_joints[i] = finder.is_late() ? joint : std::nullopt;
+    if (finder.is_late()) {
+      all.late_joints.insert(*joint);
+    }
   });
-  FoundZones all;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i]) {
-      all.zones.push_back(std::move(*found[i]));
-    }
-    if (late_joints[i]) {
-      all.late_joints.insert(*late_joints[i]);
-    }
-  }
   std::sort(all.zones.begin(), all.zones.end(), [](const JointZone& p, const JointZone& q) {
     return std::pair(p.a, p.b) < std::pair(q.a, q.b);
   });

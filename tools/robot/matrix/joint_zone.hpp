@@ -42,11 +42,6 @@ struct JointZone {
 /// "0.126 m about elbow".
 std::string radius_text(const Model& model, double radius, std::size_t joint);
 
-/// The joint between two neighbours, if it is the only one.
-std::optional<std::size_t> joint_of_neighbours(const Model& model, std::size_t a, std::size_t b);
-/// True if the joint is the only one between two neighbours with meshes.
-bool is_between_neighbours(const Model& model, std::size_t joint);
-
 /// Radii that the user chose, in metres, by joint; 0: no zone.
 using ZoneRadii = std::map<std::size_t, double>;
 

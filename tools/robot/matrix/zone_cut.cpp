@@ -34,17 +34,8 @@ std::vector<Vector3> clipped(const std::vector<Vector3>& polygon, const Height& 
   return part;
 }
 
-}  // namespace
-
-Vector3 ZoneShape::from_middle(const Vector3& point) const {
-  return {point[0] - middle[0], point[1] - middle[1], is_cylinder ? 0 : point[2] - middle[2]};
-}
-
-PointTriangle placed_triangle(const Transform& transform, const PointTriangle& triangle) {
-  return {placed(transform, triangle[0]), placed(transform, triangle[1]),
-          placed(transform, triangle[2])};
-}
-
+/// The corners of a convex part of `p`. It holds all points of `p` within `distance` of `q`; along
+/// the normals of q's plane and edges, it is no farther than that.
 std::vector<Vector3> near_part(const PointTriangle& p, const PointTriangle& q, double distance) {
   std::vector<Vector3> part(p.begin(), p.end());
   const auto keep = [&](const Vector3& normal, const Vector3& at) {
@@ -75,6 +66,37 @@ std::vector<Vector3> near_part(const PointTriangle& p, const PointTriangle& q, d
     keep(along, box.low);
   }
   return part;
+}
+
+template <class Points>
+double farthest(const ZoneShape& shape, const Points& points) {
+  double most = 0;
+  for (const Vector3& point : points) {
+    most = std::max(most, shape.distance_of(point));
+  }
+  return most;
+}
+
+}  // namespace
+
+Vector3 ZoneShape::from_middle(const Vector3& point) const {
+  return {point[0] - middle[0], point[1] - middle[1], is_cylinder ? 0 : point[2] - middle[2]};
+}
+
+PointTriangle placed_triangle(const Transform& transform, const PointTriangle& triangle) {
+  return {placed(transform, triangle[0]), placed(transform, triangle[1]),
+          placed(transform, triangle[2])};
+}
+
+double radius_between(const ZoneShape& shape, const PointTriangle& p, const PointTriangle& q,
+                      double distance, double least) {
+  if (std::min(farthest(shape, p), farthest(shape, q)) <= least) {
+    return least;
+  }
+  const double of_p = farthest(shape, near_part(p, q, distance));
+  return of_p <= least
+             ? least
+             : std::max(least, std::min(of_p, farthest(shape, near_part(q, p, distance))));
 }
 
 void ZoneCut::add(const PointTriangle& triangle) {

@@ -25,9 +25,10 @@ struct ZoneShape {
 
 PointTriangle placed_triangle(const Transform& transform, const PointTriangle& triangle);
 
-/// The corners of a convex part of `p`. It holds all points of `p` within `distance` of `q`; along
-/// the normals of q's plane and edges, it is no farther than that.
-std::vector<Vector3> near_part(const PointTriangle& p, const PointTriangle& q, double distance);
+/// The radius of the smallest zone of this shape outside of which the two are not within
+/// `distance`, a little too large; or `least` if that is more.
+double radius_between(const ZoneShape& shape, const PointTriangle& p, const PointTriangle& q,
+                      double distance, double least);
 
 /// Collects what triangles have outside a zone. All of that is kept. Kept triangles reach into the
 /// zone by less than edge^2 / (6 radius), unless they are very many.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "bake/surface.hpp"
@@ -65,6 +66,33 @@ bake::SourceMesh ZoneSide::outside(const std::vector<bool>& shells, const ZoneSh
     }
   }
   return cut.mesh();
+}
+
+std::array<std::vector<bool>, 2> take_touching_shells(const std::array<ZoneSide, 2>& sides,
+                                                      std::vector<ZoneLook>& looks) {
+  std::array<std::vector<bool>, 2> shells;
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<std::size_t> counts(sides[side].shell_count());
+    for (const ZoneLook& look : looks) {
+      std::set<std::uint32_t> touching;
+      for (const auto& contact : look.contacts) {
+        touching.insert(sides[side].shell_of(contact[side]));
+      }
+      for (const std::uint32_t shell : touching) {
+        ++counts[shell];
+      }
+    }
+    for (const std::size_t count : counts) {
+      shells[side].push_back(2 * count >= looks.size());
+    }
+  }
+  for (auto& [number, frame, contacts] : looks) {
+    const auto is_other = [&](const auto& contact) {
+      return !shells[0][sides[0].shell_of(contact[0])] || !shells[1][sides[1].shell_of(contact[1])];
+    };
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), is_other), contacts.end());
+  }
+  return shells;
 }
 
 }  // namespace flashbvh::tool

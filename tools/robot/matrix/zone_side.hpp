@@ -1,6 +1,7 @@
 // One of the two links at a joint: its shells, and what it has outside the joint's zone.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -36,5 +37,16 @@ class ZoneSide {
   std::vector<std::uint32_t> shells_;  ///< of each triangle
   std::uint32_t shell_count_ = 0;
 };
+
+/// Two links at one value of their joint.
+struct ZoneLook {
+  std::size_t number;
+  Transform frame;                                     ///< b's in a's
+  std::vector<std::array<std::uint32_t, 2>> contacts;  ///< triangles of both sides
+};
+
+/// The shells of both sides that touch at half of the looks or more. Leaves out other contacts.
+std::array<std::vector<bool>, 2> take_touching_shells(const std::array<ZoneSide, 2>& sides,
+                                                      std::vector<ZoneLook>& looks);
 
 }  // namespace flashbvh::tool
