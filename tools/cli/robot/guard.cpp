@@ -37,10 +37,6 @@ void print_head(const GuardedTrajectory& guarded) {
   std::cout << "\n";
 }
 
-std::string metres_text(const GuardedTrajectory& guarded, std::uint32_t fine) {
-  return significant(unit_length(fine, cell_of(guarded.robot())), 4);
-}
-
 /// "first at line 3, upper - fore, at least 0.01 m apart".
 std::string first_of_unknown(const GuardedTrajectory& guarded, const ReplaySummary& summary,
                              std::size_t kind) {
@@ -49,9 +45,9 @@ std::string first_of_unknown(const GuardedTrajectory& guarded, const ReplaySumma
   if (kind != static_cast<std::size_t>(Verdict::not_yet_known) || answer.pair == kNoPair) {
     return text;
   }
-  return text + (answer.distance == 0
-                     ? ", of which nothing is known"
-                     : ", at least " + metres_text(guarded, answer.distance) + " m apart");
+  const double known = unit_length(answer.distance, cell_of(guarded.robot()));
+  return text + (known == 0 ? ", of which nothing is known"
+                            : ", at least " + significant(known, 4) + " m apart");
 }
 
 void print_counts(const GuardedTrajectory& guarded) {
@@ -160,10 +156,8 @@ void print_refused(const GuardedTrajectory& guarded) {
   std::size_t refused = 0;
   for (std::size_t i = 0; i < guarded.answers.size(); ++i) {
     if (guarded.answers[i].status != Status::done && ++refused <= kShownLines) {
-      std::cerr << "flashbvh: "
-                << one_line(at_line(guarded.path, guarded.trajectory.lines[i]) + ": " +
-                            why_refused(guarded, i))
-                << "\n";
+      const std::string place = at_line(guarded.path, guarded.trajectory.lines[i]);
+      std::cerr << "flashbvh: " << one_line(place + ": " + why_refused(guarded, i)) << "\n";
     }
   }
   if (refused > kShownLines) {
@@ -172,8 +166,6 @@ void print_refused(const GuardedTrajectory& guarded) {
   }
 }
 
-/// Prints unguarded pairs, counts, stretches and motions that are not free, the closest moment
-/// and work.
 void print_guarded(const GuardedTrajectory& guarded) {
   print_head(guarded);
   print_counts(guarded);
@@ -231,11 +223,8 @@ GuardedTrajectory opened(const GuardArguments& arguments, const CLI::App& comman
   Model model = file->model();
   warn_of_unguarded(model, file->unguarded(), path, warnings);
   Trajectory trajectory = read_trajectory(arguments.trajectory, model, warnings);
-  return {std::move(model),
-          std::move(file),
-          arguments.trajectory,
-          std::move(trajectory),
-          {path, arguments.trajectory}};
+  return {std::move(model), std::move(file), arguments.trajectory, std::move(trajectory),
+          std::vector{path, arguments.trajectory}};
 }
 
 /// Bakes a URDF, once the trajectory is read.
@@ -288,11 +277,10 @@ void add_guard(CLI::App& app) {
   auto [command, a] = add_command<GuardArguments>(
       app, "guard",
       "Print what a robot's guard answers along a trajectory, by the firmware's own code.\n"
-      "Exit code 0: all periods are free or warned of; 1: in some the guard says stop or leaving, "
-      "or the\n"
-      "work budget was too small, or a motion is not free; 3: firmware refuses some values. With "
-      "--limit,\n"
-      "leaving is no failure.",
+      "Exit code 0: all periods are free or warned of; 1: in some the guard says stop or leaving,\n"
+      "or the work budget was too small, or a motion is not free; 3: firmware refuses some "
+      "values.\n"
+      "With --limit, leaving is no failure.",
       [&app](const GuardArguments& given) {
         return guard_trajectory(given, *app.get_subcommand("guard"));
       });
@@ -312,7 +300,7 @@ void add_guard(CLI::App& app) {
           .add_option("--core", a.core,
                       "Estimate the instructions of these periods on this core, and the work that "
                       "fits one of --hz and --clock")
-          ->check(CLI::IsMember(kPeriodCosts));
+          ->transform(CLI::IsMember(kPeriodCosts, CLI::ignore_case));
   CLI::Option* const hz = add_option(command, "--hz", a.hz, "HZ", "Periods a second");
   CLI::Option* const clock = add_option(command, "--clock", a.clock, "MHZ",
                                         "The core's clock; an instruction counts as a cycle");
@@ -321,9 +309,8 @@ void add_guard(CLI::App& app) {
   }
   add_option(
       command, "--limit", a.limit, "GRANTED.csv",
-      "Let the robot go as far towards each line as no pair comes nearer than its stop distance, "
-      "or "
-      "gets\ndeeper; write the values granted, and guard these; --work is for each of both calls")
+      "Let the robot go as far towards each line as no pair comes nearer than its stop distance,\n"
+      "or gets deeper; write the values granted, and guard these; --work is for each of both calls")
       ->excludes("--core");
   command.add_flag("--motion", a.motion,
                    "Certify the straight motion of all joints from each line to the next, too");

@@ -4,6 +4,7 @@
 
 #include "cli/robot/guard_output.hpp"
 #include "robot/replay/period_costs.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 
@@ -38,19 +39,30 @@ Json cost_json(const GuardedTrajectory& guarded, const std::string& core, double
 }
 
 void print_cost(const Json& cost) {
+  const auto share_of = [](const char* part) {
+    return Column{"",
+                  [part](const Json& row) {
+                    const double all = row["instructions"];
+                    return fixed(100 * row[part].get<double>() / all, 0) + " %";
+                  },
+                  true};
+  };
   std::cout << "\n";
   print_table(cost["costs"],
               {word_column(cost["core"].get_ref<const std::string&>().c_str(), "periods"),
                number_column("instructions", "instructions"), number_column("fixed", "fixed"),
-               number_column("work", "of_work")});
-  std::cout << cost["work"] << " work fits a period of " << cost["a_period"] << " instructions"
-            << (cost["work"] >= cost["most_work"]
-                    ? ", and all periods here"
-                    : concat(
-                          ", too little for some here, which take up to ", cost["most_work"].dump(),
-                          " and would be `not yet known`; take a faster --clock or fewer --hz, or "
-                          "bake with --simplify or a larger --zone"))
-            << "\n";
+               share_of("fixed"), number_column("work", "of_work"), share_of("of_work")});
+  std::cout << cost["work"] << " work fits a period of " << cost["a_period"] << " instructions";
+  if (cost["work"] >= cost["most_work"]) {
+    std::cout << ", and all periods here";
+  } else {
+    std::cout << ", too little for some here, which take up to " << cost["most_work"]
+              << " and would be `not yet known`; take a faster --clock or fewer --hz, or bake with "
+                 "--simplify or a larger --zone";
+  }
+  std::cout
+      << "\nan estimate: of robot_guard's motions the counted mean is 11 % less to 24 % more, "
+         "the most up to 56 % more; leave room, and count yours there\n";
 }
 
 }  // namespace flashbvh::tool
