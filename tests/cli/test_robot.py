@@ -110,18 +110,17 @@ class RobotTest(Case):
     def test_what_is_nearer_than_stop_wherever_the_robot_stands_makes_a_guard_useless_stop_0_does_not(self):
         robot("two", link("base", box_of("0.2 0.2 0.1")), link("upper-arm", box_of("0.52 0.52 0.114")),
               joint("turn", "revolute", "base", "upper-arm", '<origin xyz="0 0 0.2"/><axis xyz="0 -1 0"/>', (-1, 1.5)))
-        out = flashbvh("robot two.urdf -o stopped --stop 0.5 --zone turn=0")
-        out.err.contains("two.urdf: warning: links 'base' and 'upper-arm' are nowhere found farther apart than the "
-                         "stop")
+        flashbvh("robot two.urdf -o stopped --stop 0.5 --zone turn=0").err.contains(
+            "two.urdf: warning: links 'base' and 'upper-arm' are nowhere found farther apart than the stop")
         refuse("robot two.urdf -o out --stop 0.5 --zone turn=0 --limit",
                "two.urdf: --limit: links 'base' and 'upper-arm' are nowhere found farther apart than their stop "
                "distance, 0.5 m, and a tenth; limit() could never let them out; lower it")
         flashbvh("robot two.urdf -o stopped --stop 0.5 --limit")
-        out = flashbvh("robot two.urdf -o stopped --warn 0.5 --zone turn=0")
-        out.err.contains("farther apart than the warn distance, 0.5 m, so they are not warned of; --pair "
-                         "base,upper-arm=STOP,WARN warns")
-        out = flashbvh("robot two.urdf -o stopped --pair base,upper-arm=0,0.5 --zone turn=0")
-        out.err.contains("farther apart than the warn distance, 0.5 m, so a guard would never say free")
+        far = "farther apart than the warn distance, 0.5 m, so "
+        flashbvh("robot two.urdf -o stopped --warn 0.5 --zone turn=0").err.contains(
+            far + "they are not warned of; --pair base,upper-arm=STOP,WARN warns")
+        flashbvh("robot two.urdf -o stopped --pair base,upper-arm=0,0.5 --zone turn=0").err.contains(
+            far + "a guard would never say free")
         # Neighbours are not guarded about their joint, where they are near.
         flashbvh("robot two.urdf -o stopped --stop 0.5").err.lacks("nowhere found")
         flashbvh("robot two.urdf -o stopped").err.lacks("nowhere found")

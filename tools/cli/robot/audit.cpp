@@ -28,11 +28,8 @@ Json line_json(const Model& model, const AuditedLine& line) {
                {"verdict", name_of(line.verdict)},
                {"reason", line.why},
                {"cells", line.pair.joint_boxes},
-               {"witness", Json::object()},
+               {"witness", witness_json(model, line.pair)},
                {"triangles", Json::array()}};
-  if (!line.pair.witness.empty()) {
-    json["witness"] = witness_json(model, line.pair);
-  }
   if (line.verdict == LineVerdict::refuted) {
     json["triangles"] = {triangle_json(line.triangles[0]), triangle_json(line.triangles[1])};
   }
