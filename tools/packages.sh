@@ -41,6 +41,8 @@ digest_packages="g++-i686-linux-gnu"
 # Compiles the WebAssembly of interactive pages.
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
+# Shows pages, in long tests.
+page_packages="chromium"
 # The Python package and its tests.
 python_packages="python3-numpy"
 # Checks the proofs (tools/prove.sh).

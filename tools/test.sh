@@ -15,7 +15,7 @@ case ${1:-} in
   --all)
     first="native style $(tools/cores.py --answers)"
     then="lint long python $(tools/cores.py --measured)"
-    packages="$packages $board_packages $riscv_packages $style_packages $wasm_packages $digest_packages"
+    packages="$packages $board_packages $riscv_packages $style_packages $wasm_packages $digest_packages $page_packages"
     packages="$packages $python_packages $measure_packages ccache"
     export FLASHBVH_TEST_ALL=yes
     # The cache avoids repeated compilations by boards of one core and tests that build the library.

@@ -1,4 +1,4 @@
-// Drives a page like a reader, and reports claims, which then replace the page's content.
+// Drives a page like a reader; its value is claims.
 const wait = () => new Promise(resolve => { setTimeout(resolve, 200); });
 const claims = [];
 const claim = (what, holds) => claims.push(`${what}: ${holds}`);
@@ -31,6 +31,8 @@ const seen = part => {
   }
 };
 
+const press = name => [...document.querySelectorAll(".buttons button")].find(({ textContent }) => textContent === name).click();
+
 const drive_view = () => {
   const { yaw } = live.view.turn;
   key(live.canvas, "ArrowLeft");
@@ -42,6 +44,8 @@ const drive_view = () => {
   pointer("pointerup", 10, 10);
   pointer("pointerup", 110, 10, 2);
   claim("two fingers come nearer", Math.abs(live.view.distance / distance - 0.5) < 1e-6);
+  press("First view");
+  claim("a button shows the first view", live.view.turn.yaw === yaw && live.view.distance === distance);
 };
 
 const drive_trajectory = async () => {
@@ -80,7 +84,7 @@ const drive_robot = async () => {
   const moved = links.findLastIndex(({ whole, variable }, i) => whole === i && variable < variables.length && seen(i));
   const { variable } = links[moved];
   const before = live.values[variable];
-  drag(...seen(moved), 30, 30);
+  drag(...seen(moved), 45, -30);
   claim("a link that is dragged moves its joint", Math.abs(live.values[variable] - before) > 0.02);
   claim("its slider follows", Math.abs(sliders[variable].range.value - live.values[variable]) < 1e-6);
   change(sliders[0].range, (variables[0].lower + 3 * variables[0].upper) / 4, "input");
@@ -98,7 +102,23 @@ const drive_robot = async () => {
   const shown = cell.dataset.values.split(" ").map(Number);
   claim("a cell of the matrix shows its collision", live.values.every((value, i) => Math.abs(value - shown[i]) < 1e-6));
   claim("there it stops", verdict() === "4" && says("stops"));
+  const said = live.says.textContent.match(/[a-z]+_?[a-z]*(?= \u2013)/g);
+  claim("each pair is named once", new Set(said).size === said.length);
+  press("Free pose");
+  claim("a button frees it", verdict() === "0");
   drive_view();
+};
+
+const drive_slides = () => {
+  const [slider] = live.sliders;
+  change(slider.number, 12.34567);
+  claim("a slide is in mm with three digits", slider.row.textContent.endsWith("mm") && slider.number.value === "12.346" &&
+    Math.abs(live.values[0] - 0.01234567) < 1e-9);
+  live.set([0.6, 0.3]);
+  const { metres, links } = live.answer.nearest;
+  const at = live.library.nearest_links(live.links.length);
+  claim("parts of neighbours are nearer", new Float64Array(live.library.memory.buffer, at, 1)[0] < metres);
+  claim("but not named", links.every(i => live.links[i].whole === i) && !says("table \u2013 bridge"));
 };
 
 const drive_pair = async () => {
@@ -110,6 +130,9 @@ const drive_pair = async () => {
     return verdict() === digit;
   }));
   claim("each with the way there", /; the straight way there (is free|touches|comes)/.test(trajectory.name.textContent));
+  trajectory.go(trajectory.verdicts.indexOf("4"));
+  press("Free pose");
+  claim("a button frees B", verdict() === "0");
   change(live.text, "1 0 0 0 1 0 0 0 1 0 0 100");
   claim("numbers are a pose", live.pose[11] === 100 && verdict() === "0" && says("does not touch"));
   change(live.sliders[2].range, 12, "input");
@@ -133,13 +156,9 @@ const drive_pair = async () => {
   claim("what is not shown any more halts", trajectory.timer === 0);
 };
 
-addEventListener("load", async () => {
-  try {
-    await wait();
-    claim("the section is shown", !live.section.hidden);
-    await (live.pose ? drive_pair() : live.trajectory ? drive_way() : drive_robot());
-  } catch (error) {
-    claims.push(`error: ${error.stack}`);
-  }
-  document.body.innerHTML = claims.map(text => `<p>claim ${text}</p>`).join("\n");
-});
+(async () => {
+  await wait();
+  claim("the section is shown", !live.section.hidden);
+  await (live.pose ? drive_pair() : live.trajectory ? drive_way() : live.variables[0].slides ? drive_slides() : drive_robot());
+  return claims;
+})();

@@ -120,13 +120,14 @@ class GuardTest(Case):
         # The headlines name what occurs, the worst first, and nothing else.
         flashbvh("guard image/arm.robot free.csv --report page.html")
         count = len(text("free.csv").splitlines()) - 1
-        self.assertEqual(headlines("page.html"), [f"free: {count} of {count} periods"])
+        self.assertEqual(headlines("page.html"), [f"Run it; free: {count} of {count} periods"])
         # Periods that are all warned of are not free.
         rows = text("folded.csv").splitlines()
         warned = len(verdicts) - verdicts[::-1].index("warn")
         write("warned.csv", "\n".join([rows[0]] + 5 * [rows[warned]]))
         flashbvh("guard image/arm.robot warned.csv --report warn.html").matches("^warn  *5")
-        self.assertEqual(headlines("warn.html"), ["warn: 5 of 5 periods, first at line 2, upper - fore"])
+        self.assertEqual(headlines("warn.html"), [
+            "Look where links come near before it runs; warn: 5 of 5 periods, first at line 2, upper - fore"])
 
     def test_what_firmware_refuses_is_said_by_line_and_the_rest_is_answered(self):
         write("limits.csv", "turn,fold,grip\n0,3.5,0\n0,0,0\n0,0.1,0.2\n60,0,0\n0,0,0\n")

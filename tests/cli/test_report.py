@@ -26,26 +26,26 @@ class ReportTest(Case):
                 data = page_data("page.html")
                 self.assertEqual((data["title"], data["command"]), ("ring and tetrahedron", "report"))
                 self.assertEqual(data["facts"], [flashbvh(f"info {file} --json").json for file in files])
-                self.assertEqual(headlines("page.html"), ["tetrahedron does not touch ring, as drawn"])
+                self.assertEqual(headlines("page.html"), ["Nothing to change: tetrahedron does not touch ring, as drawn"])
 
     def test_poses_how_many_touch_of_many_poses_one_that_touches_is_shown(self):
         flashbvh("bake meshes/ring.stl meshes/coarse.stl -o baked --cell 0.01")
         write("many", "\n".join(f"{HOME}  {0 if i == 1501 else 1000} 0 0" for i in range(4001)))
         flashbvh("report baked/ring.fbvh baked/ring.fbvh --poses many -o page.html")
-        self.assertEqual(headlines("page.html"), ["ring (2) touches ring at 1 of 4001 poses"])
+        self.assertEqual(headlines("page.html"), ["Move apart: ring (2) touches ring at 1 of 4001 poses"])
         if is_live("page.html"):
             text("page.html").contains('"pose 1501"')
             text("page.html").lacks('"pose 1502"')
         write("apart", f"{HOME}  200 0 0")
         flashbvh("report baked/ring.fbvh baked/coarse.fbvh --poses apart -o page.html")
-        self.assertEqual(headlines("page.html"), ["coarse does not touch ring at any pose"])
+        self.assertEqual(headlines("page.html"), ["Nothing to change: coarse does not touch ring at any pose"])
 
     def test_one_mesh_within_the_other_touches_it(self):
         write("large.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
         write("small.obj", "v 1 1 1\nv 2 1 1\nv 1 2 1\nv 1 1 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
         flashbvh("bake large.obj small.obj -o nested --cell 0.01")
         flashbvh("report nested/large.fbvh nested/small.fbvh -o page.html")
-        self.assertEqual(headlines("page.html"), ["small touches large, as drawn"])
+        self.assertEqual(headlines("page.html"), ["Move apart: small touches large, as drawn"])
 
     def test_the_same_page_from_another_folder_names_that_are_the_same_are_distinguished(self):
         flashbvh("bake meshes/tetrahedron.stl -o baked --cell 0.01")
@@ -60,8 +60,8 @@ class ReportTest(Case):
         write("odd.obj", "v 0 0 0\nv 8 0 0\nv 0 8 0\nv 0 0 8\nv 8 8 8\nf 1 1 2\nf 1 2 3\nf 3 1 2\nf 1 2 4\nf 1 2 5\n")
         flashbvh("bake odd.obj -o odd --cell 1")
         flashbvh("report odd/odd.fbvh -o odd.html")
-        for said in ("odd: 1 triangle (0) without area", "1 triangle (2) with the three vertices", "6 boundary edges",
-                     "1 non-manifold edge"):
+        for said in ("odd: 1 triangle (0) without area", "Mend: odd: 1 triangle (2) with the three vertices",
+                     "6 boundary edges", "1 non-manifold edge"):
             self.assertIn(said, "\n".join(headlines("odd.html")))
         if is_live("odd.html"):
             text("odd.html").contains(*(f'["--p{i}",' for i in (0, 1, 3, 4)))

@@ -35,7 +35,9 @@ class RobotSaidTest(Case):
         zone = search(r"within ([0-9.]* m about x)", out)
         drawing = page_data("page.html")["drawing"]
         self.assertTrue(drawing is None or [zone[0] for zone in drawing["zones"]] == [0])
-        self.assertEqual(headlines("page.html")[0], f"Not guarded: table - bridge within {zone}")
+        self.assertEqual(headlines("page.html")[:4], [
+            "Protect otherwise: at 1 of 3 pairs of links no guard looks, or only outside a joint zone",
+            "stop: links nearer than 3 mm", "warn: links nearer than 3 mm", f"Not guarded: table - bridge within {zone}"])
         unguarded = f"warning: not guarded: table - bridge within {zone} (neighbours touch about their joint)"
         listed = '"not_guarded":[{"a":"table","b":"bridge","reason":"touch within %s","joint":"x","radius":0.' % zone
         out.err.contains(f"gantry.urdf: {unguarded}: a collision of these is never detected; what may collide "

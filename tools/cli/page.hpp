@@ -11,12 +11,12 @@
 
 namespace flashbvh::tool {
 
-/// A line at the top of a page: a guard's verdict, which colours it (0 free, 1 warn, 3 stop), and a
-/// text.
+/// A guard's verdict, which colours a line of a page (0 free, 1 warn, 3 not yet known, 4 stop), and
+/// its text.
 using Headline = std::pair<int, std::string>;
 
-/// A self-contained HTML file, the same bytes for the same facts. `facts`: an array of objects;
-/// `drawing`: as robot.js or scene.js takes it.
+/// A self-contained HTML file, the same bytes for the same facts. The first of `headlines` says
+/// what to do. `facts`: an array of objects; `drawing`: as robot.js or scene.js takes it.
 inline std::string page_text(const char* command, const std::string& title,
                              const std::vector<Headline>& headlines, const Json& facts,
                              const Json& drawing) {

@@ -30,8 +30,9 @@ std::string page_of(const std::string& data) {
       "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
       "content=\"width=device-width,initial-scale=1\">\n<title>flashbvh</title>\n<style>\n",
       kPageCss,
-      "</style>\n</head>\n<body>\n<header><h1 id=title></h1></header>\n<main>\n<section><ul "
-      "id=decision class=verdict></ul></section>\n<section id=live hidden></section>\n<div "
+      "</style>\n</head>\n<body>\n<main>\n<h1 id=title></h1>\n<ul id=advice "
+      "class=verdict></ul>\n<section "
+      "id=live hidden></section>\n<section><ul id=decision class=verdict></ul></section>\n<div "
       "id=facts></div>\n</main>\n<script type=\"application/json\" id=page-data>",
       quoted, "</script>\n<script type=\"text/plain\" id=library>", kPageLibrary,
       "</script>\n<script>\n{\n", kPageScript, "}\n</script>\n</body>\n</html>\n");

@@ -17,8 +17,8 @@ extern const char* const kPageLibrary;  ///< base64; empty if there was no Clang
 std::string base64(const void* data, std::size_t size);
 
 /// A self-contained page of this JSON: its command, title, headlines (a verdict's digit and a text
-/// each), facts (objects), version and, if kPageLibrary is not empty, its drawing, as robot.js or
-/// scene.js takes it.
+/// each; the first says what to do), facts (objects), version and, if kPageLibrary is not empty,
+/// its drawing, as robot.js or scene.js takes it.
 std::string page_of(const std::string& data);
 
 }  // namespace flashbvh::tool

@@ -200,14 +200,17 @@ EXPORT const double* matrix_of_joint(uint32_t joint) {
   return matrix_from(frame_of_joint(joint), {0, 0, 0});
 }
 
-/// Measures all guarded pairs, each with its last nearest pair as a hint; null if there is no
-/// distance.
-EXPORT const void* nearest_links() {
+/// Measures all guarded pairs of links before `end`, after which are parts of neighbours outside
+/// their zones, each with its last nearest pair as a hint; null if there is no distance.
+EXPORT const void* nearest_links(uint32_t end) {
   constexpr double kFar = 1e300;
   nearest.distance = kFar;
   for (uint32_t i = 0; i < robot.pair_count; ++i) {
     const uint32_t a = robot.pairs[i].a;
     const uint32_t b = robot.pairs[i].b;
+    if (a >= end || b >= end) {
+      continue;
+    }
     const Frame frame = frame_of(a);
     const auto found = distance(meshes[a], meshes[b], relative_pose(frame, frame_of(b)), hints[i]);
     if (found.status != Status::done || !found.in_range) {

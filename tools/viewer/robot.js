@@ -19,17 +19,16 @@ class RobotStage extends Stage {
     // A part of a link, used near a joint, has the link's name and a higher index; it is not drawn.
     links.forEach(link => { link.whole = links.findIndex(({ name }) => name === link.name); });
     const sliders = variables.map(({ name, lower, upper, slides }, i) =>
-      slider(name, lower, upper, slides ? ["m", "metres", 1] : DEGREES, 2, value => this.set(this.values.with(i, value))));
-    const points = element("p", { className: "note" });
+      slider(name, lower, upper, slides ? ["mm", "millimetres", 1000] : DEGREES, slides ? 3 : 2, value => this.set(this.values.with(i, value))));
     const numbers = names && new Float32Array(bytes_of(values).buffer);
     const trajectory = names && new Trajectory(verdicts, "Period", period => {
       this.set([...numbers.slice(variables.length * period, variables.length * (period + 1))]);
       return `${names[period]}: ${VERDICTS[verdicts[period]]} on the way`;
     });
     super(section, "The robot", links.map(({ whole }, i) => (whole === i ? arrays_of(library, i) : NO_MESH)),
-      [...sliders.map(({ row }) => row), points], "Drag a link to move its joint, the ground to turn the robot." +
+      sliders.map(({ row }) => row), "Drag a link to move its joint, the ground to turn the robot." +
       (zones.length > 0 ? " Dashed: joint zones, in which neighbours may touch and no guard looks." : ""), trajectory);
-    Object.assign(this, { library, zones, variables, links, sliders, points });
+    Object.assign(this, { library, zones, variables, links, sliders });
     this.set(variables.map(({ lower, upper }) => Math.min(Math.max(0, lower), upper)));
   }
 
@@ -47,26 +46,39 @@ class RobotStage extends Stage {
     this.values = this.variables.map(({ lower, upper }, i) => Math.min(Math.max(values[i], lower), upper));
     this.#place();
     const [verdict, ...pair] = words_at(this.library, this.library.verdict(), 3);
-    this.answer = { verdict, links: pair.filter(link => link >= 0).map(link => this.links[link].whole), nearest: this.#nearest() };
+    const links = pair.filter(link => link >= 0);
+    this.answer = { verdict, links: links.map(link => this.links[link].whole), nearest: this.#nearest(),
+      is_outside: links.some(link => this.links[link].whole !== link) };
     this.#write();
   }
 
-  // Of all guarded pairs: metres, two points, two links; or null.
+  // The nearest to the present values of many random ones, at which the guard says free; or undefined.
+  free_pose() {
+    const { values, variables } = this;
+    for (let i = 0; i <= 1000; ++i) {
+      const tried = variables.map(({ lower, upper }, k) => (
+        Math.min(Math.max(values[k] + i / 1000 * (2 * Math.random() - 1) * (upper - lower), lower), upper)));
+      tried.forEach((value, k) => this.library.set_value(k, value));
+      if (words_at(this.library, this.library.verdict(), 1)[0] === 0) return tried;
+    }
+    return undefined;
+  }
+
+  // Of all guarded pairs, but for neighbours outside their zone: metres, two points, two links; or null.
   #nearest() {
-    const place = this.library.nearest_links();
+    const place = this.library.nearest_links(new Set(this.links.map(({ whole }) => whole)).size);
     if (!place) return null;
     const [metres, ...points] = doubles_at(this.library, place, 7);
     return { metres, line: [points.slice(0, 3), points.slice(3)], links: words_at(this.library, place + 56, 2) };
   }
 
   #write() {
-    const { verdict, links, nearest } = this.answer;
+    const { verdict, links, nearest, is_outside } = this.answer;
     const names = two => two.map(i => this.links[i].name).join(" \u2013 ");
-    const where = links.length > 0 && verdict !== 0 ? `: ${names(links)}` : "";
-    const least = nearest ? `${where ? ". Nearest" : ""}: ${names(nearest.links)}, ${(1000 * nearest.metres).toFixed(1)} mm apart` : "";
-    this.say(verdict, VERDICTS[verdict], where + least);
-    const points = nearest ? nearest.line.map(point => `(${point.map(part => part.toFixed(4)).join(", ")})`) : [];
-    this.points.textContent = points.length > 0 ? `The nearest points, in m of the base's frame: ${points.join(" and ")}` : "";
+    const where = links.length > 0 && verdict !== 0 ? `: ${names(links)}${is_outside ? " outside their zone" : ""}` : "";
+    const least = nearest ? `: ${names(nearest.links)}` : "";
+    this.say(verdict, VERDICTS[verdict], where + (where === least ? "" : `${where && ". Nearest"}${least}`) +
+      (nearest ? `, ${(1000 * nearest.metres).toFixed(1)} mm apart` : ""));
     this.sliders.forEach(({ show }, i) => show(this.values[i]));
   }
 

@@ -51,7 +51,6 @@ Pose pose = Pose::translated(0, 0, 0);
 Pose pose_before = Pose::translated(0, 0, 0);
 Way way;
 Lit lit[kMostLit];
-uint32_t lit_ids[kMostLit][2];
 Measured measured;
 Witness<uint16_t> hint;
 
@@ -95,10 +94,6 @@ EXPORT uint32_t place() {
 EXPORT const void* lit_triangles() {
   return lit;
 }
-/// The ids of each of these pairs.
-EXPORT const void* ids_of_lit() {
-  return lit_ids;
-}
 /// Starts with the last nearest pair as a hint if the meshes are the same.
 EXPORT const void* measure(uint32_t a, uint32_t b) {
   static uint32_t before[2] = {UINT32_MAX, UINT32_MAX};
@@ -109,12 +104,10 @@ EXPORT const void* measure(uint32_t a, uint32_t b) {
   }
   measured = {};
   DefaultQuery<uint16_t> query(meshes[a], meshes[b], pose);
-  const RunResult run = query.run(UINT32_MAX, [&](const TrianglePair<uint16_t>& pair) {
+  const RunResult run = query.run(UINT32_MAX, [&](const TrianglePair<uint16_t>&) {
     if (measured.pairs < kMostLit) {
       Lit& found = lit[measured.pairs];
       query.last_pair(found.a, found.b);
-      lit_ids[measured.pairs][0] = pair.a;
-      lit_ids[measured.pairs][1] = pair.b;
     }
     return ++measured.pairs < kMostCounted;
   });

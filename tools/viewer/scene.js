@@ -83,11 +83,10 @@ class PairStage extends Stage {
       text.setCustomValidity(is_valid ? "" : "12 numbers are wanted");
       text.reportValidity();
     } });
-    const list = element("p", { className: "note" });
     super(section, "Two meshes", [one, two], [...sliders.map(({ row }) => row), element("label", { className: "numbers" },
-      element("span", { textContent: "pose of B in A's frame, a line of --poses" }), text), list],
+      element("span", { textContent: "pose of B in A's frame, a line of --poses" }), text)],
     `A is ${one.name}, B is ${two.name}. Drag B to move it, the ground to turn the view.`, trajectory);
-    Object.assign(this, { library, a, b, one, two, cell, unit, sliders, text, list });
+    Object.assign(this, { library, a, b, one, two, cell, unit, sliders, text, far });
     this.set(pose_of(poses[0] || "1 0 0 0 1 0 0 0 1 0 0 0"));
   }
 
@@ -109,16 +108,23 @@ class PairStage extends Stage {
     return this.library.place();
   }
 
-  // The answers at B's pose. `lit`: the number of intersecting pairs with `corners` and `ids`, alternately of triangles of
-  // A and B.
+  // B's pose, moved to the right until it is free.
+  free_pose() {
+    const [right] = this.axes();
+    const tried = i => this.pose.map((part, k) => (k < 9 ? part : part + i / 100 * this.far * right[k - 9]));
+    const is_free = i => this.#place(tried(i)) === 0 && (({ pairs, inside }) => pairs === 0 && inside !== 1)(this.#measure());
+    const i = Array.from({ length: 201 }, (_, k) => k).find(is_free);
+    return i === undefined ? i : tried(i);
+  }
+
+  // The answers at B's pose. `corners`: of the triangles of the first intersecting pairs, alternately of A and B.
   #measure() {
     const place = this.library.measure(this.a, this.b);
     const [status, pairs, inside, in_range, lower, ...triangles] = words_at(this.library, place, 7);
     const points = doubles_at(this.library, place + 32, 6).map((part, i) => part - this.one.origin[i % 3]);
-    const lit = Math.min(pairs, 1000);
     return { status, pairs, inside, in_range, triangles, distance: (lower >>> 0) / FINE_ONE * this.cell,
-      points: [points.slice(0, 3), points.slice(3)], lit, ids: words_at(this.library, this.library.ids_of_lit(), 2 * lit),
-      corners: new Float32Array(words_at(this.library, this.library.lit_triangles(), 18 * lit)) };
+      points: [points.slice(0, 3), points.slice(3)],
+      corners: new Float32Array(words_at(this.library, this.library.lit_triangles(), 18 * Math.min(pairs, 1000))) };
   }
 
   // The straight motion from one pose to another, as text.
@@ -132,13 +138,9 @@ class PairStage extends Stage {
   }
 
   #write(verdict) {
-    const { pairs, lit, ids } = this.answer;
     this.say(verdict, ...this.#text());
     this.sliders.forEach(({ show }, i) => show(this.six[i]));
     this.text.value = this.pose.map((part, i) => (i < 9 ? +part.toFixed(10) : +part.toPrecision(14)) + 0).join(" ");
-    const named = Array.from({ length: Math.min(lit, 12) }, (_, i) => `${ids[2 * i]} and ${ids[2 * i + 1]}`);
-    this.list.textContent = pairs ? `Triangles of ${this.one.name} and ${this.two.name}: ${named.join(", ")}` +
-      (pairs > 12 ? ` \u2026${lit < pairs ? ` The first ${lit} pairs are drawn.` : ""}` : "") : "";
   }
 
   // The verdict and details about it.

@@ -1,8 +1,8 @@
 // Shared by all drawings: a canvas with meshes that mouse, touch and keyboard turn, zoom and drag, beside sliders.
 
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-const OWN_CODE = " Verdict, distance and points are worked out by flashbvh's own code, compiled for WebAssembly, from the " +
-  "image that the firmware holds.";
+const OWN_CODE = " A click or tap chooses the model: then a finger turns it, wheel or two fingers zoom. The answers are those " +
+  "of the firmware's own code from its image.";
 
 const bytes_of = text => Uint8Array.from(atob(text), character => character.charCodeAt(0));
 
@@ -44,7 +44,7 @@ const arrays_of = (library, mesh) => ({
   vertices: new Int16Array(library.memory.buffer, library.vertices(mesh), 3 * library.vertex_count(mesh)).slice(),
   triangles: new Uint16Array(library.memory.buffer, library.triangles(mesh), 3 * library.triangle_count(mesh)).slice() });
 
-// Subclasses define matrices(), colours() and marks(), and may override grab().
+// Subclasses define matrices(), colours() and marks(), and may override grab() and define free_pose(), for set().
 class Stage {
   // `controls`: elements beside the canvas; `note`: on their use.
   constructor(section, label, meshes, controls, note, trajectory) {
@@ -55,18 +55,20 @@ class Stage {
     this.canvas = element("canvas", { tabIndex: 0 });
     this.canvas.setAttribute("aria-label", `${label}. Arrow keys turn the view, plus and minus come nearer and go away.`);
     this.meshes = meshes;
+    const button = (textContent, onclick) => element("button", { textContent, onclick });
+    const buttons = element("p", { className: "buttons" }, button("First view", () => this.#first()),
+      ...this.free_pose ? [button("Free pose", () => this.set(this.free_pose() || this.pose || this.values))] : []);
     this.box = element("div", { className: "stage" }, this.says, element("div", { className: "arm" },
-      element("div", {}, this.canvas, ...trajectory ? [trajectory.bar] : []), element("div", { className: "values" }, ...controls)),
+      element("div", {}, this.canvas, ...trajectory ? [trajectory.bar] : [], buttons), element("div", { className: "values" }, ...controls)),
     element("p", { className: "note", textContent: note + OWN_CODE }));
   }
 
   // Once the box is in the page.
   begin() {
     this.view = new View(this.canvas, this.meshes);
-    this.#frame();
-    this.#listen();
     if (this.trajectory) this.trajectory.attach(this.section);
-    this.draw();
+    this.#first();
+    this.#listen();
   }
 
   // The handler for drags that start at a pixel on a mesh, or on none; undefined: the drag turns the view.
@@ -83,8 +85,8 @@ class Stage {
     this.draw();
   }
 
-  // Fits the view to all meshes in their current positions.
-  #frame() {
+  // The view from where the page begins, fitted to all meshes in their current positions.
+  #first() {
     const lower = [Infinity, Infinity, Infinity], upper = [-Infinity, -Infinity, -Infinity];
     const matrices = this.matrices();
     this.meshes.forEach(({ vertices }, mesh) => {
@@ -96,8 +98,8 @@ class Stage {
         }
       }
     });
-    this.view.middle = lower.map((least, i) => (least + upper[i]) / 2);
-    this.view.size = Math.hypot(...lower.map((least, i) => upper[i] - least)) || 1;
+    this.view.look(lower.map((least, i) => (least + upper[i]) / 2), Math.hypot(...lower.map((least, i) => upper[i] - least)) || 1);
+    this.draw();
   }
 
   draw() {
@@ -132,14 +134,17 @@ class Stage {
     this.draw();
   }
 
-  // Two fingers zoom.
+  // Until it has the focus, swipes and the wheel scroll the page. Two fingers zoom.
   #listen() {
     const { canvas } = this;
     const held = new Map();
     const apart = () => Math.hypot(...[0, 1].map(i => [...held.values()].reduce((sum, at) => at[i] - sum, 0)));
     const at = event => [event.offsetX, event.offsetY];
     let drag;
+    const is_chosen = () => document.activeElement === canvas;
+    canvas.onclick = () => canvas.focus({ preventScroll: true });
     canvas.onpointerdown = event => {
+      if (event.pointerType === "touch" && !is_chosen()) return;
       held.set(event.pointerId, at(event));
       drag = this.grab(this.view.pick(this.matrices(), ...at(event)), at(event)) || ((x, y) => this.turn(x / 150, y / 150));
       this.draw();
@@ -153,6 +158,7 @@ class Stage {
     };
     canvas.onpointerup = canvas.onpointercancel = event => held.delete(event.pointerId);
     canvas.onwheel = event => {
+      if (!is_chosen()) return;
       event.preventDefault();
       this.#come(1 + event.deltaY / 1000);
     };

@@ -1,4 +1,4 @@
-// A sequence of positions: a time line of their verdicts, to play and to step through.
+// A sequence of positions: a time line of their verdicts, under a slider, to click, to play and to step through.
 class Trajectory {
   // `verdicts`: one digit per position; `show(i)` displays a position and returns its name and verdict.
   constructor(verdicts, what, show) {

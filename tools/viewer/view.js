@@ -48,13 +48,15 @@ class View {
     this.places = { model: place("model"), eye: place("eye"), screen: place("screen"), colour: place("colour"), flat: place("flat_") };
     this.meshes = meshes.map(mesh => this.#mesh(mesh));
     this.marks = gl.createBuffer();
-    this.turn = { yaw: 0.9, pitch: 0.35 };
-    this.middle = [0, 0, 0];
-    this.size = 1;
-    this.distance = 1.25;
+    this.look([0, 0, 0], 1);
     gl.enable(gl.DEPTH_TEST);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     this.#fit();
+  }
+
+  // Looks at the middle of something of this size from where the page begins.
+  look(middle, size) {
+    Object.assign(this, { middle, size, turn: { yaw: 0.9, pitch: 0.35 }, distance: 1.3 });
   }
 
   // Sets the canvas to the page's number of pixels.

@@ -193,8 +193,6 @@ void write_page(const ReportArguments& arguments) {
   for (const QueriedPair& pair : pairs) {
     headlines.push_back(headline_of(pair, names, arguments.poses.empty()));
   }
-  std::stable_sort(headlines.begin(), headlines.end(),
-                   [](const Headline& p, const Headline& q) { return p.first > q.first; });
   Json meshes = Json::array();
   Json facts = Json::array();
   std::vector<std::size_t> places;
@@ -216,6 +214,16 @@ void write_page(const ReportArguments& arguments) {
                         {"marks", subject.marks}});
     }
   }
+  if (headlines.empty()) {
+    headlines.push_back({0, "no surface has a defect"});
+  }
+  std::stable_sort(headlines.begin(), headlines.end(),
+                   [](const Headline& p, const Headline& q) { return p.first > q.first; });
+  auto& [verdict, first] = headlines.front();
+  first = concat(verdict == 4   ? "Move apart: "
+                 : verdict == 1 ? "Mend: "
+                                : "Nothing to change: ",
+                 first);
   Json drawn = Json::array();
   for (QueriedPair& pair : pairs) {
     if (places[pair.a] < kMostDrawn && places[pair.b] < kMostDrawn) {

@@ -1,5 +1,6 @@
 // The page of flashbvh guard: the robot on its way, with the guard's verdicts.
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cli/page.hpp"
@@ -41,12 +42,28 @@ Json drawn_periods(const GuardedTrajectory& guarded) {
           {"names", std::move(names)}};
 }
 
-/// A line for each verdict that occurs, the worst first; motions; what is not guarded.
+/// What to do about the worst verdict.
+constexpr std::array<const char*, kPeriodKinds> kAdvice = {
+    "Run it",
+    "Look where links come near before it runs",
+    "Begin farther from a stop",
+    "Give the guard more --work",
+    "Change the motion",
+    "Correct the values"};
+
+/// A line for each verdict that occurs, refused ones and stops first, with what to do about the
+/// first; motions; what is not guarded.
 std::vector<Headline> headlines_of(const GuardedTrajectory& guarded) {
   const ReplaySummary summary = summary_of(guarded.answers);
+  const auto& motions = guarded.motions;
+  const auto bad = std::count_if(motions.begin(), motions.end(),
+                                 [](const CertifiedMotion& motion) { return !is_free(motion); });
   std::vector<Headline> lines;
-  for (std::size_t i = kKindsInOrder.size(); i-- > 0;) {
-    const std::size_t kind = kKindsInOrder[i];
+  for (std::size_t kind = kPeriodKinds; kind-- > 0;) {
+    if (kind == 3 && bad != 0) {
+      lines.push_back(
+          {4, concat("motions from line to line: ", bad, " of ", motions.size(), " not free")});
+    }
     if (summary.periods[kind] != 0) {
       lines.push_back(
           {static_cast<int>(kind),
@@ -54,13 +71,8 @@ std::vector<Headline> headlines_of(const GuardedTrajectory& guarded) {
                   " periods", kind == 0 ? "" : ", " + first_of(guarded, summary, kind))});
     }
   }
-  const auto& motions = guarded.motions;
-  const auto bad = std::count_if(motions.begin(), motions.end(),
-                                 [](const CertifiedMotion& motion) { return !is_free(motion); });
-  if (bad != 0) {
-    lines.insert(lines.begin(), {3, concat("motions from line to line: ", bad, " of ",
-                                           motions.size(), " not free")});
-  }
+  lines.front().second =
+      concat(kAdvice[static_cast<std::size_t>(lines.front().first)], "; ", lines.front().second);
   add_unguarded(guarded.model, guarded.file->unguarded(), lines);
   return lines;
 }

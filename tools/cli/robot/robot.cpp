@@ -1,4 +1,5 @@
 // flashbvh robot: bakes a URDF to an image for firmware, and reports the pairs that can collide.
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/commands.hpp"
@@ -8,6 +9,7 @@
 #include "robot/baked/robot_writer.hpp"
 #include "robot/pipeline/simplified_links.hpp"
 #include "text/files.hpp"
+#include "text/numbers.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -69,8 +71,31 @@ Json drawn_zones(const BakedRobot& robot) {
   return zones;
 }
 
-std::string robot_page(const BakedRobot& robot, const ImageWords& image, const Json& facts) {
-  std::vector<Headline> headlines;
+/// What to do first.
+Headline advice(const BakedRobot& robot) {
+  const auto undecided = std::count_if(
+      robot.pairs.begin(), robot.pairs.end(),
+      [](const PairVerdict& pair) { return pair.verdict == MatrixVerdict::undecided; });
+  const std::string of_all = concat(" of ", robot.pairs.size(), " pairs of links ");
+  if (undecided != 0) {
+    return {3, concat("Give more --time: ", undecided, of_all, "are undecided")};
+  }
+  if (!robot.unguarded.empty()) {
+    return {1, concat("Protect otherwise: at ", robot.unguarded.size(), of_all,
+                      "no guard looks, or only outside a joint zone")};
+  }
+  return {0, "Flash it: a guard looks at all links that can collide"};
+}
+
+std::string robot_page(const OutputArguments& arguments, const BakedRobot& robot,
+                       const ImageWords& image, const Json& facts) {
+  const auto nearer = [&](const char* what, const std::string& metres) {
+    return concat(what, ": links nearer than ", significant(1000 * std::stod(metres), 6), " mm",
+                  arguments.pairs.empty() ? "" : ", but for --pair");
+  };
+  std::vector<Headline> headlines = {advice(robot),
+                                     {4, nearer("stop", arguments.stop)},
+                                     {1, nearer("warn", arguments.warn.value_or(arguments.stop))}};
   add_unguarded(robot.model, robot.unguarded, headlines);
   headlines.push_back({0, concat("Guarded: ", robot.robot().pair_count, " of ", robot.pairs.size(),
                                  " pairs of links")});
@@ -100,7 +125,7 @@ void make_robot(const OutputArguments& arguments) {
     files.add(arguments.depfile, dependencies(arguments, name, baked.model));
   }
   if (!arguments.page.empty()) {
-    files.add(arguments.page, robot_page(baked, image, facts));
+    files.add(arguments.page, robot_page(arguments, baked, image, facts));
   }
   files.write([&] {
     warnings.print();
