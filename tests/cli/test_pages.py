@@ -35,8 +35,8 @@ PROBE = """(() => {
     colours: style.getPropertyValue("--v1") !== style.getPropertyValue("--v4"),
     names: heads.every((head, i) => whole(head) && (i === 0 || box(head).left >= box(heads[i - 1]).right)),
     cells: !table || [...table.querySelectorAll("td, th")].every(whole),
-    left: !table || (box(table.querySelector("tbody th")).left >= box(scroll).left - 1 &&
-      box(table.querySelector("tbody th")).width < scroll.clientWidth / 2) };
+    left: !table || [...table.querySelectorAll("tbody th, thead td")].every(part =>
+      box(part).left >= box(scroll).left - 1 && box(part).width < scroll.clientWidth / 2) };
   return [style.backgroundColor, Object.keys(holds).filter(name => !holds[name])];
 })()"""
 
