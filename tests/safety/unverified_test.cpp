@@ -37,10 +37,10 @@ bool leads_out(std::size_t byte, const Robot& robot) {
   const auto is_at = [byte](std::size_t begin, std::size_t size) {
     return byte - begin < size;  // a difference below 0 wraps
   };
-  constexpr std::size_t pair_size = 16;
-  constexpr std::size_t witness_size = 4;  // the last of a pair's
+  constexpr std::size_t pair_size = sizeof(GuardPair);
+  constexpr std::size_t witness = offsetof(GuardPair, witness);
   const std::size_t pairs =
-      sizeof(GuardCore) + robot.joint_count * (sizeof(Frame) + 4 * sizeof(JointCoordinate));
+      sizeof(GuardCore) + robot.joint_count * (sizeof(Frame) + 6 * sizeof(JointCoordinate));
   return is_at(offsetof(GuardCore, walked_pair), 2) ||
          is_at(offsetof(GuardCore, witness), witness_size) ||
          (is_at(pairs, robot.pair_count * pair_size) &&

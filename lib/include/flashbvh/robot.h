@@ -85,12 +85,12 @@ typedef struct flashbvh_pair_detail {
 } flashbvh_pair_detail;
 
 /** Guard of one robot. All its certificates are in the state. */
-FLASHBVH_OPAQUE(flashbvh_guard, 12, 16, void*);
+FLASHBVH_OPAQUE(flashbvh_guard, 13, 16, void*);
 
 /** Bytes of a guard's state, for at most these numbers of joints and pairs, and of joints between
  * the links of all pairs. For a workcell: the counts of its flashbvh_workcell_robot(). */
 #define FLASHBVH_GUARD_STATE_SIZE(joints, pairs, pair_joints) \
-  (120 + 68 * (joints) + 28 * (pairs) + 4 * (pair_joints) + ((joints) + (pair_joints) + 3) / 4 * 4)
+  (124 + 72 * (joints) + 28 * (pairs) + 4 * (pair_joints) + ((joints) + (pair_joints) + 3) / 4 * 4)
 
 /** Starts without certificates; the state is written. GUARD_STATE_INVALID, as from every later
  * call: `size`, in bytes, is too small, or the state does not start at a multiple of 4. */

@@ -17,13 +17,9 @@ using detail::sum_of;
 
 namespace {
 
-constexpr uint32_t kStateVersion = 4;
+constexpr uint32_t kStateVersion = 5;
 
 constexpr GuardPair kUnknown = {0, UINT32_MAX, 0, {0, 0}, 0, kNoFloor, kNotMeasured};
-
-/// A pair may lose this part of its stop distance, or so many times what rounding may take.
-constexpr uint32_t kGive = 10;
-constexpr uint32_t kRoundings = 8;
 
 constexpr bool is_unknown(const GuardPair& pair) {
   return pair.lower == 0 && pair.upper == UINT32_MAX;
@@ -56,9 +52,11 @@ void Guard::forget() {
   core_->walked_pair = kNoPair;
   core_->has_values = 0;
   core_->roaming = 0;
+  core_->share = 0;
   core_->rounding = rounding();
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     before_[i] = step_[i] = granted_[i] = 0;
+    tried_[i] = kNoCoordinate;
   }
   for (uint32_t i = 0; i < robot_->pair_count; ++i) {
     pairs_[i] = kUnknown;
@@ -78,11 +76,6 @@ bool Guard::has_values() const {
 Status Guard::refusal() const {
   const Status why = status();
   return why == Status::done ? Status::guard_state_invalid : why;
-}
-
-/// The part of Robot::slack that is not the links' deviation.
-uint32_t Guard::rounding() const {
-  return difference_of(robot_->slack, 2 * detail::largest_deviation(*robot_));
 }
 
 /// Returns whether all indices of the state are in the robot's arrays, and all numbers in range.
@@ -145,6 +138,7 @@ void Guard::follow_obstacle(uint32_t joint) {
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     if (has_obstacle(i) && !is_released(pairs_[i].floor)) {
       pairs_[i].granted = kNotMeasured;
+      pairs_[i].seen &= ~kProved;
     }
   }
 }
@@ -230,38 +224,6 @@ Guard::Left Guard::left_of(uint16_t i, uint32_t first, bool by_levers) const {
     look_inside(i, kept(difference_of(known.upper, kRateMargin)), now);
   }
   return now;
-}
-
-/// Looks at what is left of a pair inside its stop distance. `most`: the largest distance that
-/// could be had.
-void Guard::look_inside(uint16_t i, uint32_t most, Left& now) const {
-  const uint32_t lowest = lowest_of(i, now.is_current);
-  now.left = difference_of(now.distance, lowest);
-  if (is_released(pairs_[i].floor)) {
-    now.left = 1;
-    now.is_settled = true;
-  } else if (now.left == 0) {
-    now.is_settled = now.is_settled && (pairs_[i].lower >= kMaxGuardDistance || most <= lowest);
-  }
-}
-
-Guard::Give Guard::give_of(uint16_t i) const {
-  const uint32_t rounding = core_->rounding;
-  return {greater(robot_->pairs[i].stop / kGive, kRoundings * rounding), rounding};
-}
-
-/// The distance that a pair has to keep in update(): for the stop distance; or, if it has not been
-/// a tenth beyond that since the start, for its floor. `is_current`: the certificate was measured
-/// where the period ends, so that it raises only later floors.
-uint32_t Guard::lowest_of(uint16_t i, bool is_current) const {
-  const GuardPair& known = pairs_[i];
-  const uint32_t limit = robot_->pairs[i].stop + robot_->slack;
-  const bool is_own = !is_current && (known.seen & kOwn) != 0;
-  const uint32_t seen = greater(known.seen & ~kOwn, is_own ? known.lower : 0);
-  const Give give = give_of(i);
-  const uint32_t floor = smaller(seen, limit + give.most);
-  const uint32_t kept = greater(floor - give.of(floor), give.rounding);  // less may be contact
-  return smaller(limit, kept + give.rounding);
 }
 
 /// Upper bound on how far the joints move the pair in this period, in 1/256 cell.
@@ -397,16 +359,22 @@ GuardAnswer Guard::update(const JointCoordinate* values, uint32_t work) {
                                 : GuardAnswer{status, Verdict::refused, kNoPair, 0, 0};
 }
 
+/// Whether a walk of update() goes on.
+bool Guard::is_walking() const {
+  return core_->walked_pair != kNoPair && core_->kept == 0;
+}
+
 /// The loop terminates. Each iteration certifies a pair where the period ends, which settles it, so
-/// no pair is due twice. One iteration may instead end a walk of an earlier period. A walk is
-/// abandoned only for a pair with nothing left, whose own walk is never abandoned.
+/// no pair is due twice. One iteration may instead end a walk of an earlier period. A walk of
+/// update() is abandoned only for a pair with nothing left, whose own walk is never abandoned;
+/// limit()'s for any, and only limit() goes on with it.
 GuardAnswer Guard::go_on(uint32_t work) {
   if (!has_values()) {
     return {refusal(), Verdict::refused, kNoPair, 0, 0};
   }
   const uint32_t granted = work;
   Found found = look();
-  while (work != 0 && (found.due != kNoPair || core_->walked_pair != kNoPair)) {
+  while (work != 0 && (found.due != kNoPair || is_walking())) {
     const Status status = measure(found, work);
     if (status == Status::suspended) {
       break;

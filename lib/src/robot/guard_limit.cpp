@@ -35,23 +35,6 @@ constexpr uint32_t part_of(uint32_t of, uint64_t up, uint64_t down) {
 
 }  // namespace
 
-/// What a pair has to keep in a command, as measured, in 1/256 cell.
-struct Guard::Keep {
-  uint32_t most;   ///< Give::most
-  uint32_t cap;    ///< of floors
-  uint32_t along;  ///< at each moment
-  uint32_t end;    ///< where the command ends
-};
-
-/// Bounds on a pair's distance from its certificate, while the joints go from the granted values to
-/// the next ones.
-struct Guard::Bounds {
-  uint32_t along;   ///< lower bound at each moment
-  uint32_t end;     ///< lower bound at the end
-  uint32_t motion;  ///< of the links towards each other, at most
-  bool is_current;  ///< the certificate was measured at the end
-};
-
 /// The result of trying a share.
 struct Guard::Try {
   Status status;  ///< `done`: all keep what they have to; `full`: `pair` does not; `suspended`:
@@ -60,13 +43,6 @@ struct Guard::Try {
   uint64_t up;  ///< up / down: the part of this share to try next
   uint64_t down;
 };
-
-Guard::Keep Guard::keep_of(uint16_t i) const {
-  const uint32_t floor = pairs_[i].floor;
-  const Give give = give_of(i);
-  return {give.most, sum_of(robot_->pairs[i].stop + robot_->slack, give.most),
-          sum_of(floor - give.of(floor), give.rounding), floor - give.of(floor) / 2};
-}
 
 /// Checks the wanted values.
 Status Guard::begin_command(const JointCoordinate* wanted) {
@@ -150,34 +126,47 @@ Guard::Bounds Guard::bounds_of(uint16_t i, uint32_t first) const {
           motion.fine(since.fine()), moved == 0};
 }
 
+/// Whether limit() measures the pair at the next coordinates already.
+bool Guard::is_walked_at_next(uint16_t i) const {
+  bool is = core_->walked_pair == i && core_->kept != 0;
+  for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
+    is = is && walked_[joint] == next_[joint];
+  }
+  return is;
+}
+
 /// Measures a pair at the next coordinates. `done`: it is farther apart than `needed`, or, for a
 /// floor, its certificate says almost what its distance is; `full`: a witness is nearer;
 /// `suspended`, with work left: an earlier measurement ended, of this pair or another one.
 Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, uint32_t& work) {
-  if (core_->walked_pair != kNoPair) {
-    const Status status = walk_on(0, work);
+  const uint32_t least = is_for_floor ? 0 : needed + 1;  // a witness there proves less
+  Status status = Status::suspended;
+  if (is_walked_at_next(i)) {
+    status = walk_on(least, work);
+  } else if (core_->walked_pair != kNoPair) {
+    status = walk_on(0, work);
     return status == Status::done ? Status::suspended : status;
+  } else {
+    detail::take_work(work, kPoseWork);
+    if (core_->has_frames == 0) {
+      set_frames(*robot_, next_, frames_);
+      core_->has_frames = 1;
+    }
+    const RobotLink& a = robot_->links[robot_->pairs[i].a];
+    const RobotLink& b = robot_->links[robot_->pairs[i].b];
+    const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
+                                              detail::frame_of(frames_, b.joint));
+    if (apart / 2 > needed) {  // it lasts
+      certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness}, false, nullptr);
+      return Status::done;
+    }
+    start_walk(i, work);
+    const uint32_t nearest = witness_distance(work);
+    const bool is_nearer = nearest <= needed;
+    core_->kept = is_nearer ? greater(difference_of(nearest, nearest / 64 + 1), 1) : needed;
+    aim(nearest);
+    status = is_nearer && !is_for_floor ? Status::full : walk_on(least, work);
   }
-  detail::take_work(work, kPoseWork);
-  if (core_->has_frames == 0) {
-    set_frames(*robot_, next_, frames_);
-    core_->has_frames = 1;
-  }
-  const RobotLink& a = robot_->links[robot_->pairs[i].a];
-  const RobotLink& b = robot_->links[robot_->pairs[i].b];
-  const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
-                                            detail::frame_of(frames_, b.joint));
-  if (apart / 2 > needed) {  // it lasts
-    certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness}, false, nullptr);
-    return Status::done;
-  }
-  start_walk(i, work);
-  const uint32_t nearest = witness_distance(work);
-  const bool is_nearer = nearest < needed;
-  core_->kept = is_nearer ? greater(difference_of(nearest, nearest / 64 + 1), 1) : needed;
-  aim(nearest);
-  const uint32_t least = is_for_floor ? 0 : needed;
-  const Status status = is_nearer && !is_for_floor ? Status::full : walk_on(least, work);
   if (status == Status::full) {
     pairs_[i].witness = core_->witness;
     core_->walked_pair = kNoPair;
@@ -185,107 +174,96 @@ Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, ui
   return status;
 }
 
-/// Takes the distance at the granted values. A floor falls only if an obstacle came so near that
-/// the robot could not move at all: to where the robot may stay and get no nearer.
-void Guard::know(uint16_t i, uint32_t distance) {
-  GuardPair& known = pairs_[i];
-  const Keep keep = keep_of(i);
-  const Give give = give_of(i);
-  if (known.floor == kNoFloor) {
-    known.floor = smaller(distance, keep.cap);
-  } else {
-    const uint32_t apart = sum_of(known.upper, 2 * give.rounding);
-    known.floor = smaller(known.floor, sum_of(apart, smaller(give.most / 2, apart / 3)));
-  }
-  known.floor = greater(known.floor, smaller(distance, keep.cap));
-  known.granted = distance;
-}
-
-bool Guard::knows_floors() const {
-  bool knows = true;
+/// Measures of released pairs whether their floors hold again at the next coordinates.
+void Guard::measure_released(uint32_t& work) {
+  uint32_t first = 0;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
-    knows = knows && pairs_[i].granted != kNotMeasured;
+    const GuardPair& known = pairs_[i];
+    if (work != 0 && is_released(known.floor) && bounds_of(i, first).end < known.granted) {
+      (void)measure_at_next(i, known.granted, false, work);
+    }
+    first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
   }
-  return knows;
 }
 
-/// Measures the distances that are not known where the robot was sent last.
-Status Guard::know_floors(uint32_t& work) {
+/// Whether pairs with kProved are proved for the motion from the granted to the next coordinates.
+bool Guard::is_tried() const {
+  bool is = true;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
-    next_[i] = granted_[i];
+    is = is && tried_[i] == next_[i];
   }
-  core_->has_frames = 0;
-  for (uint16_t i = 0; i < robot_->pair_count; ++i) {
-    GuardPair& known = pairs_[i];
-    while (known.granted == kNotMeasured) {
-      const uint32_t cap = keep_of(i).cap;
-      const Bounds now = bounds_of(i, first_between(i));
-      const bool is_tight = now.is_current && known.upper != UINT32_MAX &&
-                            known.lower >= difference_of(known.upper, known.upper / 32 + 2);
-      if (now.end >= cap || is_tight) {
-        know(i, now.end);
-        break;
-      }
-      const Status status = work == 0 ? Status::suspended : measure_at_next(i, cap, true, work);
-      if (status != Status::done && (status != Status::suspended || work == 0)) {
-        return status;
-      }
-    }
-  }
-  return Status::done;
+  return is;
 }
 
-/// Tries the next coordinates for a released pair, and measures whether its floor holds again.
-Guard::Try Guard::try_released(uint16_t i, uint32_t first, uint32_t& work) {
+/// Makes the next coordinates the tried ones.
+void Guard::note_tried() {
+  const bool is_new = !is_tried();
+  for (uint16_t i = 0; is_new && i < robot_->pair_count; ++i) {
+    pairs_[i].seen &= ~kProved;
+  }
+  for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
+    tried_[joint] = next_[joint];
+  }
+}
+
+/// Tries the next coordinates for one pair by its certificate. `suspended`: that says too little,
+/// and a distance of `needed` at the end would do.
+Guard::Try Guard::try_known(uint16_t i, uint32_t first, const Keep& keep, uint32_t& needed) const {
   const Bounds now = bounds_of(i, first);
-  const uint32_t allowed = pairs_[i].floor - kReleased;
-  if (now.motion > allowed) {
-    return {Status::full, i, allowed, now.motion};
+  if (is_released(pairs_[i].floor)) {
+    const uint32_t allowed = pairs_[i].floor - kReleased;
+    return {now.motion > allowed ? Status::full : Status::done, i, allowed, now.motion};
   }
-  if (now.end < pairs_[i].granted && work != 0) {
-    (void)measure_at_next(i, pairs_[i].granted, false, work);
-  }
-  return {Status::done, i, 1, 1};
+  const uint32_t begin = pairs_[i].granted;
+  const uint32_t by_begin = difference_of(begin, now.motion);
+  const uint64_t both = uint64_t{keep.along} * 2 + now.motion;
+  const bool keeps_along =
+      greater(now.along, by_begin) >= keep.along || uint64_t{begin} + now.end >= both;
+  const bool keeps = keeps_along && greater(now.end, by_begin) >= keep.end;
+  const uint64_t by_both = by_begin >= keep.along ? 0 : difference_of(both, uint64_t{begin});
+  needed = greater(keep.end, static_cast<uint32_t>(by_both));
+  return {keeps ? Status::done : Status::suspended, i,
+          difference_of(begin, greater(keep.along, keep.end)), now.motion};
 }
 
-/// Tries the next coordinates for one pair.
-Guard::Try Guard::try_pair(uint16_t i, uint32_t first, const Keep& keep, uint32_t& work) {
-  const uint32_t begin = pairs_[i].granted;
+/// Tries the next coordinates for one pair, and measures it if its certificate says too little.
+Guard::Try Guard::try_pair(uint16_t i, uint32_t& work) {
+  const uint32_t first = first_between(i);
+  const Keep keep = keep_of(i);
   for (bool is_measured = false;;) {
-    const Bounds now = bounds_of(i, first);
-    const uint32_t by_begin = difference_of(begin, now.motion);
-    const uint64_t both = uint64_t{keep.along} * 2 + now.motion;
-    const bool keeps_along =
-        greater(now.along, by_begin) >= keep.along || uint64_t{begin} + now.end >= both;
-    if (keeps_along && greater(now.end, by_begin) >= keep.end) {
-      return {Status::done, i, 1, 1};
+    uint32_t needed = 0;
+    const Try known = try_known(i, first, keep, needed);
+    if (known.status == Status::done) {  // others may need this certificate elsewhere
+      note_tried();
+      pairs_[i].seen |= kProved;
     }
-    const uint32_t by_both =
-        by_begin >= keep.along ? 0 : static_cast<uint32_t>(difference_of(both, uint64_t{begin}));
-    const uint32_t needed = greater(keep.end, by_both);
-    Status status = work == 0 ? Status::suspended : Status::full;
-    if (work != 0 && !is_measured) {
-      status = measure_at_next(i, needed, false, work);
-      is_measured = status == Status::done;
-      if (is_measured || (status == Status::suspended && work != 0)) {
-        continue;
-      }
+    if (known.status != Status::suspended || work == 0) {
+      return known;
     }
+    const Status status = is_measured ? Status::full : measure_at_next(i, needed, false, work);
+    is_measured = is_measured || status == Status::done;
     if (status == Status::full) {  // the witness's distance changes evenly, as far as one knows
+      const uint32_t begin = pairs_[i].granted;
       const uint32_t loss = difference_of(begin, core_->nearest);
       const uint64_t end_up = difference_of(begin, keep.end);
       const uint64_t along_up = difference_of(begin, keep.along);
-      const uint64_t along_down = (uint64_t{now.motion} + loss) / 2 + 1;
+      const uint64_t along_down = (known.down + loss) / 2 + 1;
       const bool is_end = end_up * along_down < along_up * loss;
       return {status, i, is_end ? end_up : along_up, is_end ? loss : along_down};
     }
-    return {status, i, difference_of(begin, greater(keep.along, keep.end)), now.motion};
+    if (status != Status::done && status != Status::suspended) {
+      return {status, i, known.up, known.down};
+    }
   }
 }
 
-/// Tries the next coordinates for all pairs.
-Guard::Try Guard::try_all(uint32_t& work) {
+/// Tries the next coordinates for all pairs by what is known of them. The result is the pair that
+/// allows the least share.
+Guard::Try Guard::try_all_known() {
+  const uint32_t proved = is_tried() ? kProved : 0;
+  uint32_t needed = 0;
   uint32_t first = 0;
+  Try least = {Status::done, kNoPair, 1, 1};
   core_->roaming = UINT32_MAX;
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     const Keep keep = keep_of(i);
@@ -293,17 +271,36 @@ Guard::Try Guard::try_all(uint32_t& work) {
     core_->roaming = smaller(core_->roaming, room);
     if (room != 0) {
       pairs_[i].granted = keep.cap;  // at both ends and between
-    } else {
-      const Try tried = is_released(pairs_[i].floor) ? try_released(i, first, work)
-                                                     : try_pair(i, first, keep, work);
-      if (tried.status != Status::done) {
-        core_->roaming = 0;
-        return tried;
+    } else if ((pairs_[i].seen & proved) == 0) {
+      const Try tried = try_known(i, first, keep, needed);
+      const bool is_less = tried.up * least.down < least.up * tried.down;  // 0 / 0 is not
+      if (tried.status != Status::done && (is_less || least.status == Status::done)) {
+        least = tried;
       }
     }
     first += robot_->pairs[i].joints_a + robot_->pairs[i].joints_b;
   }
-  return {Status::done, kNoPair, 1, 1};
+  return least;
+}
+
+/// Tries the next coordinates for all pairs. Work goes to the pair that allows the least share
+/// without it: another one may need more than one command's, over and over.
+Guard::Try Guard::try_all(uint32_t& work) {
+  for (;;) {
+    Try least = try_all_known();
+    if (least.status == Status::suspended && work != 0) {
+      least = try_pair(least.pair, work);
+      if (least.status == Status::done) {
+        continue;
+      }
+    }
+    if (least.status == Status::done) {
+      measure_released(work);
+    } else {
+      core_->roaming = 0;
+    }
+    return least;
+  }
 }
 
 /// Makes the next coordinates the granted ones.
@@ -314,7 +311,9 @@ void Guard::accept() {
     const Bounds now = bounds_of(i, first);
     const Keep keep = keep_of(i);
     if (!is_released(known.floor)) {
-      known.granted = greater(now.end, difference_of(known.granted, now.motion));
+      // An earlier walk may have ended since the pair was tried, and left a worse certificate.
+      const uint32_t by_begin = difference_of(known.granted, now.motion);
+      known.granted = greater(greater(now.end, by_begin), keep.end);
       known.floor = smaller(greater(known.floor, known.granted), keep.cap);
     } else if (now.end >= known.granted) {
       known.granted = now.end;
@@ -324,26 +323,8 @@ void Guard::accept() {
   }
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     granted_[i] = next_[i];
+    tried_[i] = kNoCoordinate;
   }
-}
-
-Status Guard::release(uint16_t pair, FineLength a_command) {
-  if (!has_values() || pair >= robot_->pair_count) {
-    return refusal();
-  }
-  if (a_command.count > kMaxGuardDistance) {
-    return Status::distance_out_of_range;
-  }
-  GuardPair& known = pairs_[pair];
-  if (!is_released(known.floor)) {
-    const Keep keep = keep_of(pair);
-    const uint32_t now = known.granted == kNotMeasured ? 0 : known.granted;
-    known.granted = smaller(sum_of(now, keep.most), keep.cap);
-    known.seen = 0;
-  }
-  known.floor = kReleased + a_command.count;
-  core_->roaming = 0;
-  return Status::done;
 }
 
 /// The longest way of a joint from the granted to the next coordinates.
@@ -355,25 +336,44 @@ uint32_t Guard::longest_way() const {
   return longest;
 }
 
+/// The share at which the last command had too little work, if this one is the same; or the whole.
+uint32_t Guard::first_share(const JointCoordinate* wanted, JointCoordinate* granted) {
+  if (core_->share == 0) {
+    return kWhole;
+  }
+  set_share(wanted, core_->share, granted);
+  (void)set_coordinates(*robot_, granted, next_);
+  const uint32_t share = is_tried() ? core_->share : kWhole;
+  core_->share = 0;
+  if (share == kWhole) {
+    (void)set_coordinates(*robot_, wanted, next_);
+  }
+  return share;
+}
+
 /// Tries smaller and smaller shares of the way, until all pairs keep what they have to. Sets the
 /// pairs of the answer, and why the way was not granted whole.
 uint32_t Guard::find_share(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t& work,
                            LimitAnswer& answer) {
-  uint32_t share = kWhole;
+  uint32_t share = first_share(wanted, granted);
   for (int tries = 1; share != 0; ++tries) {
     const Try tried = try_all(work);
     if (tried.status == Status::done) {
       accept();
       break;
     }
+    if (tried.status == Status::suspended && core_->share == 0) {
+      note_tried();
+      core_->share = share;
+    }
     const bool is_first = answer.status == Status::done || tried.status != Status::full;
     answer.status = is_first ? tried.status : answer.status;
     answer.opposed = answer.pair != tried.pair ? answer.pair : answer.opposed;
     answer.pair = tried.pair;
     const uint32_t less = part_of(share, tried.up * kSafe, tried.down * 16);
-    share = tries == kMostTries  ? 0
-            : tries > kManyTries ? smaller(less, share / kFaster)
-                                 : smaller(less, share - 1);
+    share = tries == kMostTries                   ? 0
+            : tries > kManyTries || less == share ? smaller(less, share / kFaster)
+                                                  : less;
     set_share(wanted, share, granted);
     (void)set_coordinates(*robot_, granted, next_);
     core_->has_frames = 0;

@@ -16,6 +16,7 @@ using detail::kLeverWork;
 using detail::kPeriodsAhead;
 using detail::kPoseWork;
 using detail::kRateMargin;
+using detail::seen_of;
 using detail::smaller;
 using detail::sum_of;
 
@@ -95,7 +96,7 @@ void Guard::certify(uint16_t i, const JointCoordinate* at, const Measured& measu
   core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
   GuardPair& known = pairs_[i];
   const uint32_t last = (known.seen & kOwn) != 0 ? smaller(known.lower, kMaxGuardDistance) : 0;
-  known.seen = detail::greater(known.seen & ~kOwn, last) | (is_own ? kOwn : 0);
+  known.seen = detail::greater(seen_of(known), last) | (known.seen & kProved) | (is_own ? kOwn : 0);
   known.lower = measured.lower;
   known.upper = measured.upper;
   known.began = began;
@@ -312,7 +313,7 @@ Status Guard::finish(uint32_t lower) {
 Status Guard::measure(const Found& found, uint32_t& work) {
   const bool is_overtaken = found.due != core_->walked_pair && found.due != kNoPair &&
                             found.due_left == 0 && found.walked_left != 0;
-  if (core_->walked_pair == kNoPair || is_overtaken) {
+  if (!is_walking() || is_overtaken) {
     detail::take_work(work, kPoseWork);
     make_frames();
     if (certify_by_spheres(found.due, found.due_rate)) {

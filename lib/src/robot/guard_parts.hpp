@@ -38,6 +38,11 @@ constexpr uint32_t smaller(uint32_t u, uint32_t v) {
   return u < v ? u : v;
 }
 
+/// GuardPair::seen without its flags.
+constexpr uint32_t seen_of(const GuardPair& pair) {
+  return pair.seen & (kProved - 1);
+}
+
 }  // namespace detail
 
 /// What a measurement found, in 1/256 cell.
@@ -80,6 +85,23 @@ bool Guard::has_one_way(uint32_t i, StepOf&& step_of) const {
       uint64_t{detail::magnitude(step_of(master))} * detail::magnitude(joint.multiplier);
   return (way >> joint.shift) + 2 < kFullTurn / 2;  // each end is rounded
 }
+
+/// What a pair has to keep in a command, as measured, in 1/256 cell.
+struct Guard::Keep {
+  uint32_t most;   ///< Give::most
+  uint32_t cap;    ///< of floors
+  uint32_t along;  ///< at each moment
+  uint32_t end;    ///< where the command ends
+};
+
+/// Bounds on a pair's distance from its certificate, while the joints go from the granted values to
+/// the next ones.
+struct Guard::Bounds {
+  uint32_t along;   ///< lower bound at each moment
+  uint32_t end;     ///< lower bound at the end
+  uint32_t motion;  ///< of the links towards each other, at most
+  bool is_current;  ///< the certificate was measured at the end
+};
 
 /// A variable's effect on a distance.
 struct Guard::Share {

@@ -30,7 +30,7 @@ def opaque(name, size):
     return struct(name, ("words", c_uint64 * (size // 8)))
 
 
-Mesh, Query, GuardObject = opaque("Mesh", 96), opaque("Query", 152), opaque("GuardObject", 112)
+Mesh, Query, GuardObject = opaque("Mesh", 96), opaque("Query", 152), opaque("GuardObject", 120)
 Pose = struct("Pose", ("words", c_uint32 * 17))
 Pair, Witness = (struct(name, ("a", c_uint16), ("b", c_uint16)) for name in ("Pair", "Witness"))
 FineLength = struct("FineLength", ("count", c_uint32))
@@ -51,7 +51,7 @@ LimitAnswer = struct("LimitAnswer", ("status", c_uint8), ("verdict", c_uint8), (
 
 def guard_state_size(joints, pairs, pair_joints):
     """FLASHBVH_GUARD_STATE_SIZE."""
-    return 120 + 68 * joints + 28 * pairs + 4 * pair_joints + (joints + pair_joints + 3) // 4 * 4
+    return 124 + 72 * joints + 28 * pairs + 4 * pair_joints + (joints + pair_joints + 3) // 4 * 4
 
 
 _library = ctypes.CDLL(str(Path(__file__).with_name("_flashbvh.so")))

@@ -71,6 +71,8 @@ constexpr uint32_t kNoFloor = (1u << 31) - 1;
 constexpr uint32_t kNotMeasured = UINT32_MAX;
 /// update() measured the certificate, so the robot has been where it was measured.
 constexpr uint32_t kOwn = 1u << 31;
+/// limit() proved the pair for the motion to GuardStateOf::tried.
+constexpr uint32_t kProved = 1u << 30;
 /// limit() measured the certificate, so `began` is of the next period.
 constexpr uint32_t kOfNext = 1u << 31;
 /// With a floor's other bits the motion that a released pair may make in a command.
@@ -82,7 +84,7 @@ struct GuardPair {
   uint32_t upper;             ///< rounded up; UINT32_MAX: unknown
   uint32_t began;             ///< lower bound at the period's start
   Witness<uint16_t> witness;  ///< the nearest triangles
-  uint32_t seen;     ///< the largest distance before `lower`; with kOwn `lower` counts, too
+  uint32_t seen;     ///< the largest distance before `lower`; with kOwn `lower` counts; kProved
   uint32_t floor;    ///< Guard::limit(): the largest distance so far, or its cap
   uint32_t granted;  ///< lower bound at the granted values; of a released pair Guard::release()
 };
@@ -101,6 +103,7 @@ struct GuardCore {
   uint32_t kept;      ///< distance that limit() wants to know of; 0: update() measures
   uint32_t rounding;  ///< the slack without the links' deviation, in 1/256 cell
   uint32_t roaming;   ///< way of any joint from the granted values within which all pairs are free
+  uint32_t share;     ///< of the way to GuardStateOf::tried; 0: none
   Witness<uint16_t> witness;
   QueryCursor<uint16_t> cursor;
   Pose pose = Pose::translated(0, 0, 0);
@@ -142,6 +145,7 @@ struct GuardStateOf {
   JointCoordinate next[kJoints];     ///< new coordinates until they are accepted; also for frames
   JointCoordinate walked[kJoints];   ///< coordinates at the start of the measurement
   JointCoordinate granted[kJoints];  ///< coordinates that limit() granted last
+  JointCoordinate tried[kJoints];    ///< coordinates that limit() had too little work for since
   Frame frames[kJoints];
   GuardPair pairs[detail::at_least_one(pair_count)];
   JointCoordinate certified[detail::at_least_one(
@@ -164,6 +168,7 @@ class Guard {
         next_(state.next),
         walked_(state.walked),
         granted_(state.granted),
+        tried_(state.tried),
         frames_(state.frames),
         pairs_(state.pairs),
         certified_(state.certified),
@@ -184,7 +189,8 @@ class Guard {
         next_(step_ + robot.joint_count),
         walked_(next_ + robot.joint_count),
         granted_(walked_ + robot.joint_count),
-        frames_(reinterpret_cast<Frame*>(granted_ + robot.joint_count)),
+        tried_(granted_ + robot.joint_count),
+        frames_(reinterpret_cast<Frame*>(tried_ + robot.joint_count)),
         pairs_(reinterpret_cast<GuardPair*>(frames_ + robot.joint_count)),
         certified_(reinterpret_cast<JointCoordinate*>(pairs_ + robot.pair_count)),
         shares_(reinterpret_cast<uint8_t*>(certified_ + joints_between())),
@@ -357,8 +363,15 @@ class Guard {
   Status know_floors(uint32_t& work);
   Status measure_at_next(uint16_t pair, uint32_t needed, bool is_for_floor, uint32_t& work);
   Status walk_on(uint32_t needed, uint32_t& work);
-  Try try_released(uint16_t pair, uint32_t first, uint32_t& work);
-  Try try_pair(uint16_t pair, uint32_t first, const Keep& keep, uint32_t& work);
+  void measure_released(uint32_t& work);
+  bool is_walking() const;
+  bool is_walked_at_next(uint16_t pair) const;
+  bool is_tried() const;
+  void note_tried();
+  uint32_t first_share(const JointCoordinate* wanted, JointCoordinate* granted);
+  Try try_known(uint16_t pair, uint32_t first, const Keep& keep, uint32_t& needed) const;
+  Try try_pair(uint16_t pair, uint32_t& work);
+  Try try_all_known();
   Try try_all(uint32_t& work);
   void accept();
   uint32_t own_checksum() const;
@@ -373,6 +386,7 @@ class Guard {
   JointCoordinate* next_;
   JointCoordinate* walked_;
   JointCoordinate* granted_;
+  JointCoordinate* tried_;
   Frame* frames_;
   GuardPair* pairs_;
   JointCoordinate* certified_;
