@@ -344,7 +344,7 @@ struct Sent {
     for (std::size_t i = 0; is_judged && i < floors.size(); ++i) {
       const GuardPair& pair = state->pairs[i];
       const std::uint32_t own = (pair.seen & kOwn) != 0 ? pair.lower : 0;
-      seen.push_back(std::min<double>(std::max(pair.seen & (kProved - 1), own), drawn.limit(i, 1, 1)));
+      seen.push_back(std::min<double>(std::max(pair.seen & ~kOwn, own), drawn.limit(i, 1, 1)));
     }
     if (drawn.room != nullptr) {
       drawn.room->move(drawn.frames(now, 1));

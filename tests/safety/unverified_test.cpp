@@ -38,13 +38,14 @@ bool leads_out(std::size_t byte, const Robot& robot) {
     return byte - begin < size;  // a difference below 0 wraps
   };
   constexpr std::size_t pair_size = sizeof(GuardPair);
-  constexpr std::size_t witness = offsetof(GuardPair, witness);
+  constexpr std::size_t witness_size = sizeof(GuardPair::witness);
+  constexpr std::size_t witness_at = offsetof(GuardPair, witness);
   const std::size_t pairs =
       sizeof(GuardCore) + robot.joint_count * (sizeof(Frame) + 6 * sizeof(JointCoordinate));
   return is_at(offsetof(GuardCore, walked_pair), 2) ||
          is_at(offsetof(GuardCore, witness), witness_size) ||
          (is_at(pairs, robot.pair_count * pair_size) &&
-          (byte - pairs) % pair_size >= pair_size - witness_size);
+          is_at(pairs + (byte - pairs) / pair_size * pair_size + witness_at, witness_size));
 }
 
 /// A guard in memory of exactly its size, so that the address sanitizer detects accesses outside.

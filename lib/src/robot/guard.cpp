@@ -138,7 +138,6 @@ void Guard::follow_obstacle(uint32_t joint) {
   for (uint16_t i = 0; i < robot_->pair_count; ++i) {
     if (has_obstacle(i) && !is_released(pairs_[i].floor)) {
       pairs_[i].granted = kNotMeasured;
-      pairs_[i].seen &= ~kProved;
     }
   }
 }

@@ -9,7 +9,6 @@ namespace flashbvh {
 
 using detail::difference_of;
 using detail::greater;
-using detail::seen_of;
 using detail::smaller;
 using detail::sum_of;
 
@@ -51,7 +50,7 @@ uint32_t Guard::lowest_of(uint16_t i, bool is_current) const {
   const GuardPair& known = pairs_[i];
   const uint32_t limit = robot_->pairs[i].stop + robot_->slack;
   const bool is_own = !is_current && (known.seen & kOwn) != 0;
-  const uint32_t seen = greater(seen_of(known), is_own ? known.lower : 0);
+  const uint32_t seen = greater(known.seen & ~kOwn, is_own ? known.lower : 0);
   const Give give = give_of(i);
   const uint32_t floor = smaller(seen, limit + give.most);
   const uint32_t kept = greater(floor - give.of(floor), give.rounding);  // less may be contact

@@ -186,24 +186,13 @@ void Guard::measure_released(uint32_t& work) {
   }
 }
 
-/// Whether pairs with kProved are proved for the motion from the granted to the next coordinates.
+/// Whether the last command from the granted to the next coordinates had too little work.
 bool Guard::is_tried() const {
   bool is = true;
   for (uint32_t i = 0; i < robot_->joint_count; ++i) {
     is = is && tried_[i] == next_[i];
   }
   return is;
-}
-
-/// Makes the next coordinates the tried ones.
-void Guard::note_tried() {
-  const bool is_new = !is_tried();
-  for (uint16_t i = 0; is_new && i < robot_->pair_count; ++i) {
-    pairs_[i].seen &= ~kProved;
-  }
-  for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
-    tried_[joint] = next_[joint];
-  }
 }
 
 /// Tries the next coordinates for one pair by its certificate. `suspended`: that says too little,
@@ -233,10 +222,6 @@ Guard::Try Guard::try_pair(uint16_t i, uint32_t& work) {
   for (bool is_measured = false;;) {
     uint32_t needed = 0;
     const Try known = try_known(i, first, keep, needed);
-    if (known.status == Status::done) {  // others may need this certificate elsewhere
-      note_tried();
-      pairs_[i].seen |= kProved;
-    }
     if (known.status != Status::suspended || work == 0) {
       return known;
     }
@@ -260,7 +245,6 @@ Guard::Try Guard::try_pair(uint16_t i, uint32_t& work) {
 /// Tries the next coordinates for all pairs by what is known of them. The result is the pair that
 /// allows the least share.
 Guard::Try Guard::try_all_known() {
-  const uint32_t proved = is_tried() ? kProved : 0;
   uint32_t needed = 0;
   uint32_t first = 0;
   Try least = {Status::done, kNoPair, 1, 1};
@@ -271,7 +255,7 @@ Guard::Try Guard::try_all_known() {
     core_->roaming = smaller(core_->roaming, room);
     if (room != 0) {
       pairs_[i].granted = keep.cap;  // at both ends and between
-    } else if ((pairs_[i].seen & proved) == 0) {
+    } else {
       const Try tried = try_known(i, first, keep, needed);
       const bool is_less = tried.up * least.down < least.up * tried.down;  // 0 / 0 is not
       if (tried.status != Status::done && (is_less || least.status == Status::done)) {
@@ -338,7 +322,7 @@ uint32_t Guard::longest_way() const {
 
 /// The share at which the last command had too little work, if this one is the same; or the whole.
 uint32_t Guard::first_share(const JointCoordinate* wanted, JointCoordinate* granted) {
-  if (core_->share == 0) {
+  if (core_->share == 0 || core_->share > kWhole) {  // none, or damaged
     return kWhole;
   }
   set_share(wanted, core_->share, granted);
@@ -363,8 +347,10 @@ uint32_t Guard::find_share(const JointCoordinate* wanted, JointCoordinate* grant
       break;
     }
     if (tried.status == Status::suspended && core_->share == 0) {
-      note_tried();
       core_->share = share;
+      for (uint32_t i = 0; i < robot_->joint_count; ++i) {
+        tried_[i] = next_[i];
+      }
     }
     const bool is_first = answer.status == Status::done || tried.status != Status::full;
     answer.status = is_first ? tried.status : answer.status;

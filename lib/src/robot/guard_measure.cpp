@@ -16,7 +16,6 @@ using detail::kLeverWork;
 using detail::kPeriodsAhead;
 using detail::kPoseWork;
 using detail::kRateMargin;
-using detail::seen_of;
 using detail::smaller;
 using detail::sum_of;
 
@@ -96,7 +95,7 @@ void Guard::certify(uint16_t i, const JointCoordinate* at, const Measured& measu
   core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
   GuardPair& known = pairs_[i];
   const uint32_t last = (known.seen & kOwn) != 0 ? smaller(known.lower, kMaxGuardDistance) : 0;
-  known.seen = detail::greater(seen_of(known), last) | (known.seen & kProved) | (is_own ? kOwn : 0);
+  known.seen = detail::greater(known.seen & ~kOwn, last) | (is_own ? kOwn : 0);
   known.lower = measured.lower;
   known.upper = measured.upper;
   known.began = began;

@@ -38,11 +38,6 @@ constexpr uint32_t smaller(uint32_t u, uint32_t v) {
   return u < v ? u : v;
 }
 
-/// GuardPair::seen without its flags.
-constexpr uint32_t seen_of(const GuardPair& pair) {
-  return pair.seen & (kProved - 1);
-}
-
 }  // namespace detail
 
 /// What a measurement found, in 1/256 cell.

@@ -108,7 +108,7 @@ struct Commanded {
     for (std::uint16_t i = 0; i < promises.size(); ++i) {
       const GuardPair& pair = state->pairs[i];
       const std::uint32_t own = (pair.seen & kOwn) != 0 ? pair.lower : 0;
-      floors.push_back(std::max(pair.seen & (kProved - 1), std::min(own, kMaxGuardDistance)));
+      floors.push_back(std::max(pair.seen & ~kOwn, std::min(own, kMaxGuardDistance)));
       floors.back() = std::min(floors.back(), static_cast<std::uint32_t>(promises[i].cap()));
     }
     const Values next = Period(arm, measured, now).between(random);

@@ -71,8 +71,6 @@ constexpr uint32_t kNoFloor = (1u << 31) - 1;
 constexpr uint32_t kNotMeasured = UINT32_MAX;
 /// update() measured the certificate, so the robot has been where it was measured.
 constexpr uint32_t kOwn = 1u << 31;
-/// limit() proved the pair for the motion to GuardStateOf::tried.
-constexpr uint32_t kProved = 1u << 30;
 /// limit() measured the certificate, so `began` is of the next period.
 constexpr uint32_t kOfNext = 1u << 31;
 /// With a floor's other bits the motion that a released pair may make in a command.
@@ -84,7 +82,7 @@ struct GuardPair {
   uint32_t upper;             ///< rounded up; UINT32_MAX: unknown
   uint32_t began;             ///< lower bound at the period's start
   Witness<uint16_t> witness;  ///< the nearest triangles
-  uint32_t seen;     ///< the largest distance before `lower`; with kOwn `lower` counts; kProved
+  uint32_t seen;     ///< the largest distance before `lower`; with kOwn `lower` counts, too
   uint32_t floor;    ///< Guard::limit(): the largest distance so far, or its cap
   uint32_t granted;  ///< lower bound at the granted values; of a released pair Guard::release()
 };
@@ -367,7 +365,6 @@ class Guard {
   bool is_walking() const;
   bool is_walked_at_next(uint16_t pair) const;
   bool is_tried() const;
-  void note_tried();
   uint32_t first_share(const JointCoordinate* wanted, JointCoordinate* granted);
   Try try_known(uint16_t pair, uint32_t first, const Keep& keep, uint32_t& needed) const;
   Try try_pair(uint16_t pair, uint32_t& work);
