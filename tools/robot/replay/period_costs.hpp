@@ -18,7 +18,7 @@ struct PeriodCosts {
 /// By core.
 const std::map<std::string, PeriodCosts> kPeriodCosts = {
     {"Cortex-M3", {170, 81, 236, 27, 2302, 262}},
-    {"Cortex-M4F", {172, 81, 238, 26, 2332, 234}},
+    {"Cortex-M4F", {167, 81, 238, 26, 2332, 234}},
     {"RV32IMAC", {268, 81, 237, 34, 3552, 341}},
 };
 
