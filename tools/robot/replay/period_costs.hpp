@@ -17,9 +17,9 @@ struct PeriodCosts {
 };
 /// By core.
 const std::map<std::string, PeriodCosts> kPeriodCosts = {
-    {"Cortex-M3", {170, 81, 236, 27, 2302, 262}},
+    {"Cortex-M3", {167, 81, 236, 27, 2302, 262}},
     {"Cortex-M4F", {167, 81, 238, 26, 2332, 234}},
-    {"RV32IMAC", {268, 81, 237, 34, 3552, 341}},
+    {"RV32IMAC", {267, 81, 237, 34, 3552, 341}},
 };
 
 }  // namespace flashbvh::tool
