@@ -1,7 +1,6 @@
 #!/bin/sh
-# compare.sh           Compares with OPCODE and a tree in floats: instructions on a Cortex-M4F under QEMU, on the same
-#                      meshes in the same poses. Writes lib/docs/comparison.md.
-# compare.sh --page    writes the page from the last run's files in build/compare
+# compare.sh    Compares with OPCODE and a tree in floats: instructions on a Cortex-M4F under QEMU, on the same
+#               meshes in the same poses. Writes lib/docs/comparison.md.
 #
 # A report, not a test. Installs what is missing; works in build/compare.
 set -eu
@@ -9,10 +8,6 @@ cd "$(dirname "$0")/.."
 . tools/packages.sh
 . tools/quietly.sh
 
-case ${1:-} in
-  "" | --page) ;;
-  *) sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
-esac
 folder=$PWD/build/compare
 quiet_log=$folder/log
 # FLASHBVH_NATIVE: the preset of the host program that bakes.
@@ -53,17 +48,12 @@ on_board() {
 }
 
 boards="mps2-an386"
-
-measure() {
-  mkdir -p "$folder"
-  ensure_packages $host_packages $board_packages libstdc++-arm-none-eabi-newlib libode-dev debian-archive-keyring
-  fetch_ode
-  FLASHBVH_NATIVE=$native quietly tools/figures.sh --prepare
-  quietly python3 tools/compare/scenes.py "build/$native/bin/flashbvh" "$folder/scenes"
-  for board in $boards; do
-    on_board "$board"
-  done
-}
-
-[ "${1:-}" = --page ] || measure
+mkdir -p "$folder"
+ensure_packages $host_packages $board_packages libstdc++-arm-none-eabi-newlib libode-dev debian-archive-keyring
+fetch_ode
+FLASHBVH_NATIVE=$native quietly tools/figures.sh --prepare
+quietly python3 tools/compare/scenes.py "build/$native/bin/flashbvh" "$folder/scenes"
+for board in $boards; do
+  on_board "$board"
+done
 python3 tools/compare/page.py lib/docs/comparison.md "$folder" $boards
