@@ -81,7 +81,8 @@ def main(target: Path) -> None:
                  "flashbvh.hpp" if header in cxx.whole else "flashbvh_robot.hpp")
         (target / name).parent.mkdir(parents=True, exist_ok=True)
         (target / name).write_text(f'#include "{"../" * (len(name.parts) - 1)}{whole}"\n')
-    (target / "LICENSE").write_text((LIB.parent / "LICENSE").read_text())
+    for file in LIB.parent / "LICENSE", LIB / "README.md":
+        (target / file.name).write_text(file.read_text())
     version = ".".join(re.findall(r"_(?:MAJOR|MINOR|PATCH) (\d+)", (include / "flashbvh/version.hpp").read_text()))
     (target / "library.properties").write_text(f"""\
 name=flashbvh

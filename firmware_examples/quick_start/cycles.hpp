@@ -12,12 +12,8 @@ inline uint32_t core_cycles() {
   return *reinterpret_cast<volatile uint32_t*>(0xE0001004);
 #elif defined(__riscv)
   uint32_t count;
-  __asm__ volatile(
-      ".option push\n"
-      ".option arch, +zicsr\n"
-      "csrr %0, mcycle\n"
-      ".option pop\n"
-      : "=r"(count)::"memory");
+  __asm__ volatile(".option push\n .option arch, +zicsr\n csrr %0, mcycle\n .option pop\n"
+                   : "=r"(count)::"memory");
   return count;
 #else
   return 0;

@@ -161,6 +161,15 @@ def lib_alone():
     build("built")
     hold(Path("built/libflashbvh_robot.a").exists(), "no library")
     hold(run(*LAUNCHER.split(), "g++", "-std=c++17", "-Ialone/include", "-c", *Path("alone/src").glob("*/*.cpp")), "g++ -c")
+    answers_as_the_readme("-Ialone/include", "built/libflashbvh.a")
+
+
+def answers_as_the_readme(*library):
+    """The README's program, built with this library, prints its output."""
+    hold(run(sys.executable, f"{ROOT}/tests/docs/snippets.py", "."), "snippets")
+    hold(run(FLASHBVH, "bake", "firmware/plate.obj", "firmware/peg.obj", "--unit", "mm", "--format", "c", "-o", "."), "bake")
+    hold(run("g++", "-std=gnu++17", "-I.", "readme.cpp", "plate.fbvh.c", "peg.fbvh.c", *library, "-o", "readme"), "README")
+    hold(run("./readme") and log == Path("readme.text").read_text(), "other answers of the README")
 
 
 def two_files():
@@ -170,6 +179,7 @@ def two_files():
     cxx = [*LAUNCHER.split(), "g++", "-std=c++17", "-ffp-contract=off", "-Itwo"]
     for file in "flashbvh", "flashbvh_robot":
         hold(run(*cxx, *warnings, "-c", f"two/{file}.cpp", "-o", f"{file}.o"), file)
+    answers_as_the_readme("-Itwo", "flashbvh.o")
     # The digest uses names of detail/ that the two files hide; everything else comes from them.
     hold(run(*cxx, *Path(ROOT, "tests/digest").glob("*.cpp"), "flashbvh.o", f"-I{ROOT}/tests", "-idirafter",
              f"{ROOT}/lib/include", "-o", "digest"), "the digest")
@@ -207,13 +217,35 @@ def copied():
     plate = Path("copied/plate.obj")
     plate.write_text(plate.read_text().replace(" 0\n", " 1\n"))
     hold(not run(*make, "run") and "0.5 mm above the plate: touches\n" in log, "not the plate as it is")
+    # The README's program, and its scale: two gears. QEMU's instruction takes 1 ns.
+    hold(run(sys.executable, f"{ROOT}/tests/docs/snippets.py", "copied"), "snippets")
+    shutil.copy(f"{ROOT}/firmware_examples/quick_start/plate.obj", "copied")
+    shutil.copy("copied/readme.cpp", "copied/main.cpp")
+    hold(run(*make, "run") and log.endswith(Path("copied/readme.text").read_text()), "other answers of the README")
+    counts_of_gears(make)
     # In C: the guide's program, which exits with 0 if its answers are right.
     shutil.copy(f"{ROOT}/firmware_examples/quick_start/plate.obj", "copied")
+    shutil.copy(f"{ROOT}/firmware_examples/quick_start/peg.obj", "copied")
     for file in "copied/main.cpp", "copied/cortex_m4/build/main.o", "copied/cortex_m4/build/main.d":
         os.remove(file)
     shutil.copy(f"{ROOT}/tests/docs/guide.c", "copied/main.c")
-    hold(run(sys.executable, f"{ROOT}/tests/docs/snippets.py", "copied"), "snippets")
     hold(run(*make, "run"), "C")
+
+
+def counts_of_gears(make):
+    """The README's scale: bytes of two gears, as they are and within 0.05 mm, and instructions of a query of both."""
+    hold(run(sys.executable, "-B", f"{ROOT}/firmware_examples/meshes.py", "gear", 25, 6, 50000), "gear")
+    for name in "plate", "peg":
+        Path(f"copied/{name}.obj").write_text(log)  # in thousandths of a millimetre
+    shutil.copy(HERE / "consumer/gears.cpp", "copied/main.cpp")
+    gears = "copied/plate.obj", "copied/peg.obj", "--unit", "um", "-o", "gears"
+    said = []
+    for command in [FLASHBVH, "bake", *gears, "--simplify", 50], [*make, "run", "QEMU=-icount shift=0"]:
+        hold(run(*command), "gears")
+        said.append(f"{round(int(re.search(r'^total +([0-9]+)', log, re.M)[1]) / 1000)} KB")
+    said = f"take {said[1]}, or {said[0]} within 0.05 mm", f"takes {round(int(log.split()[-1]), -4):,} instructions"
+    readme = " ".join(Path(ROOT, "README.md").read_text().split())
+    hold(all(words in readme for words in said), f"the README does not say: {said}")
 
 
 def manifests():
@@ -226,6 +258,8 @@ def manifests():
                        for file in ("idf_component.yml", "zephyr/module.yml"))
     build = platformio["build"]
     versions = arduino["version"], platformio["version"], esp_idf["version"].strip('"')
+    for folder in lib, Path("two"), Path(ROOT, "tools/npm"):
+        hold("](" not in (folder / "README.md").read_text(), f"{folder}/README.md links what its package has not")
     hold({*versions} == {version()}, f"versions: {versions}")
     for path in (Path("two", arduino["includes"]), lib / build["srcDir"], lib / zephyr["cmake"] / "CMakeLists.txt",
                  lib / zephyr["kconfig"], *(lib / build["includeDir"] / name for name in platformio["headers"])):

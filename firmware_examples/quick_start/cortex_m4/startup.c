@@ -7,6 +7,7 @@ extern void (*constructors_end[])(void);
 int main(void);
 void write_text(const char* text);
 void reset(void);
+void initialise_monitor_handles(void) __attribute__((weak)); /* newlib's, for printf() */
 
 /* Arm, "Semihosting for AArch32 and AArch64": a debug probe or QEMU answers the breakpoint. */
 static void call_host(uint32_t call, const void* argument) {
@@ -39,6 +40,9 @@ void reset(void) {
   }
   for (uint32_t* to = bss_start; to < bss_end;) {
     *to++ = 0;
+  }
+  if (initialise_monitor_handles) {
+    initialise_monitor_handles();
   }
   for (void (**constructor)(void) = constructors_start; constructor < constructors_end;) {
     (*constructor++)();
