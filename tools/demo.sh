@@ -13,7 +13,6 @@ quiet_log=$demo/log
 # FLASHBVH_NATIVE: the preset whose host program bakes.
 native=${FLASHBVH_NATIVE:-native}
 flashbvh=build/$native/bin/flashbvh
-links="base_link shoulder bicep elbow forearm wrist palm"
 board=cortex-m4f
 last=
 status=0
@@ -45,9 +44,10 @@ echo "Compiled once, which takes a minute:"
 build $native flashbvh_tool -DFLASHBVH_KR5="$PWD/${kr5%/*}"
 echo "$flashbvh"
 
-step "3. Bake: mesh in, images out, one common cell for all"
-meshes=$(for link in $links; do echo "$kr5/$link.STL"; done)
-$flashbvh bake $meshes -o $demo/kr5
+step "3. Bake two links: meshes in, images out, with one cell; and a page to turn one about the other"
+$flashbvh bake "$kr5/forearm.STL" "$kr5/palm.STL" -o $demo/kr5
+echo "1 0 0  0 1 0  0 0 1  0.15 0 0" >$demo/poses
+$flashbvh report $demo/kr5/forearm.fbvh $demo/kr5/palm.fbvh --poses $demo/poses -o $demo/scene.html
 
 step "4. Behind a fence, on a pedestal: which links can collide is proven, not sampled"
 guarded=build/$native/firmware_examples/robot_guard/kr5_cell.urdf
@@ -92,10 +92,9 @@ was linked.
 
 Look:  $demo/robot.html                   what of the arm can collide, and where
        $demo/motion.html                  the motion that was stopped
-Next:  $flashbvh bake your.stl -o baked        your own mesh
-       firmware_examples/quick_start/          the smallest firmware, a page long
-       firmware_examples/robot_guard/          an arm that can't hit itself
-       README.md                               what is promised, and what it is not for
+       $demo/scene.html                   two links, and how far apart they are
+Next:  $flashbvh bake your.stl --unit mm -o baked
+       and lib/docs/guide.md, from your mesh to the control loop
 TEXT
 else
   echo "The microcontroller and this machine disagree: see DIFFERS above. That is a bug in flashbvh."
