@@ -45,8 +45,8 @@ build $native flashbvh_tool -DFLASHBVH_KR5="$PWD/${kr5%/*}"
 echo "$flashbvh"
 
 step "3. Bake two links: meshes in, images out, with one cell; and a page to turn one about the other"
-$flashbvh bake "$kr5/forearm.STL" "$kr5/palm.STL" -o $demo/kr5
-echo "1 0 0  0 1 0  0 0 1  0.15 0 0" >$demo/poses
+$flashbvh bake "$kr5/forearm.STL" "$kr5/palm.STL" --unit m -o $demo/kr5
+echo "1 0 0  0 1 0  0 0 1  0.3 0 0" >$demo/poses
 $flashbvh report $demo/kr5/forearm.fbvh $demo/kr5/palm.fbvh --poses $demo/poses -o $demo/scene.html
 
 step "4. Behind a fence, on a pedestal: which links can collide is proven, not sampled"
