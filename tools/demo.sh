@@ -36,13 +36,10 @@ build() {
 
 step "1. The arm: a KUKA KR5 from Debian's package dart-doc (BSD-2-Clause)"
 fetch_kr5 build/kr5
-echo "Seven links, $(ls "$kr5"/*.STL | wc -l) STL files in $kr5"
-echo "Six joints, in $urdf"
+echo "Its meshes and joints: ${kr5%/*}"
 
-step "2. The host program"
-echo "Compiled once, which takes a minute:"
+step "2. The host program $flashbvh, compiled once: some minutes"
 build $native flashbvh_tool -DFLASHBVH_KR5="$PWD/${kr5%/*}"
-echo "$flashbvh"
 
 step "3. Bake two links: meshes in, images out, with one cell; and a page to turn one about the other"
 $flashbvh bake "$kr5/forearm.STL" "$kr5/palm.STL" --unit m -o $demo/kr5
@@ -52,7 +49,9 @@ $flashbvh report $demo/kr5/forearm.fbvh $demo/kr5/palm.fbvh --poses $demo/poses 
 step "4. Behind a fence, on a pedestal: which links can collide is proven, not sampled"
 guarded=build/$native/firmware_examples/robot_guard/kr5_cell.urdf
 $flashbvh robot $guarded -o $demo/robot --stop 0.005 --warn 0.03 --pair forearm,palm=0.001 \
-  --format image --name kr5_cell --report $demo/robot.html
+  --format image --name kr5_cell --report $demo/robot.html >$demo/robot.txt
+grep -E '^pair|  can  |^cell' $demo/robot.txt
+echo "All pairs, with the reasons: $demo/robot.txt"
 
 step "5. The guard at 1 kHz, in SysTick's interrupt: the arm is stopped before it hits itself or the fence"
 build $native robot_guard_kr5
@@ -81,14 +80,15 @@ for t in (i / 1000 for i in range(1000)):
     s = t * t * (3 - 2 * t)
     print(f"0,0.3,{-2.5 - 1.14 * s:.6f},{-0.1 * s:.6f},0,0")
 PYTHON
-$flashbvh guard $demo/robot/kr5_cell.robot $demo/motion.csv --work 500 --report $demo/motion.html || [ $? -eq 1 ]
+$flashbvh guard $demo/robot/kr5_cell.robot $demo/motion.csv --work 500 --report $demo/motion.html \
+  >$demo/motion.txt 2>&1 || [ $? -eq 1 ]
+sed -n '/^verdict/,/^refused/p; /^closest/p' $demo/motion.txt
 
 step "What happened"
 if [ $status -eq 0 ]; then
   cat <<TEXT
-The microcontroller took set points of the joints a thousand times a second, in a timer's interrupt. It stopped the
-arm before it hit itself or the fence, at every moment between two periods, and said the same as this machine. No heap
-was linked.
+The microcontroller took set points a thousand times a second, in a timer's interrupt. It stopped the arm before it
+hit itself or the fence, at every moment between two periods, and said the same as this machine, without a heap.
 
 Look:  $demo/robot.html                   what of the arm can collide, and where
        $demo/motion.html                  the motion that was stopped
