@@ -43,7 +43,7 @@ bool are_refused(const BasicMesh<Index, Layout::post_indexed>& a,
          clearance.run(UINT32_MAX).status == status && clearance.result().lower == 0 &&
          clearance.resume(clearance.cursor()) == status &&
          is_refused(solids_intersect(a, b, still)) && is_refused(one_is_inside(a, b, still)) &&
-         first_contact(a, b, still).status == status && first_contact(a, b, still).yes &&
+         contact_at(a, b, still).status == status && contact_at(a, b, still).yes &&
          contact.status() == status && contact.run(UINT32_MAX).status == status &&
          contact.run(UINT32_MAX).outcome != ContactOutcome::free &&
          contact.resume(contact.cursor()) == status &&

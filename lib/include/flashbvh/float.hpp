@@ -164,9 +164,8 @@ FLASHBVH_NOINLINE void put_contact(const DefaultQuery<Index>& query, uint64_t ce
 /// Returns the first pair of triangles that a query finds, and their intersection. Stack on
 /// Cortex-M3 to M55 at -O2: as first_pair(), without the result's 88 bytes.
 template <class Index>
-UnitContact<Index> first_contact(const BasicMesh<Index, Layout::post_indexed>& a,
-                                 const BasicMesh<Index, Layout::post_indexed>& b,
-                                 const Pose& pose) {
+UnitContact<Index> contact_at(const BasicMesh<Index, Layout::post_indexed>& a,
+                              const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) {
   UnitContact<Index> found = {};
   DefaultQuery<Index> query(a, b, pose);
   found.status = query.run(UINT32_MAX, &found.triangles, 1).status;
