@@ -23,13 +23,15 @@ if(TARGET flashbvh_tool)
   install(EXPORT flashbvhToolTargets NAMESPACE flashbvh:: DESTINATION ${package_folder})
 endif()
 
+# A folder in which find_package() does not look, even if the build tree's bin is in PATH.
+set(to_install ${PROJECT_BINARY_DIR}/to_install)
 configure_package_config_file(lib/cmake/flashbvhConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
+  ${to_install}/flashbvhConfig.cmake
   INSTALL_DESTINATION ${package_folder}
   PATH_VARS source_folder
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 # Valid for any architecture, because the package contains the sources.
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake
+write_basic_package_version_file(${to_install}/flashbvhConfigVersion.cmake
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES ${PROJECT_BINARY_DIR}/flashbvhConfig.cmake
-  ${PROJECT_BINARY_DIR}/flashbvhConfigVersion.cmake DESTINATION ${package_folder})
+install(FILES ${to_install}/flashbvhConfig.cmake ${to_install}/flashbvhConfigVersion.cmake
+  DESTINATION ${package_folder})
