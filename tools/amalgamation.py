@@ -51,8 +51,6 @@ class Amalgamation:
         head = ["/* flashbvh: made of lib/ by tools/amalgamation.py. MIT licence: LICENSE. */"]
         if file.suffix != ".cpp":
             head.append("#pragma once")
-        if file.suffix == ".hpp":
-            head.append('#if __cplusplus < 201703L\n#error "flashbvh is C++17: set -std=gnu++17"\n#endif')
         text = "\n".join([*head, *(f'#include "{name}"' for name in includes), "", *self.lines])
         file.write_text(re.sub(r"\n{3,}", "\n\n", text).rstrip("\n") + "\n")
 
@@ -64,7 +62,8 @@ def main(target: Path) -> None:
     sources = sorted(LIB.glob("src/*/*.cpp"))
     robot_sources = [file for file in sources if re.search(r"/(robot/|c/c_robot_)[^/]*$", str(file))]
     c = Amalgamation(include, [h for h in headers if h.suffix == ".h"])
-    cxx = Amalgamation(include, [h for h in headers if h.suffix == ".hpp" and h not in robot])
+    language = include / "flashbvh/plain/language.h"  # first, since it refuses an older C++
+    cxx = Amalgamation(include, [language, *(h for h in headers if h.suffix == ".hpp" and h not in robot)])
     guards = Amalgamation(include, robot, cxx)
     code = Amalgamation(include, [file for file in sources if file not in robot_sources], c, cxx)
     guards_code = Amalgamation(include, robot_sources, c, guards)

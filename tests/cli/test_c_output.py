@@ -90,6 +90,14 @@ class COutputTest(Case):
                        "baked/part.fbvh.c", "-o", "object", language="cc", strict=(), code=1)
         out.err.contains("big-endian")
 
+    def test_an_older_cpp_is_the_first_error_of_each_public_header_and_the_next_ends_it(self):
+        for header in Path(INCLUDE, "flashbvh").rglob("*.h*"):
+            if "detail" not in header.parts and '"flashbvh/' in text(header):
+                with self.subTest(header):
+                    err = compiled("-std=c++14", "-x", "c++", "-fsyntax-only", header, strict=(), code=1).err
+                    err.matches(r"\A(?:(?! error: ).*\n)*.* error: .*flashbvh needs C\+\+17: set -std=gnu\+\+17")
+                    self.assertEqual(len(re.findall("error: ", err)), 2)
+
     def test_what_c_cant_open_is_said_where_c_declares_it(self):
         flashbvh("bake meshes/ring.stl -o pre --format c --layout pre")
         text("pre/ring.fbvh.h").contains("C has no such meshes")

@@ -131,6 +131,8 @@ def find_package():
         shutil.copytree(f"{ROOT}/{folder}", f"copy/{folder}")
     configure("library", "-DFLASHBVH_BUILD_TESTS=OFF", "-DFLASHBVH_WASM_COMPILER=OFF", source="copy")
     build("library")
+    os.environ["PATH"] += f":{Path('library/bin').absolute()}"
+    refuses('package configuration file provided by "flashbvh"', "-DCMAKE_FIND_USE_CMAKE_SYSTEM_PATH=FALSE")
     made = Path("made").absolute()
     hold(run(CMAKE, "--install", "library", "--prefix", made), "install")
     prefix = made.rename(made.parent / "moved here")
@@ -197,7 +199,7 @@ def two_files():
     # After other vendors' macros; an older C++ is reported.
     Path("sketch.cpp").write_text(after_macros("flashbvh.h", "flashbvh_robot.hpp"))
     hold(run(*cxx, "-fsyntax-only", "sketch.cpp"), "macros")
-    hold(not run(*cxx, "-std=c++14", "-fsyntax-only", "sketch.cpp") and "flashbvh is C++17: set" in log, "C++14")
+    hold(not run(*cxx, "-std=c++14", "-fsyntax-only", "sketch.cpp") and "flashbvh needs C++17: set" in log, "C++14")
 
 
 def copied():

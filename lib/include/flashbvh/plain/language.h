@@ -2,6 +2,11 @@
 #ifndef FLASHBVH_PLAIN_LANGUAGE_H
 #define FLASHBVH_PLAIN_LANGUAGE_H
 
+#if defined(__cplusplus) && __cplusplus < 201703L && !defined(_MSC_VER)
+#error "flashbvh needs C++17: set -std=gnu++17"
+#include <flashbvh_needs_cplusplus_17> /* there is none: compilers end here */
+#endif
+
 #include <stdbool.h> /* freestanding in C99; C++ callers see their own bool */
 #include <stdint.h>
 
