@@ -169,7 +169,7 @@ class Budgets:
     def costs_in(self, header):
         """The header with its table of the parts of a guard's period rewritten."""
         cells = {core: [self.rows[name][core] for name in OF_PERIOD] for core in self.columns}
-        rows = "".join(f'    {{"{core}", {{{", ".join(costs)}}}}},\n' for core, costs in cells.items() if all(costs))
+        rows = "".join(f'    {{"{core.lower()}", {{"{core}", {", ".join(costs)}}}}},\n' for core, costs in cells.items() if all(costs))
         return re.sub(r'(    \{".*\n)+', rows, header)
 
 

@@ -27,7 +27,7 @@ Json cost_json(const GuardedTrajectory& guarded, const std::string& core, double
   };
   const ReplaySummary summary = summary_of(guarded.answers);
   const double fits = (a_period - without_work - measuring) / of.work;
-  return {{"core", core},
+  return {{"core", of.core},
           {"a_work", std::llround(of.work)},
           {"costs",
            {row("mean", summary.with_work, summary.mean),

@@ -8,6 +8,7 @@
 namespace flashbvh::tool {
 
 struct PeriodCosts {
+  const char* core;
   double period;   ///< without joints, pairs or work
   double joint;    ///< more for each joint, ...
   double pair;     ///< ... each pair ...
@@ -15,11 +16,11 @@ struct PeriodCosts {
   double frames;   ///< of six joints' frames, which a period with any work makes
   double work;     ///< of a unit: the most in periods with 150 or more
 };
-/// By core.
+/// By core, spelt as presets are.
 const std::map<std::string, PeriodCosts> kPeriodCosts = {
-    {"Cortex-M3", {167, 81, 236, 27, 2302, 262}},
-    {"Cortex-M4F", {167, 81, 238, 26, 2332, 234}},
-    {"RV32IMAC", {267, 81, 237, 34, 3552, 341}},
+    {"cortex-m3", {"Cortex-M3", 167, 81, 236, 27, 2302, 262}},
+    {"cortex-m4f", {"Cortex-M4F", 167, 81, 238, 26, 2332, 234}},
+    {"rv32imac", {"RV32IMAC", 267, 81, 237, 34, 3552, 341}},
 };
 
 }  // namespace flashbvh::tool
