@@ -69,7 +69,6 @@ class BadMeshesTest(Case):
             Path(f"folder.{kind}").mkdir()
         os.symlink("/dev/null", "null.stl")
         refuse_each("", {
-            "info meshes/ring.stl": "meshes/ring.stl: is no flashbvh image; name a .fbvh file",
             "info few.fbvh": "few.fbvh: is no flashbvh image; name a .fbvh file",
             "info few": "few: is no flashbvh image; name a .fbvh file",
             "info few.robot": "few.robot: is no image of a robot; name one that",

@@ -45,7 +45,6 @@ class RefusalsTest(Case):
             "bake meshes/ring.stl meshes/coarse.stl -o out --name both": "--name",
             "bake missing.stl -o out --max-deviation abc": "--max-deviation abc",
             "bake missing.stl -o out --cell abc": "--cell abc",
-            "bake missing.stl -o out --unit yard": "--unit yard",
         })
         refuse_each("bake meshes/ring.stl -o out", {
             **{option: option.split()[0] for option in (
@@ -145,7 +144,6 @@ class RefusalsTest(Case):
     def test_poses_that_cant_be_answered(self):
         no_rotation = "the first 9 numbers are no rotation"
         for line, wanted in (
-                ("1 0 0 0 1 0 0 0 1 0 0", "has 11 numbers"),
                 ("1 0 0 0 1 0 0 0 1 0 0 x", "'x'"),
                 ("2 0 0 0 1 0 0 0 1 0 0 0", no_rotation),
                 ("0.67 -0.33 0.67 0.67 0.67 -0.33 -0.33 0.67 0.67 0 0 0", no_rotation),
@@ -169,8 +167,6 @@ class RefusalsTest(Case):
             "post/ring.fbvh post/coarse.fbvh --poses missing": "missing: can't be opened",
             "post/ring.fbvh pre/coarse.fbvh --poses home --pairs out": "bake both",
             "wide/ring.fbvh post/coarse.fbvh --poses home --pairs out": "bake both",
-            "coarser/ring.fbvh post/coarse.fbvh --poses home --pairs out":
-                "cell of 0.01, but coarser/ring.fbvh one of 0.02",
             "post/ring.fbvh post/coarse.fbvh": "required",
             "post/ring.fbvh --poses home": "required",
         })

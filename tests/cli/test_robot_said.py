@@ -90,9 +90,6 @@ class RobotSaidTest(Case):
             "--pair table,bridge=0.1,x": "--pair table,bridge=0.1,x: 'x' is no length",
             "--pair table,bridge=0.1,0.01": "--pair table,bridge=0.1,0.01: warns nearer than it stops",
             "--warn 1e30": "--warn 1e30: is out of range: 0 to ",
-            "--stop 50":
-                "--stop 50: is out of range: 0 to 1.00003 m, 32767 cells; lengths are in metres: 50 mm is 0.05",
-            "--zone z=0.1": "names 'z', which is no moving joint between two links that collide",
             "--zone x=1 --zone x=2": "--zone x=2: is a second zone of x",
             "--time 0": "--time 0: is no time; give a number of seconds above 0",
         })

@@ -89,12 +89,10 @@ class SimplifyTest(Case):
                         0.7 * sum(link["source_triangles"] for link in less["links"]))
         out = flashbvh(f"robot arm.urdf -o again {OPTIONS} --simplify 0.002 --format image")
         same("less", "again")
-        out.matches("^simplified: [0-9]* triangles -> [0-9]*, leaves of 4; firmware's links and the URDF's lie "
-                    "within 0.002 m", "a guard stops up to 0.008 m earlier")
+        early = search("^simplified: [0-9]* triangles -> [0-9]*, leaves of 4; (firmware's links and the URDF's lie "
+                       "within 0.00[0-9]* m of each other, so a guard stops up to 0.00[0-9]* m earlier); ", out)
         write("still.csv", "turn,slide,wrist,left\n0,-0.9,0,0\n")
-        flashbvh("guard less/two_fingers.robot still.csv").matches(
-            "^simplified: firmware's links and the URDF's lie within 0.00[0-9]* m of each other, so the guard stops up "
-            "to 0.00")
+        flashbvh("guard less/two_fingers.robot still.csv").contains(f"simplified: {early}\n")
         out = flashbvh("guard less/two_fingers.robot still.csv --json")
         self.assertAlmostEqual(out.lines[0]["deviation"], less["deviation"], delta=1e-6)
         flashbvh("guard full/two_fingers.robot still.csv").lacks("simplified")

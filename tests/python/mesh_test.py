@@ -59,6 +59,9 @@ class BakeTest(Scene):
         self.refused(Error, "^part: is too large for a cell of 1e-06 mm", flashbvh.bake, mesh, cell=1e-6)
         self.refused(Error, "^--arity", flashbvh.bake, mesh, arity=9)
         self.refused(Error, "would be written as 'part' like one of a mesh before it", flashbvh.bake, [mesh, mesh])
+        for kind, command in (Baked, "bake --unit mm"), (flashbvh.Robot, "robot"):
+            self.refused(Error, f"_test.py: image_not_flashbvh; bake it: flashbvh {command} ", kind.load, __file__)
+        self.refused(TypeError, "^'part' is no Baked; bake it", flashbvh.intersects, self.a, mesh, np.eye(4))
         self.refused(TypeError, "^meshes: holds a str", flashbvh.bake, ["box.stl"])
         for status, wrong in (("image_truncated", self.b.image[:-4]), ("image_corrupt", self.b.image[:-1] + b"\1"),
                               ("image_truncated", b""), ("has bytes after", self.b.image + bytes(4))):

@@ -37,7 +37,7 @@ Pose read_pose_argument(const std::string& given, double cell, const std::string
   if (count != 3 && count != 12) {
     throw UserError(option, "has ", count,
                     " numbers; write 12, the rotation row by row and the translation, or 3, the "
-                    "translation alone");
+                    "translation alone, separated by blanks");
   }
   return read_lattice_pose((count == 3 ? "1 0 0 0 1 0 0 0 1 " : "") + given, cell, option);
 }

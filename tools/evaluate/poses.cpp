@@ -63,6 +63,17 @@ double defect(const Matrix& r) {
 
 using Words = std::vector<std::string_view>;
 
+/// The words of a line, which must be so many. `what`, such as "a ray has 6"; `such`: a whole line.
+Words words_in(std::string_view line, std::size_t count, const std::string& what, const char* such,
+               const std::string& place) {
+  Words words = words_of(line);
+  if (words.size() != count) {
+    throw UserError(place, "has ", words.size(), " numbers; ", what,
+                    ", separated by blanks, without a header, such as ", such);
+  }
+  return words;
+}
+
 std::int32_t cells_of(std::string_view word, double cell, const std::string& place) {
   const double number = number_of(word, place);
   const double cells = std::round(number / cell);
@@ -80,11 +91,9 @@ Point point_of(const Words& words, std::size_t first, double cell, const std::st
 }
 
 RigidPose parse_pose(std::string_view text, const std::string& place) {
-  const Words words = words_of(text);
-  if (words.size() != 12) {
-    throw UserError(place, "has ", words.size(),
-                    " numbers; a pose has 12: the rotation row by row, then the translation");
-  }
+  const Words words =
+      words_in(text, 12, "a pose has 12: the rotation row by row, then the translation",
+               "1 0 0 0 1 0 0 0 1 0 0 5", place);
   RigidPose pose{};
   for (std::size_t i = 0; i < words.size(); ++i) {
     (i < 9 ? pose.rotation[i / 3][i % 3] : pose.translation[i - 9]) =
@@ -144,24 +153,18 @@ std::array<double, 12> pose_numbers(const Pose& pose, double cell) {
 }
 
 std::vector<Point> read_lattice_points(const std::string& path, double cell) {
-  return read_lines<Point>(
-      path, "is empty; write 3 numbers", [&](std::string_view line, const std::string& place) {
-        const Words words = words_of(line);
-        if (words.size() != 3) {
-          throw UserError(place, "has ", words.size(), " numbers; a point has 3");
-        }
-        return point_of(words, 0, cell, place);
-      });
+  return read_lines<Point>(path, "is empty; write 3 numbers",
+                           [&](std::string_view line, const std::string& place) {
+                             const Words words = words_in(line, 3, "a point has 3", "0 0 5", place);
+                             return point_of(words, 0, cell, place);
+                           });
 }
 
 std::vector<Segment> read_lattice_rays(const std::string& path, double cell) {
   return read_lines<Segment>(
       path, "is empty; write 6 numbers",
       [&](std::string_view line, const std::string& place) -> Segment {
-        const Words words = words_of(line);
-        if (words.size() != 6) {
-          throw UserError(place, "has ", words.size(), " numbers; a ray has 6, from and to");
-        }
+        const Words words = words_in(line, 6, "a ray has 6, from and to", "0 0 5 0 0 -5", place);
         return {point_of(words, 0, cell, place), point_of(words, 3, cell, place)};
       });
 }

@@ -91,7 +91,7 @@ ImageFile::ImageFile(const std::string& path, const std::string& bytes)
   }
   check_opened(status, path, bytes.size(),
                {sizeof header_, header_.byte_count, header_.version, kImageVersion,
-                "is no flashbvh image; name a .fbvh file"});
+                "is no flashbvh image; name a .fbvh file, which `flashbvh bake` writes"});
 }
 
 std::string ImageFile::name() const {

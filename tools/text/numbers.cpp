@@ -72,6 +72,11 @@ std::string significant(double value, int digits) {
   return print("%.*g", digits, value);
 }
 
+std::string metres(double length, int digits) {
+  const bool is_small = length != 0 && std::fabs(length) < 1e-3;
+  return significant(is_small ? 1e6 * length : length, digits) + (is_small ? " um" : " m");
+}
+
 std::optional<double> parse_number(std::string_view text) {
   const std::string number(without_plus(text));
   if (number.empty() || number[0] == '+' ||

@@ -58,6 +58,9 @@ std::string fixed(double value, int digits);
 /// A text with at most `digits` significant digits, for tables.
 std::string significant(double value, int digits);
 
+/// "0.0125 m", and below 1 mm "7.99 um", with at most `digits` significant digits.
+std::string metres(double length, int digits);
+
 /// The whole of `text` as a finite number (decimal, an optional sign, an optional exponent),
 /// rounded to the nearest double.
 std::optional<double> parse_number(std::string_view text);

@@ -101,6 +101,17 @@ void warn_of_odd_sizes(const std::vector<InputMesh>& meshes, const std::string& 
   }
 }
 
+/// Warns of a mesh that is so wide in metres that its numbers may be millimetres.
+void warn_of_metres(const InputMesh& mesh, const Units& units, Warnings& warnings) {
+  const Size size = mesh.extent.size();
+  if (units.common() == "m" && longest_side(size) > 32) {  // so that its cells have a millimetre
+    warnings.add(mesh.path,
+                 concat("is ", size_text(size, "m"), ", whose finest cell is ",
+                        significant(mesh.finest_cell, 3), " m; if it is in mm, add --unit ",
+                        mesh.path, "=mm, else cut it in parts for finer cells"));
+  }
+}
+
 /// The width of a deformable mesh's lattice, as a multiple of the mesh's width.
 constexpr double kRoomToBend = 2;
 
@@ -132,6 +143,7 @@ Outcome bake_meshes(const BakeOrder& order, BakeOptions& options, FileSet& files
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const InputMesh& mesh = meshes[i];
     progress.begin("baking " + mesh.path, 1);
+    warn_of_metres(mesh, order.units, warnings);
     BakedMesh baked =
         simplified.meshes.empty() ? bake(mesh, options) : bake(mesh, options, simplified.meshes[i]);
     outcome.meshes.push_back(bake_one(order, baked, mesh, order.names[i], files));

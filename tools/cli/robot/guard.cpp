@@ -30,9 +30,7 @@ void print_head(const GuardedTrajectory& guarded) {
             << " of links guarded\n";
   const double deviation = links_deviation(guarded.robot());
   if (deviation > kRounded * cell_of(guarded.robot())) {
-    std::cout << "simplified: firmware's links and the URDF's lie within "
-              << significant(deviation, 3) << " m of each other, so the guard stops up to "
-              << significant(kEarlyByDeviation * deviation, 3) << " m earlier\n";
+    std::cout << "simplified: " << early_text(deviation) << "\n";
   }
   std::cout << "\n";
 }
@@ -46,8 +44,8 @@ std::string first_of_unknown(const GuardedTrajectory& guarded, const ReplaySumma
     return text;
   }
   const double known = unit_length(answer.distance, cell_of(guarded.robot()));
-  return text + (known == 0 ? ", of which nothing is known"
-                            : ", at least " + significant(known, 4) + " m apart");
+  return text +
+         (known == 0 ? ", of which nothing is known" : ", at least " + metres(known, 4) + " apart");
 }
 
 void print_counts(const GuardedTrajectory& guarded) {
@@ -114,7 +112,7 @@ void print_closest(const GuardedTrajectory& guarded) {
   const double distance = unit_length(closest->lower, cell_of(guarded.robot()));
   std::cout << "\nclosest: line " << guarded.trajectory.lines[closest->period] << ", "
             << links_of(guarded, closest->pair)
-            << (distance == 0 ? " intersect" : ", " + significant(distance, 4) + " m") << "\n";
+            << (distance == 0 ? " intersect" : ", " + metres(distance, 4)) << "\n";
 }
 
 void print_work(const GuardedTrajectory& guarded) {

@@ -87,14 +87,6 @@ std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair) {
   return guarded.model.links[links.a].name + " - " + guarded.model.links[links.b].name;
 }
 
-double links_deviation(const Robot& robot) {
-  std::uint32_t most = 0;
-  for (std::size_t i = 0; i < robot.link_count; ++i) {
-    most = std::max<std::uint32_t>(most, robot.links[i].deviation);
-  }
-  return unit_length(most, cell_of(robot));
-}
-
 std::string first_of(const GuardedTrajectory& guarded, const ReplaySummary& summary,
                      std::size_t kind) {
   const GuardAnswer& answer = guarded.answers[summary.first[kind]];

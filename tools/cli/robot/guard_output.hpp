@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/table.hpp"
-#include "robot/baked/robot_file.hpp"
+#include "cli/robot/robot_output.hpp"
 #include "robot/replay/replay.hpp"
 
 namespace flashbvh::tool {
@@ -30,9 +29,6 @@ struct GuardedTrajectory {
 
 /// "upper - fore": the links of a pair.
 std::string links_of(const GuardedTrajectory& guarded, std::uint16_t pair);
-
-/// The largest distance in metres of a point of a link from the meshes that it was baked from.
-double links_deviation(const Robot& robot);
 
 /// The trajectory as a CSV that read_trajectory() reads.
 std::string trajectory_csv(const GuardedTrajectory& guarded);

@@ -167,14 +167,26 @@ std::string simplified_text(const BakedRobot& robot) {
     after += robot.links[i].tree.triangles.size();
   }
   return concat("simplified: ", before, " triangles -> ", after, ", leaves of ",
-                bake::most_in_leaf(robot.leaf_size),
-                "; firmware's links and the URDF's lie within ", shortest(robot.simplified),
-                " m of each other, so a guard stops up to ",
-                shortest(kEarlyByDeviation * robot.simplified),
-                " m earlier; pairs are decided with all triangles\n");
+                bake::most_in_leaf(robot.leaf_size), "; ",
+                early_text(links_deviation(robot.robot())),
+                "; pairs are decided with all triangles\n");
 }
 
 }  // namespace
+
+double links_deviation(const Robot& robot) {
+  std::uint32_t most = 0;
+  for (std::size_t i = 0; i < robot.link_count; ++i) {
+    most = std::max<std::uint32_t>(most, robot.links[i].deviation);
+  }
+  return unit_length(most, cell_of(robot));
+}
+
+std::string early_text(double deviation) {
+  return concat("firmware's links and the URDF's lie within ", metres(deviation, 3),
+                " of each other, so a guard stops up to ", metres(kEarlyByDeviation * deviation, 3),
+                " earlier");
+}
 
 Json witness_json(const Model& model, const PairVerdict& pair) {
   Json witness = Json::object();
@@ -234,8 +246,8 @@ void print_robot(const BakedRobot& robot, const Json& json) {
   };
   print_table(json["pairs"],
               {pair_column("pair"), word_column("collide", "verdict"), {"reason", reason}});
-  std::cout << "\ncell " << shortest(robot.cell) << " m, largest deviation "
-            << significant(json["deviation"], 3) << " m; " << json["flash_bytes"]
+  std::cout << "\ncell " << metres(robot.cell, 6) << ", largest deviation "
+            << metres(links_deviation(robot.robot()), 3) << "; " << json["flash_bytes"]
             << " bytes of flash, " << json["ram_bytes"] << " bytes of RAM for a guard\n";
   if (robot.simplified > 0) {
     std::cout << simplified_text(robot);
@@ -253,9 +265,8 @@ void print_robot_file(const RobotFile& file, bool is_json) {
             << json["format_version"] << ": " << json["bytes"] << " bytes of flash; "
             << json["ram_bytes"] << " bytes of RAM for a guard, "
             << kMeshViewBytes * model.links.size() << " for views of its meshes\ncell "
-            << shortest(file.cell()) << " m; slack " << significant(json["slack"], 4)
-            << " m; variables " << model.variables.size() << "; hash " << hex(file.robot().hash, 8)
-            << "\n\n";
+            << metres(file.cell(), 6) << "; slack " << metres(json["slack"], 4) << "; variables "
+            << model.variables.size() << "; hash " << hex(file.robot().hash, 8) << "\n\n";
   print_unguarded(model, file.unguarded());
   print_links(model, json, true);
   std::cout << (json["pairs"].empty() ? "" : "\npairs that can collide: stop, warn in m\n");

@@ -8,6 +8,11 @@
 
 namespace flashbvh::tool {
 
+/// The largest distance in metres of a point of a link from the meshes that it was baked from.
+double links_deviation(const Robot& robot);
+/// What simplified links, which deviate by so many metres, do to a guard.
+std::string early_text(double deviation);
+
 /// The values of the variables at a pair's witness.
 Json witness_json(const Model& model, const PairVerdict& pair);
 

@@ -27,10 +27,15 @@ class Image:
         """
         if isinstance(source, bytes):
             return cls(source)
+        path = os.fsdecode(source)
         try:
-            return cls(Path(source).read_bytes(), os.fsdecode(source))
+            image = Path(source).read_bytes()
         except OSError as error:
-            raise Error(f"{os.fsdecode(source)}: can't be read: {error.strerror}") from None
+            raise Error(f"{path}: can't be read: {error.strerror}") from None
+        if image[:4] not in (b"FBVH", b"FBVR"):
+            raise Error(f"{path}: image_not_flashbvh; bake it: flashbvh {cls._baked_by} {path} -o baked --format image",
+                        "image_not_flashbvh")
+        return cls(image, path)
 
     def save(self, path) -> None:
         """Writes the image (.fbvh, .robot), completely or not at all. Raises OSError on failure."""

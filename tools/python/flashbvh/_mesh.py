@@ -48,6 +48,7 @@ class Baked(Image):
     name; unit, of all lengths, empty if none was given; cell, the step of the lattice; deviation, the largest distance
     of a point of this mesh or of the file's from the other one; is_closed: it has an inside; triangle_count.
     """
+    _baked_by = "bake --unit mm"
 
     def __init__(self, image: bytes, place: str = "image") -> None:
         super().__init__(image, place)

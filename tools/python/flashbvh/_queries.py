@@ -18,6 +18,9 @@ class _Posed:
     """Two meshes at each pose of a batch."""
 
     def __init__(self, a, b, poses):
+        for mesh in a, b:
+            if not isinstance(mesh, Baked):
+                raise TypeError(f"{getattr(mesh, 'name', mesh)!r} is no Baked; bake it: flashbvh.bake(mesh)")
         if a.unit != b.unit or a.cell != b.cell:
             raise Error(f"{b.name}: has a cell of {b.cell!r} {b.unit}, but {a.name} one of {a.cell!r} {a.unit}; bake "
                         "both in one call or with the same cell and unit", "cell_mismatch")

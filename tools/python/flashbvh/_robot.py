@@ -48,6 +48,7 @@ class Robot(Image):
     undecided, fixed or believed), reason, guarded, and witness, values at which they collide; None for a loaded robot,
     because the image has only the result.
     """
+    _baked_by = "robot"
 
     def __init__(self, image: bytes, place: str = "image") -> None:
         super().__init__(image, place)

@@ -357,7 +357,7 @@ class Finder {
 }  // namespace
 
 std::string radius_text(const Model& model, double radius, std::size_t joint) {
-  return concat(significant(radius, 4), " m about ", model.joints[joint].name);
+  return concat(metres(radius, 4), " about ", model.joints[joint].name);
 }
 
 StopDistance MatrixOptions::distances_of(std::size_t a, std::size_t b) const {

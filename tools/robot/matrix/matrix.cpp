@@ -179,8 +179,7 @@ class Decider {
       case SearchEnd::unresolved: {
         pair.verdict = MatrixVerdict::undecided;
         const double doubt = (options_.slack + options_.resolution) * cell_;
-        pair.reason =
-            concat("not found to intersect, but less than ", significant(doubt, 2), " m apart");
+        pair.reason = concat("not found to intersect, but less than ", metres(doubt, 2), " apart");
         break;
       }
       case SearchEnd::cut_off:

@@ -168,7 +168,8 @@ ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, 
     const auto number = static_cast<std::size_t>(joint - model.joints.begin());
     if (joint == model.joints.end() || !is_between_neighbours(model, number)) {
       throw UserError(place, "names '", name,
-                      "', which is no moving joint between two links that collide");
+                      "', which is no moving joint between two links that collide; without --zone "
+                      "the tables name such joints");
     }
     const double radius = metres_in(place, sides->second);
     check_length(radius, UINT32_MAX - 1, place, cell);

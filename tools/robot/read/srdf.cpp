@@ -97,6 +97,9 @@ class SrdfReader {
 std::vector<DisabledPair> read_srdf(const std::string& path, const Model& model,
                                     Warnings& warnings) {
   const XmlNode robot = robot_xml(path);
+  if (first_in(robot, "link") != nullptr) {
+    throw UserError(path, "is a URDF; name the SRDF, which has <disable_collisions>");
+  }
   if (attribute(&robot, "name") != model.name) {
     warnings.add(path, concat("is of a robot ", tool::quoted(attribute(&robot, "name")),
                               ", not of ", tool::quoted(model.name)));

@@ -31,7 +31,7 @@ void refuse_xacro(const XmlNode& element, const std::string& path, int depth) {
 }  // namespace
 
 XmlNode robot_xml(const std::string& path) {
-  XmlNode root = read_xml(read_file(path), path, "correct it there");
+  XmlNode root = read_xml(read_file(path), path, "correct it there, or name a URDF or an SRDF");
   if (root.name == "mujoco" || root.name == "sdf") {
     throw UserError(path, "is ", root.name == "sdf" ? "SDF" : "MJCF", "; convert it to a URDF");
   }

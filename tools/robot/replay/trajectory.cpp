@@ -55,7 +55,8 @@ TrajectoryColumn column_named(const Model& model, std::string_view name, const s
   if (parse_number(name)) {
     throw UserError(
         place, "has the value ", quoted(name),
-        " in place of a name; the first line names all joints that move: ", variable_names(model));
+        " in place of a name; put a first line before it that names all joints that move: ",
+        variable_names(model));
   }
   throw UserError(place, "the column ", quoted(name),
                   " is no joint of the robot that moves; its joints are ", variable_names(model));
