@@ -12,8 +12,8 @@ POSE = "numbers; a pose has 12: ..., separated by blanks, without a header, such
 TABLE = {
     "bake plate.obj -o out --unit millimetres": "--unit millimetres: 'millimetres' is no unit; give nm, um, mm, cm,",
     "bake plate.obj -o out --units mm": "The following argument was not expected: --units; see flashbvh bake --help",
-    "bake plate.obj -o out --unit m --max-deviation 0.001": "plate.obj: rounding ... or convert it by --unit FILE=UNIT",
-    "bake plate.obj -o /proc/out": "/proc/out: can't make this folder: ...; write elsewhere",
+    "bake plate.obj -o out --unit m --max-deviation 0.001": "plate.obj: rounding ...: cut or convert it: --unit",
+    "bake plate.obj -o /proc/out": "/proc/out: can't be made: ...; write elsewhere",
     "collide meshes/ring.stl post/ring.fbvh --poses home": f"meshes/ring.stl: {NO_IMAGE}",
     "collide image/arm.robot post/ring.fbvh --poses home": f"image/arm.robot: {NO_IMAGE}",
     "collide post/ring.fbvh coarser/ring.fbvh --poses home": "coarser/ring.fbvh: has a cell of ...; bake both in",
@@ -40,8 +40,8 @@ TABLE = {
     "robot packed.urdf -o out": "packed.urdf, link 'base': the mesh ...; say where ... by --package my_arm=DIR",
     "robot packed.urdf -o out --package my_arm=.": "packed.urdf, link 'base': ... no ./base.stl; give another",
     "robot arm.urdf.xacro -o out": "arm.urdf.xacro:1: is a xacro ...; write `xacro arm.urdf.xacro > OUT.urdf`",
-    "bake plate.obj -o wide --unit m": (0, "plate.obj: warning: is 100 x 100 x 1 m...; if it is in mm, add --unit plate.obj=mm"),
-    "guard image/arm.robot degrees.csv": (3, "degrees.csv:2: joint 'fold' ... -3 and 3 radians; in degrees? give radians: -0.785398"),
+    "bake plate.obj -o wide --unit m": (0, "plate.obj: warning: is 100 x 100 x 1 m...; if it is in mm, add --unit"),
+    "guard image/arm.robot degrees.csv": (3, "degrees.csv:2: joint 'fold' ...; in degrees? give radians: -0.785398"),
     "guard image/arm.robot mm.csv": (3, "mm.csv:2: joint 'grip' can't be at 20: firmware takes ...; in millimetres? "
         "give metres: 0.02\nflashbvh: mm.csv:3: ... its limits are -0.09...; in millimetres? give metres: 0.002"),
 }

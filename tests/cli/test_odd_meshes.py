@@ -128,7 +128,7 @@ class OddMeshesTest(Case):
         flashbvh(f"bake thin.obj -o thin --cell {cell} --max-deviation 0.125")
         refuse("bake thin.obj -o out --cell 0.5 --max-deviation 1e-9",
                "thin.obj: rounding moves a vertex by 0.25, --max-deviation allows 1e-09; the mesh is too "
-               "large for so fine a cell: cut it in parts")
+               "large for so fine a cell: cut or convert it: --unit")
         refuse_each("bake thin.obj -o out", {
             f"--max-deviation {length}": "--max-deviation" for length in ("-1", "nan", "abc", '""')})
 

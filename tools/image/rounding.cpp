@@ -35,8 +35,7 @@ void check_deviation(const InputMesh& input, const RoundedMesh& rounded,
                   ", --max-deviation allows ", text_of(*most, options),
                   cell >= input.finest_cell
                       ? "; a cell of " + text_of(cell, options) + " or less keeps to that"
-                      : "; the mesh is too large for so fine a cell: cut it in parts, or convert it "
-                        "by --unit FILE=UNIT");
+                      : "; the mesh is too large for so fine a cell: cut or convert it: --unit");
 }
 
 /// A triangle, an edge or a point, by its corners in any order: the same for the same corners.

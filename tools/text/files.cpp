@@ -57,7 +57,7 @@ void make_folder(const fs::path& folder, Rollback& rollback) {
   if (fs::create_directory(folder, error)) {
     rollback.made(folder);
   } else if (error) {
-    throw UserError(folder.string(), "can't make this folder: ", error.message(), "; write elsewhere");
+    throw UserError(folder.string(), "can't be made: ", error.message(), "; write elsewhere");
   }
 }
 
