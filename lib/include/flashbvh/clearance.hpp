@@ -148,7 +148,7 @@ class BasicClearanceQuery
   /// Returns the cursor. Valid between runs.
   [[nodiscard]] QueryCursor<Index> cursor() const {
     QueryCursor<Index> at = Base::cursor();
-    at.has_witness = this->has_nearest ? 1 : 0;
+    at.has_witness = !this->has_nearest ? 0 : this->is_coarse ? 2 : 1;
     at.witness_a = this->nearest_a;
     at.witness_b = this->nearest_b;
     return at;
@@ -162,6 +162,8 @@ class BasicClearanceQuery
     made.allowance = tolerance;
     return made;
   }
+  FLASHBVH_NOINLINE bool may_be_coarse() const;
+  FLASHBVH_NOINLINE void set_coarse(bool coarse);
   /// Kept out of line so that its frame is gone before `run()`.
   void begin_at(const Pose& pose, const Hint& hint);
   /// Writes A's triangle, then B's, relative to A's origin.

@@ -154,10 +154,13 @@ Status BasicClearanceQuery<MeshType>::run_within(uint32_t& work) {
   while (!this->has_nearest && work != 0) {
     if (!descend(work)) {
       take_leaves(work);
+      if (may_be_coarse()) {
+        set_coarse(true);
+      }
     }
   }
-  if (!this->intersect && work != 0) {
-    (void)this->run_with(
+  while (!this->intersect && work != 0) {
+    const Status walked = this->run_with(
         work,
         [this](const TrianglePair<Index>&) {
           const TrianglePair<Index> at = this->last_slots();
@@ -167,9 +170,40 @@ Status BasicClearanceQuery<MeshType>::run_within(uint32_t& work) {
           return !this->intersect;
         },
         [] { return UINT32_MAX; });
+    if (walked != Status::done || !this->is_coarse) {
+      break;
+    }
+    this->restart();
+    set_coarse(false);
   }
   this->beyond = kept;
   return status();
+}
+
+/// Changes the limit, and what depends on it.
+template <class MeshType>
+void BasicClearanceQuery<MeshType>::set_coarse(bool coarse) {
+  this->is_coarse = coarse;
+  Triangle pair[2];
+  get_pair(this->nearest_a, this->nearest_b, pair);
+  this->so_far->limit = this->limit_of(this->so_far->least);
+  this->so_far->turn(pair[0], pair[1], this->features());
+}
+
+/// True if a coarse walk may find a pair much nearer than the descent did: the roots' boxes are so
+/// near.
+template <class MeshType>
+bool BasicClearanceQuery<MeshType>::may_be_coarse() const {
+  const detail::Transform& transform = this->transform();
+  if (this->intersect || transform.is_far()) {
+    return false;
+  }
+  const auto& root_a = this->mesh_a().nodes[0].box;
+  const auto& root_b = this->mesh_b().nodes[0].box;
+  const detail::GapLimit limit(this->so_far->limit >> Predicate::kCoarse);
+  return transform.is_rotated()
+             ? detail::RotatedGap(transform.rotated(), limit)(root_a, root_b)
+             : detail::WideGap(transform.translated().offset, limit)(root_a, root_b);
 }
 
 template <class MeshType>
@@ -219,6 +253,7 @@ Status BasicClearanceQuery<MeshType>::resume(const QueryCursor<Index>& at) {
   }
   const Hint pair = {at.witness_a, at.witness_b};
   const bool found = at.has_witness != 0;
+  this->is_coarse = at.has_witness == 2;
   const uint32_t most_a = found ? this->mesh_a().triangle_count : this->mesh_a().node_count;
   const uint32_t most_b = found ? this->mesh_b().triangle_count : this->mesh_b().node_count;
   if (pair.a >= most_a || pair.b >= most_b || (!found && at.state != detail::State::fresh)) {

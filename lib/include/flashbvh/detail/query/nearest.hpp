@@ -182,6 +182,8 @@ struct Nearest : ProximityPredicate {
   static constexpr uint32_t kPairWork = kTrianglePairWork;
   static constexpr uint32_t kExpensiveWork = 0;
   static constexpr bool kKeepsShapes = true;
+  /// The allowance of a first walk without a hint.
+  static constexpr uint32_t kCoarse = 3;
 
   uint32_t tested = 0;  ///< pairs of triangles
   union {
@@ -191,6 +193,7 @@ struct Nearest : ProximityPredicate {
   Index nearest_a = 0;  ///< slots of the nearest triangles so far
   Index nearest_b = 0;
   uint16_t allowance = 0;
+  bool is_coarse : 1;     ///< true in a first walk, which finds a pair near the nearest one
   bool has_nearest : 1;   ///< true if there is a nearest pair
   bool intersect : 1;     ///< true if it intersects
   bool has_features : 1;  ///< true if its nearest features are known
@@ -199,7 +202,8 @@ struct Nearest : ProximityPredicate {
   FeatureKind kind;
 
   Nearest()
-      : has_nearest(false),
+      : is_coarse(false),
+        has_nearest(false),
         intersect(false),
         has_features(false),
         of_a(0),
@@ -231,6 +235,10 @@ struct Nearest : ProximityPredicate {
              (so_far->is_short && (directions_separate(a, b, limit, so_far->direction) ||
                                    planes_separate(a, b, limit))));
   }
+  /// The largest squared gap that matters beside a squared distance.
+  int64_t limit_of(const Fraction& squared) const {
+    return largest_below(squared, allowance) >> (is_coarse ? kCoarse : 0);
+  }
   /// True if they are nearer; they become the nearest pair, and the caller sets their slots.
   bool take(const Triangle& a, const Triangle& b) {
     Features features;
@@ -250,7 +258,7 @@ struct Nearest : ProximityPredicate {
     of_a = features.of_a & 3;
     of_b = features.of_b & 3;
     kind = features.kind;
-    so_far->limit = largest_below(so_far->least, allowance);
+    so_far->limit = limit_of(so_far->least);
     if (!intersect) {
       so_far->turn(a, b, features);
     }

@@ -49,6 +49,12 @@ class QuerySetup : protected Predicate {
   void refuse(Status error) { error_ = error; }
   /// For a derived query's steps before its first walk.
   void prepare() { transform_.prepare(*b_); }
+  /// Walks from the roots once more.
+  void restart() {
+    cursor_ = Cursor();
+    state_ = State::fresh;
+    untested_ = 0;
+  }
   /// Counts a visit outside the walk.
   void count_visit() { ++stats_.visits; }
 
