@@ -84,9 +84,10 @@ struct ClearanceOptions {
 
 /// The distance of two meshes, in slices. With the last nearest pair as `hint`, the query visits
 /// hardly more than the boxes nearer than the answer. Without a hint, it first descends both trees
-/// to where they seem nearest. It drops a hint whose triangles are about 70 % as far apart as the
-/// centres of the meshes, or farther. Instructions on each core: lib/docs/figures.md, Distances.
-/// The distance never depends on the hint; if several pairs are nearest, the reported one may.
+/// to where they seem nearest, and walks once for pairs of a third of that distance. It drops a
+/// hint whose triangles are about 70 % as far apart as the centres of the meshes, or farther.
+/// Instructions on each core: lib/docs/figures.md, Distances. The distance never depends on the
+/// hint; if several pairs are nearest, the reported one may.
 template <class MeshType>
 class BasicClearanceQuery
     : protected Query<Ranked<MeshType>, detail::Nearest<typename MeshType::Index>> {

@@ -24,7 +24,8 @@ typedef struct flashbvh_cursor {
   uint16_t b;
   uint16_t untested;               /**< pairs of triangles left in the pair of leaves */
   FLASHBVH_BYTE(QueryState) state; /**< internal */
-  uint8_t has_witness; /**< of a distance: not 0 if `witness_a` and `witness_b` are triangles */
+  uint8_t has_witness; /**< of a distance: not 0 if `witness_a` and `witness_b` are triangles; 2:
+                          internal */
   uint16_t witness_a;  /**< slot of the nearest triangle so far; before, a node */
   uint16_t witness_b;
 } flashbvh_cursor;

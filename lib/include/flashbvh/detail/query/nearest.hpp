@@ -182,7 +182,7 @@ struct Nearest : ProximityPredicate {
   static constexpr uint32_t kPairWork = kTrianglePairWork;
   static constexpr uint32_t kExpensiveWork = 0;
   static constexpr bool kKeepsShapes = true;
-  /// The allowance of a first walk without a hint.
+  /// A first, coarse walk passes over pairs that are not 2^kCoarse times nearer, squared.
   static constexpr uint32_t kCoarse = 3;
 
   uint32_t tested = 0;  ///< pairs of triangles
