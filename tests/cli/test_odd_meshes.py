@@ -86,16 +86,25 @@ class OddMeshesTest(Case):
                 out = flashbvh("bake mesh.obj -o odd --cell 1")
                 self.assertEqual(out.err, f"flashbvh: mesh.obj: warning: {wanted}\n")
 
-    # By the volume, at any place of the mesh. A hollow box is no defect.
+    # By the volume, at any place of the mesh; also a part beside others, overlapping one, or in a cavity. A hollow box
+    # is no defect, nor is a part in its cavity.
     def test_inside_out(self):
         turned = box(size=8, inwards=True)
+        hollow = box(size=32) + box(2, 2, 2, 28, first=8, inwards=True)
+        one_part = "has 1 part that is inside out"
         for mesh, warning in (
                 (turned, "is inside out: normals face into the solid; turn the triangles round in the program that "
                     "made it, or leave them if it is a room, seen from within"),
                 (box(-1000, -1000, -1000, 8, inwards=True), "is inside out"),
                 (box(1000, 1000, 1000, 8, inwards=True), "is inside out"),
                 (turned + box(100, 100, 100, 4, first=8), "is inside out"),
-                (box(size=32) + box(2, 2, 2, 28, first=8, inwards=True), None)):
+                (box(size=8) + box(20, 0, 0, 4, first=8, inwards=True), one_part),
+                (box(size=8) + box(6, 6, 6, 4, first=8, inwards=True), one_part),
+                (box(size=8) + box(6, 6, 6, 4, first=8, inwards=True) + box(-3, 0, 0, 4, first=16, inwards=True),
+                 "has 2 parts that are inside out"),
+                (hollow + box(8, 8, 8, 4, first=16, inwards=True), one_part),
+                (box(size=8) + box(2, 2, 2, 4, first=8, inwards=True), None),
+                (hollow + box(8, 8, 8, 4, first=16) + box(9, 9, 9, 2, first=24, inwards=True), None)):
             with self.subTest(mesh):
                 write("mesh.obj", mesh)
                 baked = flashbvh("bake mesh.obj -o odd --cell 1").err

@@ -58,6 +58,12 @@ void warn_of_surface(const MeshDefects& defects, const std::string& path, Warnin
     warnings.add(path,
                  "is inside out: normals face into the solid; turn the triangles round in the "
                  "program that made it, or leave them if it is a room, seen from within");
+  } else if (defects.shells_inside_out != 0) {
+    warnings.add(path, concat("has ", defects.shells_inside_out,
+                              defects.shells_inside_out == 1 ? " part that is" : " parts that are",
+                              " inside out: normals face into the solid, and where another part "
+                              "overlaps it, points count as outside; turn its triangles round in "
+                              "the program that made it"));
   }
 }
 

@@ -80,23 +80,6 @@ std::vector<Edge> edges_of(const std::vector<TriangleCorners>& triangles,
   return edges;
 }
 
-/// True if the surface encloses a negative volume: sums tetrahedra with an apex at the lattice's
-/// zero, each below 2^45. Sums may wrap.
-bool is_inside_out(const bake::LatticeMesh& mesh, const TriangleIds& duplicates) {
-  std::uint64_t volume = 0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Vertex& p = mesh.vertices[mesh.triangles[i][0]];
-    const Vertex& q = mesh.vertices[mesh.triangles[i][1]];
-    const Vertex& r = mesh.vertices[mesh.triangles[i][2]];
-    const std::int64_t x = std::int64_t{q.y} * r.z - std::int64_t{q.z} * r.y;
-    const std::int64_t y = std::int64_t{q.z} * r.x - std::int64_t{q.x} * r.z;
-    const std::int64_t z = std::int64_t{q.x} * r.y - std::int64_t{q.y} * r.x;
-    const std::int64_t sixfold = p.x * x + p.y * y + p.z * z;
-    volume += is_one_of(duplicates, i) ? 0 : static_cast<std::uint64_t>(sixfold);
-  }
-  return volume >> 63 != 0;
-}
-
 }  // namespace
 
 TriangleIds degenerate_triangles(const bake::SourceMesh& mesh) {
@@ -163,7 +146,9 @@ MeshDefects surface_defects(const bake::LatticeMesh& mesh) {
   MeshDefects defects;
   defects.duplicates = duplicate_triangles(mesh.triangles);
   defects.edges = edge_defects(mesh.triangles, defects.duplicates);
-  defects.inside_out = defects.edges.none() && is_inside_out(mesh, defects.duplicates);
+  if (defects.edges.none()) {
+    set_orientation(mesh, defects);
+  }
   return defects;
 }
 
