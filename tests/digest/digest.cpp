@@ -236,8 +236,8 @@ bool run(Result& result) {
     }
   }
   const bool intersections = is_expected("digest", hash, 0x34923EB4F3AF57C0u);
-  const bool near = is_expected("distances", distances, 0x769A93230714119Eu);
-  const bool of_far = is_expected("far distances", far, 0xB489F5F4961D8999u);
+  const bool near = is_expected("distances", distances, 0x4C9B3E82605ABFFDu);
+  const bool of_far = is_expected("far distances", far, 0x8F6B4A867F59BAD5u);
   return is_expected("rays", rays, 0x1BC7A7B50DE8E882u) && intersections && near && of_far;
 }
 
