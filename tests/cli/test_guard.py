@@ -136,11 +136,12 @@ class GuardTest(Case):
         self.assertEqual(out.each("status"),
                          ["joint_out_of_limits", "ok", "joint_out_of_limits", "not_a_coordinate", "ok"])
         out.matches('^{"line":3,"verdict":"free",')
-        out.err.contains(
-            "limits.csv:2: joint 'fold' can't be at 3.5: its limits are -3 and 3; correct",
-            "limits.csv:4: joint 'grip' can't be at 0.2: its limits are -0.09 and 0.1; correct",
-            "limits.csv:5: joint 'turn' can't be at 60: firmware takes less than 8 turns, 50.27 "
-                "radians; leave full turns out; in degrees? give radians: 1.0472")
+        for run in (out, flashbvh("guard arm.urdf limits.csv --limit granted.csv", code=3)):
+            run.err.contains(
+                "limits.csv:2: joint 'fold' can't be at 3.5: its limits are -3 and 3; correct",
+                "limits.csv:4: joint 'grip' can't be at 0.2: its limits are -0.09 and 0.1; correct",
+                "limits.csv:5: joint 'turn' can't be at 60: firmware takes less than 8 turns, 50.27 "
+                    "radians; leave full turns out; in degrees? give radians: 1.0472")
         # Of a value just beyond a limit, as many digits as it takes.
         write("just.csv", "turn,fold,grip\n0,3.000002,0\n")
         flashbvh("guard arm.urdf just.csv", code=3).err.contains(

@@ -243,6 +243,7 @@ ExitCode guard_trajectory(const GuardArguments& arguments, const CLI::App& comma
   GuardedTrajectory guarded = is_robot_file_name(arguments.urdf)
                                   ? opened(arguments, command, warnings)
                                   : baked(arguments, warnings);
+  guarded.wanted = arguments.limit.empty() ? Trajectory() : guarded.trajectory;
   guarded.answers =
       arguments.limit.empty()
           ? replay(guarded.robot(), guarded.trajectory, arguments.work)

@@ -20,6 +20,7 @@ struct GuardedTrajectory {
   std::vector<std::string> inputs;  ///< all files that were read
   std::vector<GuardAnswer> answers{};
   std::vector<LimitAnswer> limits{};  ///< of --limit, or empty
+  Trajectory wanted{};  ///< with --limit the file's, and `trajectory` what was granted
   bool has_motions = false;
   std::vector<CertifiedMotion> motions{};  ///< from line to line; may be empty
   Json cost{};                             ///< of cost_json(), if requested

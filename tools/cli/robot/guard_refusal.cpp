@@ -89,7 +89,8 @@ std::string why_refused(const GuardedTrajectory& guarded, std::size_t period) {
   if (status != Status::joint_out_of_limits && status != Status::not_a_coordinate) {
     return concat("the guard can't go on: ", status_name(status));
   }
-  const float* const values = guarded.trajectory.values(period);
+  const Trajectory& read = guarded.limits.empty() ? guarded.trajectory : guarded.wanted;
+  const float* const values = read.values(period);
   const Model& model = guarded.model;
   const ModelJoint& joint = model.joints[refused_joint(guarded.robot(), values)];
   const ModelJoint& moved = model.joints[model.variables[joint.variable]];
