@@ -65,10 +65,8 @@ enum class LimitVerdict : uint8_t {
 
 using LimitAnswer = flashbvh_limit_answer;
 
-/// A pair's floor before it was measured.
-constexpr uint32_t kNoFloor = (1u << 31) - 1;
-/// In place of GuardPair::granted: limit() has to measure it.
-constexpr uint32_t kNotMeasured = UINT32_MAX;
+constexpr uint32_t kNoFloor = (1u << 31) - 1;  ///< of a pair that limit() has not measured
+constexpr uint32_t kNotMeasured = UINT32_MAX;  ///< in place of GuardPair::granted
 /// update() measured the certificate, so the robot has been where it was measured.
 constexpr uint32_t kOwn = 1u << 31;
 /// limit() measured the certificate, so `began` is of the next period.
