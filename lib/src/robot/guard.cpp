@@ -12,7 +12,6 @@ using detail::difference_of;
 using detail::greater;
 using detail::kPeriodsAhead;
 using detail::kRateMargin;
-using detail::smaller;
 using detail::sum_of;
 
 namespace {

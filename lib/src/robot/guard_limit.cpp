@@ -14,7 +14,6 @@ using detail::difference_of;
 using detail::greater;
 using detail::kPoseWork;
 using detail::smaller;
-using detail::sum_of;
 
 namespace {
 
