@@ -320,25 +320,29 @@ uint32_t Guard::longest_way() const {
 }
 
 /// The share at which the last command had too little work, if this one is the same; or the whole.
-uint32_t Guard::first_share(const JointCoordinate* wanted, JointCoordinate* granted) {
-  if (core_->share == 0 || core_->share > kWhole) {  // none, or damaged
+/// Sets the pair that allowed no more then.
+uint32_t Guard::first_share(const JointCoordinate* wanted, JointCoordinate* granted,
+                            LimitAnswer& answer) {
+  const uint32_t share = core_->share;
+  core_->share = 0;
+  if (share == 0 || share >= kWhole || core_->shortened_by >= robot_->pair_count) {  // or damaged
     return kWhole;
   }
-  set_share(wanted, core_->share, granted);
+  set_share(wanted, share, granted);
   (void)set_coordinates(*robot_, granted, next_);
-  const uint32_t share = is_tried() ? core_->share : kWhole;
-  core_->share = 0;
-  if (share == kWhole) {
-    (void)set_coordinates(*robot_, wanted, next_);
+  if (is_tried()) {
+    answer.pair = core_->shortened_by;
+    return share;
   }
-  return share;
+  (void)set_coordinates(*robot_, wanted, next_);
+  return kWhole;
 }
 
 /// Tries smaller and smaller shares of the way, until all pairs keep what they have to. Sets the
 /// pairs of the answer, and why the way was not granted whole.
 uint32_t Guard::find_share(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t& work,
                            LimitAnswer& answer) {
-  uint32_t share = first_share(wanted, granted);
+  uint32_t share = first_share(wanted, granted, answer);
   for (int tries = 1; share != 0; ++tries) {
     const Try tried = try_all(work);
     if (tried.status == Status::done) {
@@ -346,7 +350,8 @@ uint32_t Guard::find_share(const JointCoordinate* wanted, JointCoordinate* grant
       break;
     }
     if (tried.status == Status::suspended && core_->share == 0) {
-      core_->share = share;
+      core_->share = static_cast<uint16_t>(share);
+      core_->shortened_by = answer.pair;
       for (uint32_t i = 0; i < robot_->joint_count; ++i) {
         tried_[i] = next_[i];
       }

@@ -187,7 +187,11 @@ TEST_CASE("limit: an arm with little work gets where it gets with all, or is hel
       for (int i = 0; i < commands && now != Period(arm, now, target).at_end(); ++i) {
         Values granted(now.size());
         const Values wanted = step_towards(arm, now, target, speed);
-        const LimitVerdict verdict = guard.limit(wanted.data(), granted.data(), work).verdict;
+        const LimitAnswer answer = guard.limit(wanted.data(), granted.data(), work);
+        const LimitVerdict verdict = answer.verdict;
+        const bool has_pair = answer.pair < arm.robot().pair_count;
+        REQUIRE(
+            (has_pair || (verdict != LimitVerdict::shortened && verdict != LimitVerdict::held)));
         since_held = verdict == LimitVerdict::held ? 0 : since_held + 1;
         if (work == UINT32_MAX && verdict != LimitVerdict::granted) {
           break;

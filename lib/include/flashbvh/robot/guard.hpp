@@ -99,7 +99,8 @@ struct GuardCore {
   uint32_t kept;      ///< distance that limit() wants to know of; 0: update() measures
   uint32_t rounding;  ///< the slack without the links' deviation, in 1/256 cell
   uint32_t roaming;   ///< way of any joint from the granted values within which all pairs are free
-  uint32_t share;     ///< of the way to GuardStateOf::tried; 0: none
+  uint16_t share;     ///< of the way to GuardStateOf::tried, in 1/4,096; 0: none
+  uint16_t shortened_by;  ///< the pair that allows no more than this share, or kNoPair
   Witness<uint16_t> witness;
   QueryCursor<uint16_t> cursor;
   Pose pose = Pose::translated(0, 0, 0);
@@ -363,7 +364,8 @@ class Guard {
   bool is_walking() const;
   bool is_walked_at_next(uint16_t pair) const;
   bool is_tried() const;
-  uint32_t first_share(const JointCoordinate* wanted, JointCoordinate* granted);
+  uint32_t first_share(const JointCoordinate* wanted, JointCoordinate* granted,
+                       LimitAnswer& answer);
   Try try_known(uint16_t pair, uint32_t first, const Keep& keep, uint32_t& needed) const;
   Try try_pair(uint16_t pair, uint32_t& work);
   Try try_all_known();
