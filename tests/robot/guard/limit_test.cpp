@@ -63,6 +63,12 @@ class Promise {
   double largest_ = 0;
 };
 
+/// Whether the answer names the pair that lets no more through.
+bool names_pair(const LimitAnswer& answer, const FixedArm& arm) {
+  return answer.pair < arm.robot().pair_count ||
+         (answer.verdict != LimitVerdict::shortened && answer.verdict != LimitVerdict::held);
+}
+
 /// Commands to one arm, each judged.
 struct Commanded {
   Commanded(const FixedArm& of, const Values& at)
@@ -89,6 +95,7 @@ struct Commanded {
     }
     const LimitAnswer answer = guard.limit(wanted.data(), granted.data(), work);
     REQUIRE(answer.status == Status::done);
+    REQUIRE(names_pair(answer, arm));
     const Period period(arm, now, granted);
     now = period.at_end();
     for (std::uint16_t i = 0; i < promises.size(); ++i) {
@@ -189,9 +196,7 @@ TEST_CASE("limit: an arm with little work gets where it gets with all, or is hel
         const Values wanted = step_towards(arm, now, target, speed);
         const LimitAnswer answer = guard.limit(wanted.data(), granted.data(), work);
         const LimitVerdict verdict = answer.verdict;
-        const bool has_pair = answer.pair < arm.robot().pair_count;
-        REQUIRE(
-            (has_pair || (verdict != LimitVerdict::shortened && verdict != LimitVerdict::held)));
+        REQUIRE(names_pair(answer, arm));
         since_held = verdict == LimitVerdict::held ? 0 : since_held + 1;
         if (work == UINT32_MAX && verdict != LimitVerdict::granted) {
           break;
