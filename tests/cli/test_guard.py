@@ -204,7 +204,7 @@ class GuardTest(Case):
             self.assertEqual((cost["a_work"], cost["most_work"], cost["a_period"], cost["work"]),
                              (a_work, work[-1], 1e8 / hz, fits))
             out = flashbvh(command, code=1)
-            out.contains(said.format(work[-1]), f"\n{fits} work fits", "\nan estimate: of robot_guard's motions")
+            out.contains(said.format(work[-1]), f"\n{fits} work fits", "\nan estimate, by what a KUKA KR5 takes")
             out.matches(*("^{periods}  *{instructions}  *{fixed}  *{0:.0f} %  *{of_work}  *{1:.0f} %$".format(
                 *(100 * row[part] / row["instructions"] for part in ("fixed", "of_work")), **row)
                 for row in cost["costs"]))

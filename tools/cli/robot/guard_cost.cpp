@@ -60,9 +60,8 @@ void print_cost(const Json& cost) {
               << " and would be `not yet known`; take a faster --clock or fewer --hz, or bake with "
                  "--simplify or a larger --zone";
   }
-  std::cout
-      << "\nan estimate: of robot_guard's motions the counted mean is 11 % less to 24 % more, "
-         "the most up to 56 % more; leave room, and count yours there\n";
+  std::cout << "\nan estimate, by what a KUKA KR5 takes for a unit of work: links of few triangles "
+               "take more; leave room, and count yours there\n";
 }
 
 }  // namespace flashbvh::tool

@@ -252,9 +252,9 @@ class Guard {
   /// Distances are those of the URDF's links, but inside the stop distance those of the baked
   /// links.
   ///
-  /// Too little `work` shortens the motion. The first call measures the pairs near their stop
-  /// distance where the robot is, and grants nothing until they are known. A floor falls only if an
-  /// obstacle comes nearer than it allows.
+  /// Too little `work` shortens the motion; called again with the same values, it goes on. The
+  /// first call measures the pairs near their stop distance where the robot is, and grants nothing
+  /// until they are known. A floor falls only if an obstacle comes nearer than it allows.
   LimitAnswer limit(const JointCoordinate* wanted, JointCoordinate* granted, uint32_t work);
 
   /// Lets a pair that intersects, or that is as far apart as it gets nearby, move without regard to
