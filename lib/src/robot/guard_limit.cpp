@@ -6,13 +6,11 @@
 #include "flashbvh/robot/guard.hpp"
 #include "guard_parts.hpp"
 #include "levers.hpp"
-#include "spheres.hpp"
 
 namespace flashbvh {
 
 using detail::difference_of;
 using detail::greater;
-using detail::kPoseWork;
 using detail::smaller;
 
 namespace {
@@ -123,54 +121,6 @@ Guard::Bounds Guard::bounds_of(uint16_t i, uint32_t first) const {
   const uint32_t lower = pairs_[i].lower;
   return {difference_of(lower, to_any.fine()), difference_of(lower, to_end.fine()),
           motion.fine(since.fine()), moved == 0};
-}
-
-/// Whether limit() measures the pair at the next coordinates already.
-bool Guard::is_walked_at_next(uint16_t i) const {
-  bool is = core_->walked_pair == i && core_->kept != 0;
-  for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
-    is = is && walked_[joint] == next_[joint];
-  }
-  return is;
-}
-
-/// Measures a pair at the next coordinates. `done`: it is farther apart than `needed`, or, for a
-/// floor, its certificate says almost what its distance is; `full`: a witness is nearer;
-/// `suspended`, with work left: an earlier measurement ended, of this pair or another one.
-Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, uint32_t& work) {
-  const uint32_t least = is_for_floor ? 0 : needed + 1;  // a witness there proves less
-  Status status = Status::suspended;
-  if (is_walked_at_next(i)) {
-    status = walk_on(least, work);
-  } else if (core_->walked_pair != kNoPair) {
-    status = walk_on(0, work);
-    return status == Status::done ? Status::suspended : status;
-  } else {
-    detail::take_work(work, kPoseWork);
-    if (core_->has_frames == 0) {
-      set_frames(*robot_, next_, frames_);
-      core_->has_frames = 1;
-    }
-    const RobotLink& a = robot_->links[robot_->pairs[i].a];
-    const RobotLink& b = robot_->links[robot_->pairs[i].b];
-    const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
-                                              detail::frame_of(frames_, b.joint));
-    if (apart / 2 > needed) {  // it lasts
-      certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness}, false, nullptr);
-      return Status::done;
-    }
-    start_walk(i, work);
-    const uint32_t nearest = witness_distance(work);
-    const bool is_nearer = nearest <= needed;
-    core_->kept = is_nearer ? greater(difference_of(nearest, nearest / 64 + 1), 1) : needed;
-    aim(nearest);
-    status = is_nearer && !is_for_floor ? Status::full : walk_on(least, work);
-  }
-  if (status == Status::full) {
-    pairs_[i].witness = core_->witness;
-    core_->walked_pair = kNoPair;
-  }
-  return status;
 }
 
 /// Measures of released pairs whether their floors hold again at the next coordinates.

@@ -11,6 +11,7 @@
 namespace flashbvh {
 
 using detail::difference_of;
+using detail::greater;
 using detail::kAimWork;
 using detail::kLeverWork;
 using detail::kPeriodsAhead;
@@ -79,7 +80,7 @@ uint32_t Guard::distance_where_begun(uint16_t i, uint32_t of_next) const {
   });
   const uint32_t began = pairs_[i].began;
   const uint32_t known = (began & kOfNext) == of_next ? began & ~kOfNext : 0;
-  return detail::greater(difference_of(pairs_[i].lower, since.fine()), known);
+  return greater(difference_of(pairs_[i].lower, since.fine()), known);
 }
 
 /// Stores a certificate, and what its last one says of the largest distance since the start. `at`:
@@ -95,7 +96,7 @@ void Guard::certify(uint16_t i, const JointCoordinate* at, const Measured& measu
   core_->walked_pair = core_->walked_pair == i ? kNoPair : core_->walked_pair;
   GuardPair& known = pairs_[i];
   const uint32_t last = (known.seen & kOwn) != 0 ? smaller(known.lower, kMaxGuardDistance) : 0;
-  known.seen = detail::greater(known.seen & ~kOwn, last) | (is_own ? kOwn : 0);
+  known.seen = greater(known.seen & ~kOwn, last) | (is_own ? kOwn : 0);
   known.lower = measured.lower;
   known.upper = measured.upper;
   known.began = began;
@@ -233,7 +234,7 @@ void Guard::aim(uint32_t nearest) {
   const uint32_t share = nearest <= stop  ? over - (smaller(over, give_of(i).most) + 3) / 4
                          : moved >= over  ? difference_of(over, uint32_t{1}) / 16 * kLastShare
                          : moved >= least ? most
-                                          : detail::greater(moved * kMaxPeriods, least);
+                                          : greater(moved * kMaxPeriods, least);
   const uint32_t began = distance_where_begun(i, 0);
   const uint32_t for_warn = detail::lasting(warn, began, moved);
   const uint32_t for_stop = detail::lasting(stop, began, moved);
@@ -242,7 +243,7 @@ void Guard::aim(uint32_t nearest) {
                            : nearest > for_stop  ? for_stop
                            : nearest > for_floor ? for_floor
                                                  : 0;
-  const uint32_t limit = detail::greater(sum_of(kept, share), lasting);
+  const uint32_t limit = greater(sum_of(kept, share), lasting);
   core_->nearest = nearest;
   core_->asked = limit < kMaxGuardDistance ? limit : kMaxGuardDistance;
   core_->cursor = {};
@@ -336,6 +337,54 @@ Status Guard::walk_on(uint32_t needed, uint32_t& work) {
       aim(above < core_->asked ? above : core_->asked);
       status = core_->nearest < needed ? Status::full : Status::suspended;
     }
+  }
+  return status;
+}
+
+/// Whether limit() measures the pair at the next coordinates already.
+bool Guard::is_walked_at_next(uint16_t i) const {
+  bool is = core_->walked_pair == i && core_->kept != 0;
+  for (uint32_t joint = 0; joint < robot_->joint_count; ++joint) {
+    is = is && walked_[joint] == next_[joint];
+  }
+  return is;
+}
+
+/// Measures a pair at the next coordinates. `done`: it is farther apart than `needed`, or, for a
+/// floor, its certificate says almost what its distance is; `full`: a witness is nearer;
+/// `suspended`, with work left: an earlier measurement ended, of this pair or another one.
+Status Guard::measure_at_next(uint16_t i, uint32_t needed, bool is_for_floor, uint32_t& work) {
+  const uint32_t least = is_for_floor ? 0 : needed + 1;  // a witness there proves less
+  Status status = Status::suspended;
+  if (is_walked_at_next(i)) {
+    status = walk_on(least, work);
+  } else if (core_->walked_pair != kNoPair) {
+    status = walk_on(0, work);
+    return status == Status::done ? Status::suspended : status;
+  } else {
+    detail::take_work(work, kPoseWork);
+    if (core_->has_frames == 0) {
+      set_frames(*robot_, next_, frames_);
+      core_->has_frames = 1;
+    }
+    const RobotLink& a = robot_->links[robot_->pairs[i].a];
+    const RobotLink& b = robot_->links[robot_->pairs[i].b];
+    const uint32_t apart = detail::sphere_gap(a, detail::frame_of(frames_, a.joint), b,
+                                              detail::frame_of(frames_, b.joint));
+    if (apart / 2 > needed) {  // it lasts
+      certify(i, next_, {apart, UINT32_MAX, pairs_[i].witness}, false, nullptr);
+      return Status::done;
+    }
+    start_walk(i, work);
+    const uint32_t nearest = witness_distance(work);
+    const bool is_nearer = nearest <= needed;
+    core_->kept = is_nearer ? greater(difference_of(nearest, nearest / 64 + 1), 1) : needed;
+    aim(nearest);
+    status = is_nearer && !is_for_floor ? Status::full : walk_on(least, work);
+  }
+  if (status == Status::full) {
+    pairs_[i].witness = core_->witness;
+    core_->walked_pair = kNoPair;
   }
   return status;
 }
