@@ -597,19 +597,18 @@ TEST_CASE("the way out: by force, no pair of an arm gets nearer than promised, a
   CHECK(all.leaving > 0);
 }
 
-TEST_CASE("the way out: a robot of FLASHBVH_URDF") {
+TEST_CASE("the way out: a robot of FLASHBVH_URDF", "[.]") {
   Random random = test_random();
   const char* const robot = setting("FLASHBVH_URDF");
   std::istringstream words(robot == nullptr ? "" : robot);
   std::vector<std::string> files(std::istream_iterator<std::string>(words), {});
-  if (files.size() >= 2) {
-    Warnings warnings;
-    const RobotFile image(files[1]);
-    const Packages packages = packages_of({files.begin() + 2, files.end()});
-    const Model model = read_urdf(files[0], packages, "", warnings);
-    Counts counts;
-    send(image.robot(), model, random, number_in("FLASHBVH_STARTS", 20),
-         number_in("FLASHBVH_COMMANDS", 20'000), counts);
-    check(files[1], counts);
-  }
+  REQUIRE(files.size() >= 2);
+  Warnings warnings;
+  const RobotFile image(files[1]);
+  const Packages packages = packages_of({files.begin() + 2, files.end()});
+  const Model model = read_urdf(files[0], packages, "", warnings);
+  Counts counts;
+  send(image.robot(), model, random, number_in("FLASHBVH_STARTS", 20),
+       number_in("FLASHBVH_COMMANDS", 20'000), counts);
+  check(files[1], counts);
 }
