@@ -28,7 +28,7 @@ Model post_and_blade() {
 }  // namespace
 
 TEST_CASE("a collision that may lie in a zone that there was no time for refutes no line") {
-  Prepared robot = {Clock::now(), post_and_blade(), 1e-3, {}, {}};
+  Prepared robot = {post_and_blade(), 1e-3, {}, {}};
   for (const ModelLink& link : robot.model.links) {
     robot.wholes.push_back(bake_part(link.mesh, robot.cell));
   }

@@ -271,6 +271,10 @@ TEST_CASE("when the time is up, the rest is undecided, and guarded") {
     const BakedArm arm(model, kCell);
     const PairSpace space(model, {0, arm.wholes()[0]}, {1, arm.wholes()[1]}, kCell);
     CHECK_FALSE(find_intersection(space, late, 256));
+    std::uint32_t visits = 0;
+    space.find_near({0.0}, kMaxGuardDistance,
+                    [&](std::uint32_t, std::uint32_t) { return ++visits < 2; });
+    CHECK(visits == 2);
     std::uint64_t cells = 0;
     CHECK_FALSE(is_proven_swept(model, 0, 1, kCell, late, cells));
     CHECK(cells == 0);

@@ -209,14 +209,13 @@ bool BasicPairSpace<MeshType>::intersect(const std::vector<double>& point) const
 template <class MeshType>
 void BasicPairSpace<MeshType>::find_near(
     const std::vector<double>& point, double distance,
-    const std::function<void(std::uint32_t, std::uint32_t)>& visit) const {
+    const std::function<bool(std::uint32_t, std::uint32_t)>& visit) const {
   const Pose pose = pose_of(frame_at(point), cell_);
   const double steps = std::min(std::ceil(distance * 256), 1.0 * kMaxGuardDistance);
   Query<Ranked<MeshType>, Within> query(a_, b_, pose, {},
                                         within({static_cast<std::uint32_t>(steps)}));
   (void)query.run(UINT32_MAX, [&](const TrianglePair<typename MeshType::Index>& pair) {
-    visit(pair.a, pair.b);
-    return true;
+    return visit(pair.a, pair.b);
   });
 }
 

@@ -58,9 +58,9 @@ class BasicPairSpace {
   /// The result of the exact query, with B at pose_of() in A's frame.
   bool intersect(const std::vector<double>& point) const;
   /// Calls `visit` with the ids of each two triangles within `distance` cells, or kMaxGuardDistance
-  /// if that is less.
+  /// if that is less, until it returns false.
   void find_near(const std::vector<double>& point, double distance,
-                 const std::function<void(std::uint32_t, std::uint32_t)>& visit) const;
+                 const std::function<bool(std::uint32_t, std::uint32_t)>& visit) const;
   /// A lower bound on the distance in cells: exact if the links are near, 0 if they intersect.
   /// `hint`: the nearest pair of the last call; set to the current one.
   double distance(const std::vector<double>& point, Hint& hint) const;

@@ -70,7 +70,7 @@ BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified,
     robot.own_bytes = own_image_bytes(robot.model, bare.robot(), robot.unguarded, robot.model.name);
   }
   robot.links = simplified.baked(robot.model, robot.own_bytes,
-                                 deadline_of(robot, request, kPartForSimplifying), told);
+                                 deadline_of(request, kPartForSimplifying), told);
   robot.simplified = simplified.length();
   robot.leaf_size = simplified.leaf_size();
   std::vector<double> deviations;
@@ -84,7 +84,7 @@ BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified,
   // Last: tables hold distances between firmware's meshes.
   told("distance tables", 0);
   robot.fixed->set_distance_tables(
-      distance_tables_of(robot.model, robot.robot(), deadline_of(robot, request, 1)));
+      distance_tables_of(robot.model, robot.robot(), deadline_of(request, 1)));
   return robot;
 }
 

@@ -64,7 +64,7 @@ Decided decide(const Prepared& robot, const RobotRequest& request, double early,
                const std::string& late, const Told& told, Warnings& warnings) {
   const auto until = [&](double part) {
     const bool simplifies = request.simplify || request.fit;
-    return deadline_of(robot, request, simplifies ? kPartBeforeSimplifying * part : part);
+    return deadline_of(request, simplifies ? kPartBeforeSimplifying * part : part);
   };
   const std::vector<WholeMesh> meshes = views_of(robot.wholes);
   Decided decided;

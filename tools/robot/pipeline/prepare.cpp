@@ -62,7 +62,7 @@ Model described_robot(const RobotRequest& request, Warnings& warnings) {
 }
 
 Prepared prepare(Model model, const RobotRequest& request, const Told& told, Warnings& warnings) {
-  Prepared robot = {Clock::now(), std::move(model), 0, {}, {}};
+  Prepared robot = {std::move(model), 0, {}, {}};
   robot.distances = all_distances(robot.model, request);
   robot.cell = robot_cell(robot.model, given_cell(request), request.urdf);
   robot.radii = zone_radii(robot.model, request.zones, robot.cell);

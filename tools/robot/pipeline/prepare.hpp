@@ -27,7 +27,6 @@ Model described_robot(const RobotRequest& request, Warnings& warnings);
 
 /// A robot without any decisions.
 struct Prepared {
-  Clock::time_point began;  ///< for --time
   Model model;
   double cell;                    ///< metres
   std::vector<BakedPart> wholes;  ///< trees of the links, on which pairs are decided
@@ -37,8 +36,8 @@ struct Prepared {
 };
 
 /// When so large a part of --time is over; without it, never.
-inline Deadline deadline_of(const Prepared& robot, const RobotRequest& request, double part) {
-  return request.time ? in_seconds(robot.began, part * seconds(*request.time)) : Deadline{};
+inline Deadline deadline_of(const RobotRequest& request, double part) {
+  return request.time ? in_seconds(request.began, part * seconds(*request.time)) : Deadline{};
 }
 
 /// Chooses the cell, and bakes links for decisions. Warns of odd sizes and coarse cells. UserError

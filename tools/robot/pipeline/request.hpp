@@ -10,6 +10,7 @@
 #include "robot/baked/fixed_robot.hpp"
 #include "robot/matrix/matrix.hpp"
 #include "robot/read/link_mesh.hpp"
+#include "text/deadline.hpp"
 
 namespace flashbvh::tool {
 
@@ -26,7 +27,8 @@ struct RobotRequest {
   std::vector<std::string> pairs;  ///< pairs with their own distances
   std::vector<std::string> zones;  ///< zones of joints
   std::optional<std::string> time;
-  bool limits = false;  ///< firmware calls Guard::limit()
+  Clock::time_point began = Clock::now();  ///< when `time` begins
+  bool limits = false;                     ///< firmware calls Guard::limit()
   std::uint32_t leaf_size = bake::kDefaultLeafSize;
   bool has_leaf_size = false;           ///< the user chose the leaf size
   std::optional<std::string> simplify;  ///< the largest deviation of firmware's meshes
