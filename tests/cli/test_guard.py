@@ -167,7 +167,7 @@ class GuardTest(Case):
         self.assertTrue(0.01 < warn["distance"] <= warn["closest"] <= 0.05)
         self.assertEqual(stop["closest"], 0)
         flashbvh("guard image/arm.robot timed.csv", code=1).matches(
-            "^from .*  closest m  links  *secs$",
+            "^from .*  closest mm  links  *secs$",
             f"^ *{stop['from']}  *302  *stop  *0  *0  *upper - fore  {stop['from_time']:g} to 37.5$")
         # From near to far: the closest line comes first.
         closest = search("^closest: line 2, .*, (.*) m$", flashbvh("guard image/arm.robot back.csv"))

@@ -170,6 +170,8 @@ class PagesTest(Case):
         flashbvh(f"guard {image} way.csv --report guard.html", code=1)
         self.drive(browser, "guard.html", 9)
         browser.show("guard.html", *SIZES[0])
+        self.assertTrue(browser.tell("live.trajectory.period > 0"), "a page opens where the guard stops")
+        self.assertTrue(browser.tell("live.trajectory.period === live.trajectory.verdicts.search(/[2-5]/)"))
         x, y, width, height = browser.tell("Object.values(live.trajectory.line.getBoundingClientRect().toJSON())")[:4]
         click = {"x": x + width / 4, "y": y + height / 2, "button": "left", "clickCount": 1}
         browser("Input.dispatchMouseEvent", type="mousePressed", **click)

@@ -61,6 +61,7 @@ class BakeTest(Scene):
         self.refused(Error, "would be written as 'part' like one of a mesh before it", flashbvh.bake, [mesh, mesh])
         for kind, command in (Baked, "bake --unit mm"), (flashbvh.Robot, "robot"):
             self.refused(Error, f"_test.py: image_not_flashbvh; bake it: flashbvh {command} ", kind.load, __file__)
+        self.refused(Error, "fbvh: is an image of another kind; open it by Baked", flashbvh.Robot.load, self.files[1])
         self.refused(TypeError, "^'part' is no Baked; bake it", flashbvh.intersects, self.a, mesh, np.eye(4))
         self.refused(TypeError, "^meshes: holds a str", flashbvh.bake, ["box.stl"])
         for status, wrong in (("image_truncated", self.b.image[:-4]), ("image_corrupt", self.b.image[:-1] + b"\1"),

@@ -15,8 +15,9 @@ std::string word_of(const Json& value) {
                              : value.dump();
 }
 
-std::string number_of(const Json& value, int digits) {
-  return value.is_number_float() ? significant(value.get<double>(), digits) : word_of(value);
+std::string number_of(const Json& value, int digits, double scale) {
+  return value.is_number_float() ? significant(scale * value.get<double>(), digits)
+                                 : word_of(value);
 }
 
 }  // namespace
@@ -25,8 +26,8 @@ Column word_column(const char* heading, const char* field) {
   return {heading, [field](const Json& row) { return word_of(row.at(field)); }};
 }
 
-Column number_column(const char* heading, const char* field, int digits) {
-  return {heading, [=](const Json& row) { return number_of(row.at(field), digits); }, true};
+Column number_column(const char* heading, const char* field, int digits, double scale) {
+  return {heading, [=](const Json& row) { return number_of(row.at(field), digits, scale); }, true};
 }
 
 std::string pair_text(const Json& row) {

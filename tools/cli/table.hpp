@@ -61,8 +61,9 @@ struct Column {
 
 /// A field that is a word or null, which is "-"; an array's elements are joined by commas.
 Column word_column(const char* heading, const char* field);
-/// A field that is a number, with at most `digits` significant digits; null is "-".
-Column number_column(const char* heading, const char* field, int digits = 6);
+/// A field that is a number, times `scale` if it has a fraction, with at most `digits` significant
+/// digits; null is "-".
+Column number_column(const char* heading, const char* field, int digits = 6, double scale = 1);
 
 /// "upper - fore": the links `a` and `b` of a row.
 std::string pair_text(const Json& row);

@@ -17,7 +17,7 @@ class Trajectory {
     this.place.oninput = () => this.go(+this.place.value);
   }
 
-  // Draws the time line in the colours of the section, and shows the first position.
+  // Draws the time line in the colours of the section, and shows the first position of the worst, if that is worse than a warning.
   attach(section) {
     const colours = [0, 1, 2, 3, 4, 5].map(i => getComputedStyle(section).getPropertyValue(`--v${i}`));
     const pen = this.line.getContext("2d");
@@ -27,7 +27,7 @@ class Trajectory {
       pen.fillStyle = colours[Math.max(...this.verdicts.slice(from, Math.max(to, from + 1)))];
       pen.fillRect(x, 0, 1, 1);
     }
-    this.go(0);
+    this.go([5, 4, 3, 2].map(verdict => this.verdicts.indexOf(verdict)).find(i => i >= 0) ?? 0);
   }
 
   go(period) {

@@ -89,8 +89,8 @@ void print_stretches(const GuardedTrajectory& guarded) {
       number_column("from", "from"),
       number_column("to", "to"),
       word_column("verdict", "verdict"),
-      number_column("known m", "distance", 4),
-      number_column("closest m", "closest", 4),
+      number_column("known mm", "distance", 4, 1000),
+      number_column("closest mm", "closest", 4, 1000),
       {"links", [](const Json& row) { return row["a"].is_null() ? "-" : pair_text(row); }}};
   if (!guarded.trajectory.times.empty()) {
     columns.push_back({guarded.trajectory.time_name, [](const Json& row) {

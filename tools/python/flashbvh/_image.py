@@ -32,7 +32,10 @@ class Image:
             image = Path(source).read_bytes()
         except OSError as error:
             raise Error(f"{path}: can't be read: {error.strerror}") from None
-        if image[:4] not in (b"FBVH", b"FBVR"):
+        kind = {b"FBVH": "Baked", b"FBVR": "Robot"}.get(image[:4])
+        if kind not in (None, cls.__name__):
+            raise Error(f"{path}: is an image of another kind; open it by {kind}.load()", "image_not_flashbvh")
+        if kind is None:
             raise Error(f"{path}: image_not_flashbvh; bake it: flashbvh {cls._baked_by} {path} -o baked --format image",
                         "image_not_flashbvh")
         return cls(image, path)
