@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "mesh/mesh_builder.hpp"
@@ -25,28 +26,35 @@ using Words = std::vector<std::string_view>;
 struct Type {
   std::string_view name;
   std::string_view other_name;
-  unsigned size;  ///< in bytes
-  enum { is_signed, is_unsigned, is_floating } kind;
+  bool is_floating;
+  std::size_t size;              ///< in bytes
+  double (*value)(const char*);  ///< of these bytes, the least first
 };
 
-constexpr std::array<Type, 8> kTypes = {{{"char", "int8", 1, Type::is_signed},
-                                         {"uchar", "uint8", 1, Type::is_unsigned},
-                                         {"short", "int16", 2, Type::is_signed},
-                                         {"ushort", "uint16", 2, Type::is_unsigned},
-                                         {"int", "int32", 4, Type::is_signed},
-                                         {"uint", "uint32", 4, Type::is_unsigned},
-                                         {"float", "float32", 4, Type::is_floating},
-                                         {"double", "float64", 8, Type::is_floating}}};
+template <class Number>
+constexpr Type type_of(std::string_view name, std::string_view other_name) {
+  return {name, other_name, std::is_floating_point_v<Number>, sizeof(Number),
+          [](const char* bytes) {
+            Number number{};
+            std::memcpy(&number, bytes, sizeof number);
+            return static_cast<double>(number);
+          }};
+}
 
-enum class Encoding { ascii, little_endian, big_endian };
-constexpr std::array<std::string_view, 3> kEncodings = {"ascii", "binary_little_endian",
-                                                        "binary_big_endian"};
+constexpr std::array<Type, 8> kTypes = {
+    {type_of<std::int8_t>("char", "int8"), type_of<std::uint8_t>("uchar", "uint8"),
+     type_of<std::int16_t>("short", "int16"), type_of<std::uint16_t>("ushort", "uint16"),
+     type_of<std::int32_t>("int", "int32"), type_of<std::uint32_t>("uint", "uint32"),
+     type_of<float>("float", "float32"), type_of<double>("double", "float64")}};
 
 struct Property {
+  /// What it gives the mesh: a vertex's coordinate, or a polygon's corners.
+  enum Role { x, y, z, corners, other };
+
   std::string_view name;
   Type value;
   std::optional<Type> length;  ///< of a list's length
-  enum { other, x, y, z, corners } role = other;
+  Role role;
 };
 
 struct Element {
@@ -57,14 +65,27 @@ struct Element {
 
 /// Element and property names are unique where they belong.
 struct Header {
-  std::optional<Encoding> encoding;  ///< always present after reading
+  std::string_view format;  ///< of the numbers; never empty after reading
   std::vector<Element> elements;
   std::string_view body;  ///< all that follows the header
 };
 
 template <class Named>
-auto find(std::vector<Named>& all, std::string_view name) {
-  return std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+const Named* find(const std::vector<Named>& all, std::string_view name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+Property::Role role_of(const Property& property, std::string_view element) {
+  const std::string_view name = property.name;
+  if (element == "vertex" && !property.length && name.size() == 1) {
+    return static_cast<Property::Role>(
+        std::min(std::string_view("xyz").find(name), std::size_t{Property::other}));
+  }
+  const bool is_corners = element == "face" && property.length && !property.value.is_floating &&
+                          (name == "vertex_indices" || name == "vertex_index");
+  return is_corners ? Property::corners : Property::other;
 }
 
 class HeaderReader {
@@ -81,7 +102,7 @@ class HeaderReader {
         continue;
       }
       if (words[0] == "end_header") {
-        need(header_.encoding.has_value(), "the header ends without a 'format'");
+        need(!header_.format.empty(), "the header ends without a 'format'");
         header_.body = lines_.rest();
         return std::move(header_);
       }
@@ -100,15 +121,15 @@ class HeaderReader {
   }
 
   void line(const Words& words) {
-    if (words[0] == "format" && words.size() == 3 && !header_.encoding) {
-      const auto* const found = std::find(kEncodings.begin(), kEncodings.end(), words[1]);
-      need(found != kEncodings.end(), "no format of PLY");
-      header_.encoding = static_cast<Encoding>(found - kEncodings.begin());
+    if (words[0] == "format" && words.size() == 3 && header_.format.empty()) {
+      header_.format = words[1];
+      need(words[1] == "ascii" || words[1] == "binary_little_endian" ||
+               words[1] == "binary_big_endian",
+           "no format of PLY");
     } else if (words[0] == "element" && words.size() == 3) {
       const auto count = parse_integer(words[2]);
       need(count && *count >= 0, "an element without a count");
-      need(find(header_.elements, words[1]) == header_.elements.end(), "a second element ",
-           quoted(words[1]));
+      need(find(header_.elements, words[1]) == nullptr, "a second element ", quoted(words[1]));
       header_.elements.push_back({words[1], *count, {}});
     } else if (words[0] == "property" && !header_.elements.empty()) {
       property(words);
@@ -120,14 +141,16 @@ class HeaderReader {
   void property(const Words& words) {
     const bool is_list = words.size() == 5 && words[1] == "list";
     need(words.size() == 3 || is_list, "no property of PLY");
-    std::vector<Property>& known = header_.elements.back().properties;
-    need(find(known, words.back()) == known.end(), "a second property ", quoted(words.back()));
-    Property made = {words.back(), type(words[words.size() - 2]), {}};
+    Element& element = header_.elements.back();
+    need(find(element.properties, words.back()) == nullptr, "a second property ",
+         quoted(words.back()));
+    Property made = {words.back(), type(words[words.size() - 2]), {}, Property::other};
     if (is_list) {
       made.length = type(words[2]);
-      need(made.length->kind != Type::is_floating, "a list whose length is no integer");
+      need(!made.length->is_floating, "a list whose length is no integer");
     }
-    known.push_back(made);
+    made.role = role_of(made, element.name);
+    element.properties.push_back(made);
   }
 
   Type type(std::string_view name) const {
@@ -143,70 +166,13 @@ class HeaderReader {
   Header header_;
 };
 
-/// Reads the numbers after the header in order.
-class Body {
- public:
-  explicit Body(const Header& header) : bytes_(header.body), encoding_(*header.encoding) {}
-
-  /// None if there is no such number; integers to 32 bits are exact.
-  std::optional<double> number(const Type& type) {
-    if (encoding_ == Encoding::ascii) {
-      bytes_.remove_prefix(std::min(bytes_.find_first_not_of(kBlanks), bytes_.size()));
-      word_ = bytes_.substr(0, bytes_.find_first_of(kBlanks));
-      bytes_.remove_prefix(word_.size());
-      return type.kind == Type::is_floating ? parse_number(word_) : integer(parse_integer(word_));
-    }
-    word_ = bytes_.substr(0, type.size);
-    if (word_.size() < type.size) {
-      word_ = {};
-      return std::nullopt;
-    }
-    bytes_.remove_prefix(type.size);
-    std::uint64_t bits = 0;
-    for (unsigned i = 0; i < type.size; ++i) {
-      const unsigned at = encoding_ == Encoding::little_endian ? type.size - 1 - i : i;
-      bits = bits << 8 | static_cast<unsigned char>(word_[at]);
-    }
-    if (type.kind == Type::is_floating) {
-      return type.size == 8
-                 ? number_of<double>(bits)
-                 : static_cast<double>(number_of<float>(static_cast<std::uint32_t>(bits)));
-    }
-    const auto value = static_cast<long long>(bits);
-    const long long range = 1LL << 8 * type.size;
-    return integer(type.kind == Type::is_signed && value >= range / 2 ? value - range : value);
-  }
-
-  /// That number() read last; empty at the end of the file.
-  std::string_view word() const { return word_; }
-  bool at_end() const {
-    return without_padding(bytes_).find_first_not_of(kBlanks) == std::string_view::npos;
-  }
-
- private:
-  static constexpr std::string_view kBlanks = " \t\r\n";
-
-  static std::optional<double> integer(std::optional<long long> value) {
-    return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
-  }
-
-  template <class Number, class Bits>
-  static Number number_of(Bits bits) {
-    static_assert(sizeof(Number) == sizeof bits);
-    Number number{};
-    std::memcpy(&number, &bits, sizeof number);
-    return number;
-  }
-
-  std::string_view bytes_;
-  std::string_view word_;
-  Encoding encoding_;
-};
-
 class PlyReader {
  public:
   PlyReader(std::string_view text, const std::string& file)
-      : file_(file), header_(HeaderReader(text, file).read()), body_(header_), builder_(file) {}
+      : file_(file),
+        header_(HeaderReader(text, file).read()),
+        rest_(header_.body),
+        builder_(file) {}
 
   FileMesh read() {
     check_header();
@@ -216,18 +182,24 @@ class PlyReader {
         read_element();
       }
     }
-    if (!body_.at_end()) {
+    if (without_padding(rest_).find_first_not_of(kBlanks) != std::string_view::npos) {
       throw UserError(file_, "has more than its header announces; export the mesh again");
     }
     for (const std::vector<std::uint32_t>& polygon : polygons_) {
       builder_.add_polygon(polygon);
     }
-    return builder_.finish();
+    FileMesh mesh = builder_.finish();
+    if (is_text()) {
+      warn_of_cut_line(without_padding(header_.body), mesh);
+    }
+    return mesh;
   }
 
-  bool is_text() const { return header_.encoding == Encoding::ascii; }
-
  private:
+  static constexpr std::string_view kBlanks = " \t\r\n";
+
+  bool is_text() const { return header_.format == "ascii"; }
+
   /// Names the element that is read.
   template <class... Parts>
   [[noreturn]] void refuse(const Parts&... what) const {
@@ -235,8 +207,8 @@ class PlyReader {
                     "; export the mesh again");
   }
 
-  /// Finds the coordinates and the corners.
   void check_header() {
+    std::array<int, Property::other + 1> count_of{};
     for (const Element& element : header_.elements) {
       element_ = &element;
       if (element.count != 0 && element.properties.empty()) {
@@ -245,31 +217,22 @@ class PlyReader {
       if (element.name == "tristrips" && element.count != 0) {
         throw UserError(file_, "has triangle strips ('tristrips'); export the mesh as polygons");
       }
+      for (const Property& property : element.properties) {
+        ++count_of[property.role];
+      }
     }
-    const auto vertices = find(header_.elements, "vertex");
-    const auto faces = find(header_.elements, "face");
-    if (vertices == header_.elements.end() || faces == header_.elements.end()) {
+    const Element* const vertices = find(header_.elements, "vertex");
+    if (vertices == nullptr || find(header_.elements, "face") == nullptr) {
       throw UserError(file_, "has no polygons ('vertex' and 'face'); export the mesh again");
     }
     vertex_count_ = vertices->count;
     for (const auto role : {Property::x, Property::y, Property::z}) {
-      const std::string_view name = std::string_view("xyz").substr(role - Property::x, 1);
-      const auto found = find(vertices->properties, name);
-      if (found == vertices->properties.end() || found->length) {
-        throw UserError(file_, "has vertices without a number ", quoted(name),
-                        "; export the mesh again");
-      }
-      found->role = role;
-    }
-    int lists = 0;
-    for (Property& property : faces->properties) {
-      if (property.length && property.value.kind != Type::is_floating &&
-          (property.name == "vertex_indices" || property.name == "vertex_index")) {
-        property.role = Property::corners;
-        ++lists;
+      if (count_of[role] == 0) {
+        throw UserError(file_, "has vertices without a number ",
+                        quoted(std::string_view("xyz").substr(role, 1)), "; export the mesh again");
       }
     }
-    if (lists != 1) {
+    if (count_of[Property::corners] != 1) {
       throw UserError(file_,
                       "has faces without one list of integers 'vertex_indices'; export the "
                       "mesh again");
@@ -280,61 +243,61 @@ class PlyReader {
   void read_element() {
     Position point{};
     for (const Property& property : element_->properties) {
-      const double length = property.length ? length_of(property) : 1;
+      const double length = property.length ? number(*property.length) : 1;
+      if (length < (property.role == Property::corners ? 3 : 0)) {
+        refuse("a ", property.role == Property::corners ? "polygon" : "list", " of ",
+               fixed(length, 0), property.role == Property::corners ? " corners" : "");
+      }
       if (property.role == Property::corners) {
         polygons_.emplace_back();
       }
       for (double at = 0; at < length; ++at) {
-        if (property.role == Property::other) {
-          skip(property.value);
-        } else if (property.role == Property::corners) {
+        if (property.role == Property::corners) {
           polygons_.back().push_back(corner(number(property.value)));
+        } else if (property.role == Property::other) {
+          next(property.value);  // does not affect the shape: may be any word
         } else {
-          point[property.role - Property::x] = coordinate(number(property.value));
+          point[property.role] = number(property.value);
         }
       }
     }
     if (element_->name == "vertex") {
+      if (!std::all_of(point.begin(), point.end(), is_coordinate)) {
+        refuse("no finite number of at most 3.4e38, which a coordinate must be");
+      }
       builder_.add_point(point);
     }
   }
 
-  double length_of(const Property& property) {
-    const double length = number(*property.length);
-    if (property.role == Property::corners && length < 3) {
-      refuse("a polygon of ", fixed(length, 0), " corners");
+  /// The bytes of the next number, not empty.
+  std::string_view next(const Type& type) {
+    if (is_text()) {
+      rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
     }
-    if (length < 0) {
-      refuse("a list of ", fixed(length, 0));
+    const std::size_t size = is_text() ? rest_.find_first_of(kBlanks) : type.size;
+    if (rest_.size() < (is_text() ? 1 : size)) {
+      refuse("the file ends here");
     }
-    return length;
+    const std::string_view found = rest_.substr(0, size);
+    rest_.remove_prefix(found.size());
+    return found;
   }
 
   double number(const Type& type) {
-    const std::optional<double> value = body_.number(type);
-    if (!value && body_.word().empty()) {
-      refuse("the file ends here");
+    const std::string_view found = next(type);
+    if (is_text()) {
+      const std::optional<double> value =
+          type.is_floating ? parse_number(found) : std::optional<double>(parse_integer(found));
+      if (!value) {
+        refuse(quoted(found), " is no ", type.is_floating ? "finite " : "", type.name);
+      }
+      return *value;
     }
-    if (!value) {
-      refuse(quoted(body_.word()), " is no ", type.kind == Type::is_floating ? "finite " : "",
-             type.name);
+    std::string bytes(found);
+    if (header_.format == "binary_big_endian") {
+      std::reverse(bytes.begin(), bytes.end());
     }
-    return *value;
-  }
-
-  /// A number that does not affect the shape may be any word.
-  void skip(const Type& type) {
-    (void)body_.number(type);
-    if (body_.word().empty()) {
-      refuse("the file ends here");
-    }
-  }
-
-  double coordinate(double number) const {
-    if (!is_coordinate(number)) {
-      refuse("no finite number of at most 3.4e38, which a coordinate must be");
-    }
-    return number;
+    return type.value(bytes.data());
   }
 
   std::uint32_t corner(double number) const {
@@ -346,7 +309,7 @@ class PlyReader {
 
   const std::string& file_;
   Header header_;
-  Body body_;
+  std::string_view rest_;             ///< not yet read
   const Element* element_ = nullptr;  ///< being read
   long long number_ = 0;              ///< of those with its name
   long long vertex_count_ = 0;
@@ -358,12 +321,7 @@ class PlyReader {
 
 FileMesh read_ply(std::string_view bytes, const std::string& file) {
   refuse_other_contents(bytes, file);
-  PlyReader reader(bytes, file);
-  FileMesh mesh = reader.read();
-  if (reader.is_text()) {
-    warn_of_cut_line(without_padding(bytes), mesh);
-  }
-  return mesh;
+  return PlyReader(bytes, file).read();
 }
 
 }  // namespace flashbvh::tool
