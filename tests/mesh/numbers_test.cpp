@@ -37,17 +37,9 @@ TEST_CASE("texts of numbers are those of <charconv>") {
 }
 
 TEST_CASE("words that are numbers are those of <charconv>") {
-  for (const char* const word : {"",       "-",
-                                 ".",      "1",
-                                 "-1",     "-+1",
-                                 "1.",     ".5",
-                                 "1e",     "1e5",
-                                 "1e+5",   "1E-5",
-                                 "e5",     "inf",
-                                 "1e-400", "nan",
-                                 "0x10",   " 1",
-                                 "1 ",     "1,5",
-                                 "1.5.5",  "4.9406564584124654e-324"}) {
+  for (const char* const word :
+       {"",     "-",  ".",   "1",      "-1",  "-+1",  "1.", ".5", "1e",  "1e5",   "1e+5",
+        "1E-5", "e5", "inf", "1e-400", "nan", "0x10", " 1", "1 ", "1,5", "1.5.5", "5e-324"}) {
     CAPTURE(word);
     double value = 0;
     const char* const end = word + std::strlen(word);

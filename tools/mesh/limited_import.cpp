@@ -37,26 +37,6 @@ std::uint64_t bytes_of_program() {
   return statm ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-/// Lets a handler run although the reader has exhausted the program's stack.
-class HandlerStack {
-#ifndef __EMSCRIPTEN__  // where no handler runs then
- public:
-  HandlerStack() : bytes_(0x10000) {
-    const stack_t own = {bytes_.data(), 0, bytes_.size()};
-    sigaltstack(&own, &before_);
-  }
-  HandlerStack(const HandlerStack&) = delete;
-  HandlerStack& operator=(const HandlerStack&) = delete;
-  ~HandlerStack() {
-    sigaltstack(&before_, nullptr);
-  }
-
- private:
-  std::vector<char> bytes_;
-  stack_t before_ = {};
-#endif
-};
-
 /// Sends SIGPROF after seconds of computing, which do not depend on the machine's load; 0: never.
 void set_timer(unsigned seconds) {
   itimerval timer = {};
@@ -68,6 +48,10 @@ void set_timer(unsigned seconds) {
 class Limits {
  public:
   explicit Limits(const ImportLimits& limits) {
+#ifndef __EMSCRIPTEN__  // where no handler runs
+    const stack_t own = {stack_.data(), 0, stack_.size()};
+    sigaltstack(&own, &stack_before_);
+#endif
     struct sigaction action = {};
     action.sa_handler = end_with_message;
     action.sa_flags = SA_ONSTACK;
@@ -90,13 +74,18 @@ class Limits {
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
       sigaction(kSignals[i], &actions_before_[i], nullptr);
     }
+#ifndef __EMSCRIPTEN__
+    sigaltstack(&stack_before_, nullptr);
+#endif
   }
 
  private:
   static constexpr std::array<int, 6> kSignals = {SIGABRT, SIGPROF, SIGBUS,
                                                   SIGFPE,  SIGILL,  SIGSEGV};
 
-  [[maybe_unused]] HandlerStack stack_;
+  /// Lets a handler run although the reader has exhausted the program's stack.
+  std::vector<char> stack_ = std::vector<char>(0x10000);
+  [[maybe_unused]] stack_t stack_before_ = {};
   std::array<struct sigaction, kSignals.size()> actions_before_ = {};
   rlimit memory_before_ = {};
 };

@@ -95,31 +95,22 @@ Unit Units::unit_of_file(const std::string& file, Unit says) const {
   return own == own_.end() ? says : own->second;
 }
 
-/// In lowest terms: a conversion from mm to m rounds each length once, by the division.
-struct Units::Ratio {
-  double numerator = 1;
-  double denominator = 1;
-
-  double of(double length) const { return length * numerator / denominator; }
-};
-
-Units::Ratio Units::ratio_of(const std::string& file, Unit says) const {
+double Units::converted(double length, const std::string& file, Unit says) const {
   const Unit own = unit_of_file(file, says);
   if (common_ == Unit::none || own == Unit::none) {
-    return {};
+    return length;
   }
-  const auto from = static_cast<double>(nanometres_in(own));
-  const auto to = static_cast<double>(nanometres_in(common_));
-  const auto common_part =
-      static_cast<double>(std::gcd(nanometres_in(own), nanometres_in(common_)));
-  return {from / common_part, to / common_part};  // whole numbers, exactly
+  const std::uint64_t from = nanometres_in(own);
+  const std::uint64_t to = nanometres_in(common_);
+  const std::uint64_t both = std::gcd(from, to);
+  // In lowest terms, a conversion from mm to m rounds each length once, by the division.
+  return length * static_cast<double>(from / both) / static_cast<double>(to / both);
 }
 
 void Units::convert(bake::SourceMesh& mesh, const std::string& file, Unit says) const {
-  const Ratio ratio = ratio_of(file, says);
   for (auto& vertex : mesh.vertices) {
     for (double& coordinate : vertex) {
-      coordinate = ratio.of(coordinate);
+      coordinate = converted(coordinate, file, says);
     }
   }
 }
@@ -130,10 +121,6 @@ std::string unit_name(Unit unit) {
 
 Unit unit_of_3mf(std::string_view name) {
   return unit_of(name, &Measure::name_in_3mf);
-}
-
-double Units::converted(double length, const std::string& file, Unit says) const {
-  return ratio_of(file, says).of(length);
 }
 
 std::string Units::contradiction(const std::string& file, Unit says) const {

@@ -41,8 +41,6 @@ class Units {
   std::string with_unit(double length) const;
 
  private:
-  struct Ratio;
-  Ratio ratio_of(const std::string& file, Unit says) const;
   Unit unit_of_file(const std::string& file, Unit says) const;
   void set_own(const std::string& place, const std::string& name, Unit unit,
                const std::vector<std::string>& files);
