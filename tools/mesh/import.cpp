@@ -13,7 +13,7 @@ namespace flashbvh::tool {
 namespace {
 
 struct Format {
-  std::string_view extension;
+  std::string_view extension;  ///< with its point
   FileMesh (*read)(std::string_view, const std::string&);
 };
 
@@ -21,28 +21,14 @@ FileMesh refuse_off(std::string_view, const std::string& file) {
   throw UserError(file, "is OFF, which is not read; convert it to STL, OBJ or PLY");
 }
 
-constexpr std::array<Format, 8> kFormats = {{{"stl", read_stl},
-                                             {"obj", read_obj},
-                                             {"ply", read_ply},
-                                             {"off", refuse_off},
-                                             {"dae", read_with_assimp},
-                                             {"gltf", read_with_assimp},
-                                             {"glb", read_with_assimp},
-                                             {"3mf", read_3mf}}};
-
-std::string lower_extension(const std::string& path) {
-  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
-  return extension.empty() ? extension : extension.substr(1);
-}
-
-/// Null if no format has this extension.
-const Format* format_of(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  const auto* const found =
-      std::find_if(kFormats.begin(), kFormats.end(),
-                   [&](const Format& known) { return known.extension == extension; });
-  return found == kFormats.end() ? nullptr : found;
-}
+constexpr std::array<Format, 8> kFormats = {{{".stl", read_stl},
+                                             {".obj", read_obj},
+                                             {".ply", read_ply},
+                                             {".off", refuse_off},
+                                             {".dae", read_with_assimp},
+                                             {".gltf", read_with_assimp},
+                                             {".glb", read_with_assimp},
+                                             {".3mf", read_3mf}}};
 
 }  // namespace
 
@@ -50,8 +36,11 @@ const char* const kMeshFormats = "STL, OBJ, PLY, DAE, glTF, GLB, 3MF";
 
 FileMesh import_mesh(const std::string& path, Warnings& warnings) {
   const std::string bytes = read_file(path);
-  const Format* const format = format_of(path);
-  if (format == nullptr) {
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
+  const auto* const format =
+      std::find_if(kFormats.begin(), kFormats.end(),
+                   [&](const Format& known) { return known.extension == extension; });
+  if (format == kFormats.end()) {
     throw UserError(path, "is no mesh by its extension; convert it to one of ", kMeshFormats);
   }
   if (format->read == read_with_assimp) {

@@ -56,26 +56,16 @@ inline const char* status_name(Status status) {
 
 namespace detail {
 
-/// Selects the type of a pair of triangles' ids by the index type.
+/// The types of pairs and cursors with indices of this type.
 template <class Index>
-struct PairOf {
-  /// The type with wider indices.
-  struct Type {
+struct TypesOf {
+  /// With wider indices.
+  struct Pair {
     Index a;
     Index b;
   };
-};
-/// The type that C has too.
-template <>
-struct PairOf<uint16_t> {
-  using Type = flashbvh_pair;
-};
-
-/// Selects a cursor's type by the index type.
-template <class Index>
-struct CursorOf {
-  /// The type with wider indices.
-  struct Type {
+  /// With wider indices.
+  struct Cursor {
     Index a;
     Index b;
     uint16_t untested;
@@ -85,24 +75,25 @@ struct CursorOf {
     Index witness_b;
   };
 };
-/// The type that C has too.
+/// The types that C has too.
 template <>
-struct CursorOf<uint16_t> {
-  using Type = flashbvh_cursor;
+struct TypesOf<uint16_t> {
+  using Pair = flashbvh_pair;
+  using Cursor = flashbvh_cursor;
 };
 
 }  // namespace detail
 
 /// A flashbvh_pair, or a struct of equal fields with wider indices.
 template <class Index>
-using TrianglePair = typename detail::PairOf<Index>::Type;
+using TrianglePair = typename detail::TypesOf<Index>::Pair;
 
 using RunResult = flashbvh_run_result;
 
 /// A stackless query's cursor between runs: a flashbvh_cursor, 12 bytes, or a struct of equal
 /// fields with wider indices, 20 bytes.
 template <class Index>
-using QueryCursor = typename detail::CursorOf<Index>::Type;
+using QueryCursor = typename detail::TypesOf<Index>::Cursor;
 
 }  // namespace flashbvh
 
