@@ -4,19 +4,21 @@ import shutil
 from pathlib import Path
 
 from cli import fixture, flashbvh, text, write
-from meshes import write_large_meshes, write_meshes
+from meshes import loose, tetrahedron, torus, write_stls
 
 HOME = "1 0 0 0 1 0 0 0 1"  # not rotated
 
 
 @fixture
 def meshes():
-    write_meshes("meshes")
+    write_stls("meshes", ring=torus(20, 10), many_sides=torus(30, 20), coarse=torus(8, 5),
+               tetrahedron=tetrahedron(), nan=tetrahedron(float("nan")), no_triangles=())
 
 
 @fixture
 def large_meshes():
-    write_large_meshes("meshes")
+    """Meshes that need more than 16-bit indices."""
+    write_stls("meshes", many_nodes=torus(200, 100), many_vertices=loose(22000), many_triangles=torus(200, 165))
 
 
 @fixture

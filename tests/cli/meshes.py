@@ -1,6 +1,6 @@
 """The meshes of the command line's tests."""
 import struct
-from math import cos, nan, pi, sin
+from math import cos, pi, sin
 from pathlib import Path
 
 
@@ -25,31 +25,16 @@ def loose(count):
         yield (x, y, 0), (x + 0.5, y, 0), (x, y + 0.5, 0)
 
 
-def write_stl(path, triangles):
-    records = [struct.pack("<12x9f2x", *(x for corner in triangle for x in corner)) for triangle in triangles]
-    header = b"solid".ljust(80, b"s")  # as some programs write it
-    Path(path).write_bytes(header + struct.pack("<I", len(records)) + b"".join(records))
-
-
 def tetrahedron(odd=10):
     """A tetrahedron; `odd` replaces one coordinate of one corner."""
     o, x, y, z = (0, 0, 0), (10, 0, 0), (0, 10, 0), (0, 0, 10)
     return (o, y, x), (o, z, y), (o, (odd, 0, 0), z), (x, y, z)
 
 
-def write_meshes(folder):
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, triangles in (
-            ("ring", torus(20, 10)), ("many_sides", torus(30, 20)), ("coarse", torus(8, 5)), ("tetrahedron", tetrahedron()),
-            ("nan", tetrahedron(nan)), ("no_triangles", ())):
-        write_stl(folder / f"{name}.stl", triangles)
-
-
-def write_large_meshes(folder):
-    """Writes meshes that need more than 16-bit indices."""
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, triangles in (("many_nodes", torus(200, 100)), ("many_vertices", loose(22000)),
-                            ("many_triangles", torus(200, 165))):
-        write_stl(folder / f"{name}.stl", triangles)
+def write_stls(folder, **meshes):
+    """Writes a file of each of these lists of triangles."""
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    for name, triangles in meshes.items():
+        records = [struct.pack("<12x9f2x", *(x for corner in triangle for x in corner)) for triangle in triangles]
+        header = b"solid".ljust(80, b"s")  # as some programs write it
+        Path(folder, f"{name}.stl").write_bytes(header + struct.pack("<I", len(records)) + b"".join(records))

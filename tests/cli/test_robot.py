@@ -130,11 +130,8 @@ class RobotTest(Case):
             "arm.urdf": "--output",
             "gone.urdf -o out": "gone.urdf",
             "arm.urdf -o out --format fbx": "--format",
-            "arm.urdf -o out --package parts=gone": "give another --package parts=DIR",
             "arm.urdf -o out --package parts": "is no NAME=DIR",
             "arm.urdf -o out --package parts=a --package parts=b": "is a second folder of parts",
             "arm.urdf -o out --cell 1e-9": "the finest that does is --cell",
             "arm.urdf -o out --cell 5.1e-6": "link 'base': is too large",
-            "arm.urdf -o out --stop -1": "is no length",
-            "arm.urdf -o out --stop 0.1 --warn 0.01": "is nearer than --stop",
         })
