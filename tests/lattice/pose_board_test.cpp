@@ -18,11 +18,10 @@ constexpr std::int32_t kNowhere[3] = {0, 0, 0};
 constexpr std::int32_t kOne = kRotationOne;
 
 Rotation scaled(Rotation rotation, std::int32_t by) {
-  for (auto& row : rotation.entry) {
-    for (std::int32_t& entry : row) {
-      entry = static_cast<std::int32_t>(std::int64_t{entry} * by / kOne);
-    }
-  }
+  for_entries([&](int i, int j) {
+    std::int32_t& entry = rotation.entry[i][j];
+    entry = static_cast<std::int32_t>(std::int64_t{entry} * by / kOne);
+  });
   return rotation;
 }
 
@@ -54,11 +53,7 @@ TEST_CASE("every rotation of a cube is exact, and the identity is a translation"
     const bool identity = q.x == 0 && q.y == 0 && q.z == 0;
     REQUIRE(pose.is_translation() == identity);
     int wholes = 0;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        wholes += std::abs(pose.rotation(i, j)) == kOne ? 1 : 0;
-      }
-    }
+    for_entries([&](int i, int j) { wholes += std::abs(pose.rotation(i, j)) == kOne ? 1 : 0; });
     if (wholes == 3 && !identity) {
       ++exact;
       CHECK(pose.matrix().defect == 0);
@@ -72,11 +67,9 @@ TEST_CASE("a pose keeps what it is given, to 2^-22") {
     const Rotation rotation = rotation_of(any_quaternion(random));
     const Pose pose = Pose::rigid(rotation.entry, {1, -2, 3}, {4, -5, 32767});
     REQUIRE(pose.status() == Status::done);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        REQUIRE(std::abs(pose.rotation(i, j) - rotation.entry[i][j]) <= 128);
-      }
-    }
+    for_entries([&](int i, int j) {
+      REQUIRE(std::abs(pose.rotation(i, j) - rotation.entry[i][j]) <= 128);
+    });
     CHECK(pose.translation(1) == -2);
     CHECK(pose.fraction(2) == 32767);
   });
@@ -100,15 +93,11 @@ TEST_CASE("a matrix that is no rotation within the tolerance is refused, not rep
   const std::int32_t zero[3][3] = {};
   CHECK(Pose::rigid(zero, kNowhere).status() == Status::not_a_rotation);
   for (const std::int32_t extreme : {INT32_MIN, INT32_MAX}) {
-    std::int32_t wild[3][3] = {{kOne, 0, 0}, {0, kOne, 0}, {0, 0, kOne}};
-    for (auto& row : wild) {
-      for (std::int32_t& entry : row) {
-        const std::int32_t before = entry;
-        entry = extreme;
-        CHECK(Pose::rigid(wild, kNowhere).status() == Status::not_a_rotation);
-        entry = before;
-      }
-    }
+    for_entries([extreme](int i, int j) {
+      std::int32_t wild[3][3] = {{kOne, 0, 0}, {0, kOne, 0}, {0, 0, kOne}};
+      wild[i][j] = extreme;
+      CHECK(Pose::rigid(wild, kNowhere).status() == Status::not_a_rotation);
+    });
   }
   const std::int32_t sheared[3][3] = {{kOne, kOne >> 10, 0}, {0, kOne, 0}, {0, 0, kOne}};
   CHECK(Pose::rigid(sheared, kNowhere).status() == Status::not_a_rotation);
@@ -168,12 +157,10 @@ TEST_CASE("an inverse leads back, and to the relative pose of two objects in a w
     const Pose b = any_rigid_pose(random, 16383);
     const Pose back = Pose::composed(a.inverse(), a);
     REQUIRE(back.status() == Status::done);
-    for (int i = 0; i < 3; ++i) {
+    for_entries([&](int i, int j) {
       REQUIRE(std::llabs(fine_translation(back, i)) < 65536 / 64);
-      for (int j = 0; j < 3; ++j) {
-        REQUIRE(std::abs(back.rotation(i, j) - (i == j ? kOne : 0)) <= 8 << 8);
-      }
-    }
+      REQUIRE(std::abs(back.rotation(i, j) - (i == j ? kOne : 0)) <= 8 << 8);
+    });
     const Pose relative = Pose::composed(a, Pose::relative(a, b));
     for (int i = 0; i < 3; ++i) {
       REQUIRE(std::llabs(fine_translation(relative, i) - fine_translation(b, i)) < 65536 / 16);
@@ -192,15 +179,13 @@ TEST_CASE("a pose's defect bounds how far it is from a rotation, however it was 
   Random random = test_random(7);
   const auto check = [&random](const Pose& pose) {
     double square[3][3];  // R^T R - 1
-    for (int j = 0; j < 3; ++j) {
-      for (int k = 0; k < 3; ++k) {
-        double sum = j == k ? -1 : 0;
-        for (int i = 0; i < 3; ++i) {
-          sum += static_cast<double>(pose.rotation(i, j)) / kOne * pose.rotation(i, k) / kOne;
-        }
-        square[j][k] = sum;
+    for_entries([&](int j, int k) {
+      square[j][k] = j == k ? -1 : 0;
+      for (int i = 0; i < 3; ++i) {
+        square[j][k] +=
+            static_cast<double>(pose.rotation(i, j)) / kOne * pose.rotation(i, k) / kOne;
       }
-    }
+    });
     const double defect = pose.is_translation() ? 0 : pose.matrix().defect / 16777216.0;
     for (int direction = 0; direction < 20; ++direction) {
       double d[3];
@@ -210,22 +195,14 @@ TEST_CASE("a pose's defect bounds how far it is from a rotation, however it was 
         part = random.between(-1000, 1000);
         length += part * part;
       }
-      for (int j = 0; j < 3; ++j) {
-        for (int k = 0; k < 3; ++k) {
-          stretch += d[j] * square[j][k] * d[k];
-        }
-      }
+      for_entries([&](int j, int k) { stretch += d[j] * square[j][k] * d[k]; });
       REQUIRE(std::abs(stretch) <= (defect + 1e-12) * length);
     }
   };
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);
     Rotation coarse = rotation_of(any_quaternion(random));
-    for (auto& row : coarse.entry) {
-      for (std::int32_t& entry : row) {
-        entry &= round % 2 == 0 ? ~0x3FFF : ~0;
-      }
-    }
+    for_entries([&](int i, int j) { coarse.entry[i][j] &= round % 2 == 0 ? ~0x3FFF : ~0; });
     const Pose link = Pose::rigid(coarse.entry, kNowhere);
     REQUIRE(link.status() == Status::done);
     check(link);

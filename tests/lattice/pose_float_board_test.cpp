@@ -23,41 +23,6 @@ constexpr float kNowhere[] = {kNan,     -kNan,     kInfinity, -kInfinity,
 constexpr float kOrigin[3] = {0, 0, 0};
 constexpr UnitQuaternion kUnrotated = {1, 0, 0, 0};
 
-struct FloatMatrix {
-  float entry[3][3];
-};
-
-FloatMatrix floats_of(const Rotation& rotation) {
-  FloatMatrix floats{};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      floats.entry[i][j] = static_cast<float>(rotation.entry[i][j]) / kRotationOne;
-    }
-  }
-  return floats;
-}
-
-/// The numbers in fixed point, computed in double, which holds them exactly.
-Rotation fixed_of(const FloatMatrix& floats) {
-  Rotation rotation{};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const double scaled = static_cast<double>(floats.entry[i][j]) * kRotationOne;
-      rotation.entry[i][j] = static_cast<std::int32_t>(std::round(scaled));
-    }
-  }
-  return rotation;
-}
-
-void check_same_rotation(const Pose& p, const Pose& q) {
-  REQUIRE(p.status() == q.status());
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      CHECK(p.rotation(i, j) == q.rotation(i, j));
-    }
-  }
-}
-
 UnitQuaternion scaled(const Quaternion& q, double length) {
   const double w = q.w, x = q.x, y = q.y, z = q.z;
   const double scale = length / std::sqrt(w * w + x * x + y * y + z * z);
@@ -76,12 +41,9 @@ double distance(const Pose& pose, const UnitQuaternion& q) {
       {2 * (x * y + z * w), w * w - x * x + y * y - z * z, 2 * (y * z - x * w)},
       {2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z}};
   double most = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const double off = pose.rotation(i, j) - exact[i][j] / square * kRotationOne;
-      most = std::fabs(off) > most ? std::fabs(off) : most;
-    }
-  }
+  for_entries([&](int i, int j) {
+    most = std::fmax(most, std::fabs(pose.rotation(i, j) - exact[i][j] / square * kRotationOne));
+  });
   return most;
 }
 
@@ -92,23 +54,24 @@ constexpr double kRounding = 128 + 8;
 
 TEST_CASE("a matrix of floats is the pose of the same numbers in fixed point") {
   for_rounds(500, [&](Random& random, int) {
-    const FloatMatrix floats = floats_of(rotation_of(any_quaternion(random)));
-    const Pose wanted = Pose::rigid(fixed_of(floats).entry, {7, -8, 9});
-    const Pose pose = pose_of(floats.entry, {7, -8, 9}, 1);
-    REQUIRE(pose.status() == Status::done);
-    check_same_rotation(pose, wanted);
-    float rows[3][4];
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        rows[i][j] = floats.entry[i][j];
-      }
-      rows[i][3] = static_cast<float>(i == 1 ? -8 : 7 + i);
-      CHECK(pose.translation(i) == wanted.translation(i));
+    Rotation rotation = rotation_of(any_quaternion(random));
+    float matrix[3][3];
+    float rows[3][4] = {{0, 0, 0, 7}, {0, 0, 0, -8}, {0, 0, 0, 9}};
+    for_entries([&](int i, int j) {
+      std::int32_t& entry = rotation.entry[i][j];
+      matrix[i][j] = rows[i][j] = static_cast<float>(entry) / kRotationOne;
+      // Doubles hold the product exactly.
+      entry =
+          static_cast<std::int32_t>(std::round(static_cast<double>(matrix[i][j]) * kRotationOne));
+    });
+    const Pose wanted = Pose::rigid(rotation.entry, {7, -8, 9});
+    for (const Pose& pose : {pose_of(matrix, {7, -8, 9}, 1), pose_of(rows, 1)}) {
+      REQUIRE(pose.status() == Status::done);
+      for_entries([&](int i, int j) {
+        CHECK(pose.rotation(i, j) == wanted.rotation(i, j));
+        CHECK(pose.translation(i) == wanted.translation(i));
+      });
     }
-    const Pose by_rows = pose_of(rows, 1);
-    check_same_rotation(by_rows, wanted);
-    CHECK(by_rows.translation(1) == -8);
-    CHECK(by_rows.translation(2) == 9);
   });
 }
 
@@ -180,16 +143,16 @@ TEST_CASE("what is no number or out of range is a status, wherever it stands") {
       translated[axis] = bad;
       CHECK(pose_of(kUnrotated, translated, 1).status() == Status::translation_out_of_range);
     }
-    for (int column = 0; column < 3; ++column) {
-      for (const float bad : kNoRotation) {
-        CAPTURE(axis, column, bad);
-        float matrix[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        matrix[axis][column] = bad;
-        CHECK(pose_of(matrix, kOrigin, 1).status() == Status::not_a_rotation);
-        CHECK(pose_of(matrix, {kNan, 0, 0}, 1).status() == Status::translation_out_of_range);
-      }
-    }
   }
+  for_entries([](int row, int column) {
+    for (const float bad : kNoRotation) {
+      CAPTURE(row, column, bad);
+      float matrix[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      matrix[row][column] = bad;
+      CHECK(pose_of(matrix, kOrigin, 1).status() == Status::not_a_rotation);
+      CHECK(pose_of(matrix, {kNan, 0, 0}, 1).status() == Status::translation_out_of_range);
+    }
+  });
   for (const float bad : kNoRotation) {
     CHECK(pose_of(UnitQuaternion{bad, 0, 0, 0}, kOrigin, 1).status() == Status::not_a_rotation);
     CHECK(pose_of(UnitQuaternion{0, bad, 0, 1}, kOrigin, 1).status() == Status::not_a_rotation);

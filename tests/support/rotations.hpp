@@ -17,6 +17,14 @@ struct Rotation {
   int32_t entry[3][3];  ///< kRotationOne is 1
 };
 
+/// Calls use(row, column) for each entry.
+template <class Use>
+void for_entries(const Use& use) {
+  for (int i = 0; i < 9; ++i) {
+    use(i / 3, i % 3);
+  }
+}
+
 /// The rotation of a quaternion, each entry rounded to the nearest.
 inline Rotation rotation_of(const Quaternion& q) {
   const auto product = [](int32_t u, int32_t v) { return static_cast<int64_t>(u) * v; };
