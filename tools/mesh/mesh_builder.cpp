@@ -16,7 +16,7 @@ void MeshBuilder::begin_part(const Placement& placement) {
 }
 
 void MeshBuilder::add_point(const Position& point) {
-  points_.push_back({placement_ ? placed(point) : point, kUnused});
+  points_.push_back(placement_ ? placed(point) : point);
 }
 
 Position MeshBuilder::placed(const Position& point) {
@@ -39,26 +39,27 @@ Position MeshBuilder::placed(const Position& point) {
 }
 
 void MeshBuilder::add_polygon(const std::vector<std::uint32_t>& points) {
-  std::vector<std::uint32_t> order = points;
-  if (placement_ && is_mirrored(*placement_)) {
-    std::reverse(order.begin() + 1, order.end());
-  }
   std::vector<Position> corners;
-  corners.reserve(order.size());
-  for (const std::uint32_t point : order) {
-    corners.push_back(points_[first_ + point].position);
+  corners.reserve(points.size());
+  for (const std::uint32_t point : points) {
+    corners.push_back(points_[first_ + point]);
+  }
+  if (placement_ && is_mirrored(*placement_)) {
+    std::reverse(corners.begin() + 1, corners.end());
   }
   for (const auto& [a, b, c] : triangulate(corners)) {
-    const std::uint32_t first = vertex_of(points_[first_ + order[a]]);
-    const std::uint32_t second = vertex_of(points_[first_ + order[b]]);
-    add({first, second, vertex_of(points_[first_ + order[c]])});
+    add_triangle({corners[a], corners[b], corners[c]});
   }
 }
 
 void MeshBuilder::add_triangle(const std::array<Position, 3>& corners) {
-  const std::uint32_t first = vertex_at(corners[0]);
-  const std::uint32_t second = vertex_at(corners[1]);
-  add({first, second, vertex_at(corners[2])});
+  // Keeps the vertices, at most three per triangle, within 32-bit numbers.
+  constexpr std::uint32_t kMost = 0xFFFFFFFF / 3;
+  if (built_.mesh.triangles.size() == kMost) {
+    throw UserError(file_, "has over ", kMost, " triangles; cut the mesh in parts");
+  }
+  built_.mesh.triangles.push_back(
+      {vertex_at(corners[0]), vertex_at(corners[1]), vertex_at(corners[2])});
 }
 
 FileMesh MeshBuilder::finish() {
@@ -78,21 +79,6 @@ std::uint32_t MeshBuilder::vertex_at(const Position& position) {
     built_.mesh.vertices.push_back(position);
   }
   return entry->second;
-}
-
-std::uint32_t MeshBuilder::vertex_of(FilePoint& point) {
-  if (point.vertex == kUnused) {
-    point.vertex = vertex_at(point.position);
-  }
-  return point.vertex;
-}
-
-void MeshBuilder::add(const bake::TriangleCorners& triangle) {
-  // Keeps the vertices, at most three per triangle, within 32-bit numbers.
-  if (built_.mesh.triangles.size() == kUnused / 3) {
-    throw UserError(file_, "has over ", kUnused / 3, " triangles; cut the mesh in parts");
-  }
-  built_.mesh.triangles.push_back(triangle);
 }
 
 double coordinate(std::string_view word, const std::string& file, std::size_t line) {

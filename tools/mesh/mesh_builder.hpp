@@ -58,19 +58,11 @@ class MeshBuilder {
   double largest() const { return largest_; }
 
  private:
-  static constexpr std::uint32_t kUnused = 0xFFFFFFFF;
-  struct FilePoint {
-    Position position;
-    std::uint32_t vertex;  ///< in the mesh, from its first use on
-  };
-
   Position placed(const Position& point);
   std::uint32_t vertex_at(const Position& position);
-  std::uint32_t vertex_of(FilePoint& point);
-  void add(const bake::TriangleCorners& triangle);
 
   std::string file_;
-  std::vector<FilePoint> points_;
+  std::vector<Position> points_;
   std::size_t first_ = 0;  ///< of the part's points
   std::optional<Placement> placement_;
   double largest_ = 0;

@@ -116,25 +116,6 @@ FileMesh read_scene(const std::string& file) {
   return SceneReader(*scene, file).read();
 }
 
-FileMesh read_checked(std::string_view bytes, const std::string& file) {
-  const std::string kind = lower_case(std::filesystem::path(file).extension().string());
-  if (kind != ".gltf" && kind != ".glb") {
-    if (kind == ".dae") {
-      check_collada(bytes, file);
-    }
-    return read_scene(file);
-  }
-  const GltfContents contents = check_gltf(bytes, file);
-  FileMesh mesh = read_scene(file);
-  if (mesh.mesh.triangles.size() != contents.triangles) {
-    throw UserError(file, "has ", contents.triangles, " triangles, of which assimp reads ",
-                    mesh.mesh.triangles.size(),
-                    ": others have corners at no vertex; export the mesh again");
-  }
-  mesh.warnings.insert(mesh.warnings.end(), contents.warnings.begin(), contents.warnings.end());
-  return mesh;
-}
-
 }  // namespace
 
 FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
@@ -144,7 +125,19 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw UserError(file, "is a pipe, from which this format can't be read; name a file");
   }
-  FileMesh mesh = read_checked(bytes, file);
+  const std::string kind = lower_case(std::filesystem::path(file).extension().string());
+  const bool is_gltf = kind == ".gltf" || kind == ".glb";
+  if (kind == ".dae") {
+    check_collada(bytes, file);
+  }
+  const GltfContents contents = is_gltf ? check_gltf(bytes, file) : GltfContents();
+  FileMesh mesh = read_scene(file);
+  if (is_gltf && mesh.mesh.triangles.size() != contents.triangles) {
+    throw UserError(file, "has ", contents.triangles, " triangles, of which assimp reads ",
+                    mesh.mesh.triangles.size(),
+                    ": others have corners at no vertex; export the mesh again");
+  }
+  mesh.warnings.insert(mesh.warnings.end(), contents.warnings.begin(), contents.warnings.end());
   mesh.unit = Unit::m;  // assimp applies the unit of a DAE
   return mesh;
 }
