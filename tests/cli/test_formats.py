@@ -71,17 +71,12 @@ class FormatsTest(Case):
             "--simplify 0.05": "--simplify 0.05: is less than rounding moves a vertex of far.gltf, 0.0541",
         })
 
-    def test_gltf_with_a_file_beside_it_glb_which_is_the_same_in_one_and_its_first_version_which_assimp_misreads(self):
-        write("beside.gltf", gltf(1, "triangle.bin"))
-        refuse("bake beside.gltf -o out", "beside.gltf: can't be read")
-        Path("triangle.bin").write_bytes(TRIANGLE)
-        found = baked_box("beside.gltf", 1)
-        self.assertEqual(found, [[1, 0, 0], [2, 1, 0]])
+    def test_glb_and_its_first_version_which_assimp_misreads(self):
         scene = gltf(1, "").replace(',"uri":""', "").replace("\n", " ").encode()
         scene = scene + b" " * (-len(scene) % 4)
         chunks = struct.pack("<I4s", len(scene), b"JSON") + scene + struct.pack("<I4s", 36, b"BIN\0") + TRIANGLE
         Path("part.glb").write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
-        self.assertEqual(baked_box("part.glb", 1), found)
+        self.assertEqual(baked_box("part.glb", 1), [[1, 0, 0], [2, 1, 0]])
         Path("first.glb").write_bytes(struct.pack("<4sII", b"glTF", 1, 12 + len(chunks)) + chunks)
         refuse("bake first.glb -o out", "first.glb: is of glTF 1; export it as glTF 2")
         os.rename("part.glb", "part.GLB")
