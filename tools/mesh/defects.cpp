@@ -30,20 +30,6 @@ std::array<double, 3> difference(const Vertex& p, const Vertex& q) {
   return {1.0 * q.x - p.x, 1.0 * q.y - p.y, 1.0 * q.z - p.z};
 }
 
-template <class Mesh>
-TriangleIds without_area(const Mesh& mesh) {
-  TriangleIds found;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const TriangleCorners& corners = mesh.triangles[i];
-    const auto& apex = mesh.vertices[corners[0]];
-    if (are_parallel(difference(apex, mesh.vertices[corners[1]]),
-                     difference(apex, mesh.vertices[corners[2]]))) {
-      found.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
-  return found;
-}
-
 /// Orders by `first`, then by `second`, in one comparison.
 std::uint64_t key_of(std::uint32_t first, std::uint32_t second) {
   return std::uint64_t{first} << 32 | second;
@@ -82,13 +68,22 @@ std::vector<Edge> edges_of(const std::vector<TriangleCorners>& triangles,
 
 }  // namespace
 
-TriangleIds degenerate_triangles(const bake::SourceMesh& mesh) {
-  return without_area(mesh);
+template <class Mesh>
+TriangleIds degenerate_triangles(const Mesh& mesh) {
+  TriangleIds found;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const TriangleCorners& corners = mesh.triangles[i];
+    const auto& apex = mesh.vertices[corners[0]];
+    if (are_parallel(difference(apex, mesh.vertices[corners[1]]),
+                     difference(apex, mesh.vertices[corners[2]]))) {
+      found.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return found;
 }
 
-TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh) {
-  return without_area(mesh);
-}
+template TriangleIds degenerate_triangles(const bake::SourceMesh& mesh);
+template TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh);
 
 TriangleIds duplicate_triangles(const std::vector<TriangleCorners>& triangles) {
   // Two corners; the third one and the triangle.

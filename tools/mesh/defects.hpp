@@ -14,8 +14,8 @@ using TriangleIds = std::vector<std::uint32_t>;
 
 /// Triangles without area: their corners coincide or lie on a line. Decided exactly, on differences
 /// of coordinates rounded to doubles; those of a lattice are exact.
-TriangleIds degenerate_triangles(const bake::SourceMesh& mesh);
-TriangleIds degenerate_triangles(const bake::LatticeMesh& mesh);
+template <class Mesh>
+TriangleIds degenerate_triangles(const Mesh& mesh);
 
 /// Triangles that have the three vertices of an earlier one, in any order. O(n log n).
 TriangleIds duplicate_triangles(const std::vector<bake::TriangleCorners>& triangles);

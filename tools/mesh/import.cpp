@@ -43,7 +43,11 @@ FileMesh import_mesh(const std::string& path, Warnings& warnings) {
   if (format == kFormats.end()) {
     throw UserError(path, "is no mesh by its extension; convert it to one of ", kMeshFormats);
   }
-  if (format->read == read_with_assimp) {
+  const bool is_scene = format->read == read_with_assimp || format->read == read_3mf;
+  if (is_scene && !std::filesystem::is_regular_file(path)) {
+    throw UserError(path, "is a pipe, from which this format can't be read; name a file");
+  }
+  if (is_scene) {
     refuse_other_contents(bytes, path);
   }
   FileMesh mesh =

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -256,9 +255,6 @@ class Reader {
 }  // namespace
 
 FileMesh read_3mf(std::string_view, const std::string& file) {
-  if (!std::filesystem::is_regular_file(file)) {
-    throw UserError(file, "is a pipe, from which this format can't be read; name a file");
-  }
   return Reader(file).read();
 }
 

@@ -122,9 +122,6 @@ FileMesh read_with_assimp(std::string_view bytes, const std::string& file) {
   if (bytes.substr(0, 5) == "glTF\1") {
     throw UserError(file, "is of glTF 1; export it as glTF 2");  // assimp reads it wrongly
   }
-  if (!std::filesystem::is_regular_file(file)) {
-    throw UserError(file, "is a pipe, from which this format can't be read; name a file");
-  }
   const std::string kind = lower_case(std::filesystem::path(file).extension().string());
   const bool is_gltf = kind == ".gltf" || kind == ".glb";
   if (kind == ".dae") {
