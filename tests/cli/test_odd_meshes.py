@@ -5,9 +5,7 @@ import shutil
 from cli import Case, fixture, FLASHBVH, flashbvh, refuse, refuse_each, run, search, write
 from inputs import box, meshes, numbers
 
-# A closed box of 8.
-BOX = "\n".join(["v 0 0 0", "v 8 0 0", "v 8 8 0", "v 0 8 0", "v 0 0 8", "v 8 0 8", "v 8 8 8", "v 0 8 8", "f 4 3 2 1",
-                 "f 5 6 7 8", "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7", "f 4 1 5 8", ""])
+BOX = box(size=8)
 
 
 def closed_box():
@@ -19,7 +17,7 @@ def closed_box():
 def odd():
     closed_box()
     meshes()
-    write("mesh.obj", BOX + "v 0.1 0.2 0\nv 0.2 0.1 0\nf 1 3 3\nf 1 9 10\nf 2 4 3\nf 6 5 7\n")
+    write("mesh.obj", BOX + "v 0.1 0.2 0\nv 0.2 0.1 0\nf 1 3 3\nf 1 9 10\nf 3 4 1\nf 6 8 5\n")
     flashbvh("bake box.obj -o box --cell 1")
 
 
@@ -74,12 +72,12 @@ class OddMeshesTest(Case):
     def test_a_surface_that_is_open_non_manifold_or_twisted_is_said_to_be_so(self):
         is_open = "no closed surface"
         inside = "what lies inside the solid is unknown"
-        last = "f 4 1 5 8\n"
+        last = "f 2 4 8 6\n"
         for mesh, wanted in (
                 (BOX.replace(last, ""), f"{is_open} (4 boundary edges of one triangle): {inside}"),
                 (BOX + "v 4 4 12\nf 7 8 9\n",
                  f"{is_open} (2 boundary edges of one triangle, 1 non-manifold edge of more than two): {inside}"),
-                (BOX.replace(last, "f 8 5 1 4\n"),
+                (BOX.replace(last, "f 6 8 4 2\n"),
                  f"{is_open} (4 edges of two that face opposite ways): {inside}, nor which way normals face")):
             with self.subTest(wanted):
                 write("mesh.obj", mesh)
