@@ -7,15 +7,11 @@ using Names = std::vector<std::string>;
 
 namespace {
 
-double first_coordinate(const TextFormat& format, const std::string& word) {
-  return format.read(format.before + "  " + word + "\t1 2\n" + format.after, "file")
-      .mesh.vertices.at(0)[0];
-}
-
 /// Compares bits, including the sign of zero. The C library's conversion is independent, and rounds
 /// to nearest.
 bool reads_as(const TextFormat& format, const std::string& word, double wanted) {
-  const double found = first_coordinate(format, word);
+  const std::string text = format.before + "  " + word + "\t1 2\n" + format.after;
+  const double found = format.read(text, "file").mesh.vertices.at(0)[0];
   return std::memcmp(&found, &wanted, sizeof found) == 0;
 }
 
