@@ -42,6 +42,7 @@ struct Board {
     last = count;
     return static_cast<uint32_t>(ticks / 25);
   }
+  void listen() {}
   static void set_led(bool is_on) {
     *reinterpret_cast<volatile uint32_t*>(0x40028000) = is_on ? 1 : 0;
   }

@@ -16,9 +16,10 @@ class ServoGuard(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.rig = Rig(os.environ["MACHINE"], os.environ["FIRMWARE"], os.environ["ARM"], self.folder.name)
+        self.addCleanup(self.close)
         self.assertTrue(self.rig.says("free"), self.rig.text()[-3:])
 
-    def tearDown(self):
+    def close(self):
         self.rig.close()
         print(*self.rig.text()[-1:])
         self.folder.cleanup()
