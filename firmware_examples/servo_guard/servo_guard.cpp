@@ -8,6 +8,7 @@ using namespace flashbvh;
 
 namespace {
 
+constexpr int32_t kSlack = 3;  ///< counts beyond a joint's limits that are taken for the limit
 constexpr JointCoordinate kCount = (1 << 28) / kCounts;  ///< a joint's coordinate a count
 
 int32_t least(int32_t a, int32_t b) {
@@ -365,7 +366,7 @@ void ServoGuard::start() {
   for (uint32_t i = 0; i < count_; ++i) {
     Joint& joint = joints_[i];
     joint.sent = joint.wanted = clipped(joint.measured, joint.lowest, joint.highest);
-    if (apart(joint.sent, joint.measured) > kNear) {
+    if (apart(joint.sent, joint.measured) > kSlack) {
       return stop(State::refused, i);
     }
     joint.low = least(joint.sent, joint.measured);
@@ -390,7 +391,7 @@ bool ServoGuard::is_near() const {
   return is;
 }
 
-/// Whether all pairs keep their stop distances wherever the servos go now.
+/// Whether all pairs keep their stop distances, or get no deeper, wherever the servos go now.
 bool ServoGuard::is_box_free() {
   JointCoordinate from[kMaxServos];
   JointCoordinate to[kMaxServos];
@@ -405,7 +406,7 @@ bool ServoGuard::is_box_free() {
     return false;
   }
   const GuardAnswer answer = guard_->update(to, kWork);
-  return answer.status == Status::done && answer.verdict <= Verdict::warn;
+  return answer.status == Status::done && answer.verdict <= Verdict::leaving;
 }
 
 /// The next goals, if the servos may have them yet.

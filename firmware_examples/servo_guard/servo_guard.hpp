@@ -24,7 +24,7 @@ namespace servo {
 
 constexpr uint32_t kPeriod = 5'000;  ///< in microseconds, as all times
 constexpr int32_t kCounts = 4096;    ///< of a turn
-constexpr int32_t kNear = 3;         ///< counts from its goal, at most, of a servo that arrived
+constexpr int32_t kNear = 1;         ///< counts from its goal, at most, of a servo that arrived
 constexpr int32_t kMoved = 64;       ///< counts from its goal, at least, of a servo that won't
 constexpr uint8_t kStill = 10;       ///< readings of a servo that stands still
 constexpr uint8_t kStalled = 100;    ///< readings of a servo that gave up its goal

@@ -180,7 +180,7 @@ class Rig:
         return {servo.number: round(servo.at) for servo in self.servos.values()}
 
 
-def hostile(rig, count, seed=1, pause=0.005):
+def hostile(rig, count, seed, pause=0.005):
     """Sends goals as no host should: everywhere, in bursts, in pieces, broken, with junk and silence between them."""
     draw = random.Random(seed)
     aim = rig.at()

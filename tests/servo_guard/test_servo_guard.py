@@ -1,7 +1,7 @@
 """The servo guard's firmware in QEMU, against a bus, a hostile host and a judge.
 
 FIRMWARE on QEMU's MACHINE. ARM: the servos' file. JUDGE: the program that judges. ROBOT: URDF, image, and how much
-nearer than the stop distance servos may bring links, in metres; then packages. COMMANDS: how many.
+nearer than the stop distance servos may bring links, in metres; then packages. COMMANDS: how many, by SEED.
 """
 import os
 import random
@@ -47,7 +47,7 @@ class ServoGuard(unittest.TestCase):
     def test_hostile_host(self):
         rig = self.rig
         home = rig.at()
-        hostile(rig, int(os.environ.get("COMMANDS", 2000)))
+        hostile(rig, int(os.environ.get("COMMANDS", 2000)), os.environ.get("SEED", "1"))
         self.judge()
         draw = random.Random(1)  # the straight way home may be closed
         self.assertTrue(any(self.go(home, 4) or self.go({number: draw.randrange(TURN) for number in home}, 2)
