@@ -1,4 +1,5 @@
 """Meaningless command lines are refused with one line that names the help."""
+import itertools
 import os
 import shutil
 import struct
@@ -113,21 +114,19 @@ class RefusalsTest(Case):
         flashbvh("robot arm.urdf -o baked --format image")
         two = "images/ring.fbvh images/ring.fbvh"
         robot_files = "arm.urdf arm.srdf elsewhere/part.stl"
-        for inputs, output, arguments in (
-                ("meshes/ring.stl", "to/ring.fbvh", "bake meshes/ring.stl -o to --format both"),
-                ("meshes/ring.stl", "to/ring.fbvh.h", "bake meshes/ring.stl -o to --format both"),
-                ("meshes/ring.stl", "to/ring.fbvh.c", "bake meshes/ring.stl -o to --format both"),
+        for inputs, outputs, arguments in (
+                ("meshes/ring.stl", "to/ring.fbvh to/ring.fbvh.h to/ring.fbvh.c",
+                 "bake meshes/ring.stl -o to --format both"),
                 ("images/ring.fbvh home", "to/x", f"report {two} --poses home -o to/x"),
                 ("images/ring.fbvh home", "to/x", f"collide {two} --poses home --pairs to/x"),
-                (robot_files, "to/arm.robot", "robot arm.urdf --srdf arm.srdf -o to --format both"),
-                (robot_files, "to/arm.robot.h", "robot arm.urdf --srdf arm.srdf -o to --format both"),
-                (robot_files, "to/arm.robot.c", "robot arm.urdf --srdf arm.srdf -o to --format both"),
+                (robot_files, "to/arm.robot to/arm.robot.h to/arm.robot.c",
+                 "robot arm.urdf --srdf arm.srdf -o to --format both"),
                 (robot_files, "to/x", "robot arm.urdf --srdf arm.srdf -o to --depfile to/x"),
                 (robot_files, "to/x", "robot arm.urdf --srdf arm.srdf -o to --report to/x"),
                 ("arm.urdf elsewhere/part.stl way.csv", "to/x", "guard arm.urdf way.csv --report to/x"),
                 ("baked/arm.robot way.csv", "to/x", "guard baked/arm.robot way.csv --report to/x")):
-            for file in inputs.split():
-                with self.subTest((file, arguments)):
+            for file, output in itertools.product(inputs.split(), outputs.split()):
+                with self.subTest((file, output, arguments)):
                     kept(file, output, arguments)
 
     def test_where_nothing_can_be_written_nothing_is_left_over(self):
