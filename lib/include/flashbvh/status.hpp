@@ -10,44 +10,49 @@
 
 namespace flashbvh {
 
+/* clang-format off */
+#define FLASHBVH_FOR_EACH_STATUS(status) \
+  status(done, DONE) \
+  status(suspended, SUSPENDED) \
+  status(full, FULL) \
+  status(cell_mismatch, CELL_MISMATCH) \
+  status(stack_too_small, STACK_TOO_SMALL) \
+  status(translation_out_of_range, TRANSLATION_OUT_OF_RANGE) \
+  status(not_a_rotation, NOT_A_ROTATION) \
+  status(cursor_invalid, CURSOR_INVALID) \
+  status(hint_invalid, HINT_INVALID) \
+  status(distance_out_of_range, DISTANCE_OUT_OF_RANGE) \
+  status(not_closed, NOT_CLOSED) \
+  status(shape_too_large, SHAPE_TOO_LARGE) \
+  status(ray_out_of_range, RAY_OUT_OF_RANGE) \
+  status(not_a_coordinate, NOT_A_COORDINATE) \
+  status(joint_out_of_limits, JOINT_OUT_OF_LIMITS) \
+  status(joint_jumped, JOINT_JUMPED) \
+  status(guard_state_invalid, GUARD_STATE_INVALID) \
+  status(workcell_full, WORKCELL_FULL) \
+  status(link_invalid, LINK_INVALID) \
+  status(vertex_out_of_lattice, VERTEX_OUT_OF_LATTICE) \
+  status(mesh_changed, MESH_CHANGED) \
+  status(motion_out_of_range, MOTION_OUT_OF_RANGE) \
+  status(self_test_failed, SELF_TEST_FAILED) \
+  status(not_open, NOT_OPEN) \
+  status(image_truncated, IMAGE_TRUNCATED) \
+  status(image_misaligned, IMAGE_MISALIGNED) \
+  status(image_not_flashbvh, IMAGE_NOT_FLASHBVH) \
+  status(image_version, IMAGE_VERSION) \
+  status(image_kind, IMAGE_KIND) \
+  status(image_corrupt, IMAGE_CORRUPT) \
+  status(image_invalid, IMAGE_INVALID) \
+  status(image_too_large, IMAGE_TOO_LARGE)
+/* clang-format on */
+
+#define FLASHBVH_CONSTANT(name, NAME) name = FLASHBVH_STATUS_##NAME,
+
 /// plain/status.h has the values, which never change, and their meanings. The compiler warns if a
 /// status is dropped (plain/language.h).
-enum class Status : uint8_t {
-  done = FLASHBVH_STATUS_DONE,
-  suspended = FLASHBVH_STATUS_SUSPENDED,
-  full = FLASHBVH_STATUS_FULL,
+enum class Status : uint8_t { FLASHBVH_FOR_EACH_STATUS(FLASHBVH_CONSTANT) };
 
-  cell_mismatch = FLASHBVH_STATUS_CELL_MISMATCH,
-  stack_too_small = FLASHBVH_STATUS_STACK_TOO_SMALL,
-  translation_out_of_range = FLASHBVH_STATUS_TRANSLATION_OUT_OF_RANGE,
-  not_a_rotation = FLASHBVH_STATUS_NOT_A_ROTATION,
-  cursor_invalid = FLASHBVH_STATUS_CURSOR_INVALID,
-  hint_invalid = FLASHBVH_STATUS_HINT_INVALID,
-  distance_out_of_range = FLASHBVH_STATUS_DISTANCE_OUT_OF_RANGE,
-  not_closed = FLASHBVH_STATUS_NOT_CLOSED,
-  shape_too_large = FLASHBVH_STATUS_SHAPE_TOO_LARGE,
-  ray_out_of_range = FLASHBVH_STATUS_RAY_OUT_OF_RANGE,
-  not_a_coordinate = FLASHBVH_STATUS_NOT_A_COORDINATE,
-  joint_out_of_limits = FLASHBVH_STATUS_JOINT_OUT_OF_LIMITS,
-  joint_jumped = FLASHBVH_STATUS_JOINT_JUMPED,
-  guard_state_invalid = FLASHBVH_STATUS_GUARD_STATE_INVALID,
-  workcell_full = FLASHBVH_STATUS_WORKCELL_FULL,
-  link_invalid = FLASHBVH_STATUS_LINK_INVALID,
-  vertex_out_of_lattice = FLASHBVH_STATUS_VERTEX_OUT_OF_LATTICE,
-  mesh_changed = FLASHBVH_STATUS_MESH_CHANGED,
-  motion_out_of_range = FLASHBVH_STATUS_MOTION_OUT_OF_RANGE,
-  self_test_failed = FLASHBVH_STATUS_SELF_TEST_FAILED,
-  not_open = FLASHBVH_STATUS_NOT_OPEN,
-
-  image_truncated = FLASHBVH_STATUS_IMAGE_TRUNCATED,
-  image_misaligned = FLASHBVH_STATUS_IMAGE_MISALIGNED,
-  image_not_flashbvh = FLASHBVH_STATUS_IMAGE_NOT_FLASHBVH,
-  image_version = FLASHBVH_STATUS_IMAGE_VERSION,
-  image_kind = FLASHBVH_STATUS_IMAGE_KIND,
-  image_corrupt = FLASHBVH_STATUS_IMAGE_CORRUPT,
-  image_invalid = FLASHBVH_STATUS_IMAGE_INVALID,
-  image_too_large = FLASHBVH_STATUS_IMAGE_TOO_LARGE,
-};
+#undef FLASHBVH_CONSTANT
 
 /// As flashbvh_status_name().
 inline const char* status_name(Status status) {
