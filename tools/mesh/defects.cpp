@@ -35,10 +35,6 @@ std::uint64_t key_of(std::uint32_t first, std::uint32_t second) {
   return std::uint64_t{first} << 32 | second;
 }
 
-bool is_one_of(const TriangleIds& ids, std::size_t triangle) {
-  return std::binary_search(ids.begin(), ids.end(), triangle);
-}
-
 /// An edge of one triangle.
 struct Edge {
   std::uint32_t low;
@@ -56,7 +52,7 @@ std::vector<Edge> edges_of(const std::vector<TriangleCorners>& triangles,
   edges.reserve(3 * triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [p, q, r] = triangles[i];
-    if (is_one_of(duplicates, i) || p == q || q == r || r == p) {
+    if (std::binary_search(duplicates.begin(), duplicates.end(), i) || p == q || q == r || r == p) {
       continue;
     }
     for (const auto& [from, to] : {std::pair(p, q), std::pair(q, r), std::pair(r, p)}) {

@@ -83,11 +83,11 @@ class ObjReader {
       throw UserError(at_line(file_, number), "a polygon of ", words.size() - 1,
                       " corners; it must have three or more");
     }
-    corners_.clear();
+    std::vector<std::uint32_t> corners;
     for (std::size_t i = 1; i < words.size(); ++i) {
-      corners_.push_back(point(words[i], number));
+      corners.push_back(point(words[i], number));
     }
-    builder_.add_polygon(corners_);
+    builder_.add_polygon(corners);
   }
 
   /// The point of "12", "12/3", "12//4" or "12/3/4"; negative numbers count from the last vertex.
@@ -104,7 +104,6 @@ class ObjReader {
 
   const std::string& file_;
   MeshBuilder builder_;
-  std::vector<std::uint32_t> corners_;
 };
 
 }  // namespace
