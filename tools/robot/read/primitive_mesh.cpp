@@ -50,19 +50,10 @@ void cut(bake::SourceMesh& sphere) {
 bake::SourceMesh icosahedron() {
   const double g = (1 + std::sqrt(5.0)) / 2;
   bake::SourceMesh mesh;
-  for (const Vector3& v : {Vector3{-1, g, 0},
-                           {1, g, 0},
-                           {-1, -g, 0},
-                           {1, -g, 0},
-                           {0, -1, g},
-                           {0, 1, g},
-                           {0, -1, -g},
-                           {0, 1, -g},
-                           {g, 0, -1},
-                           {g, 0, 1},
-                           {-g, 0, -1},
-                           {-g, 0, 1}}) {
-    mesh.vertices.push_back(unit(v));
+  mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                   {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  for (Vector3& vertex : mesh.vertices) {
+    vertex = unit(vertex);
   }
   mesh.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                     {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},

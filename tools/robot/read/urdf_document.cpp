@@ -12,12 +12,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <map>
-#include <set>
 #include <string_view>
 
-#include "mesh/mesh_builder.hpp"
-#include "robot/read/urdf_trim.hpp"
 #include "robot/read/xml_file.hpp"
 #include "text/files.hpp"
 #include "text/messages.hpp"
@@ -124,10 +120,9 @@ void set_joint(const urdf::Joint& joint, UrdfJoint& made) {
   }
 }
 
-void narrow_limits(const SoftLimits& soft, const std::string& path, UrdfJoint& joint,
-                   Warnings& warnings) {
-  const double lower = std::max(joint.lower, soft.lower.value_or(joint.lower));
-  const double upper = std::min(joint.upper, soft.upper.value_or(joint.upper));
+void narrow_limits(const std::string& path, UrdfJoint& joint, Warnings& warnings) {
+  const double lower = std::max(joint.lower, joint.soft_lower.value_or(joint.lower));
+  const double upper = std::min(joint.upper, joint.soft_upper.value_or(joint.upper));
   const bool has_limits =
       joint.type == UrdfJoint::Type::revolute || joint.type == UrdfJoint::Type::prismatic;
   if (!has_limits || joint.mimic || (lower == joint.lower && upper == joint.upper)) {
@@ -150,31 +145,6 @@ void narrow_limits(const SoftLimits& soft, const std::string& path, UrdfJoint& j
 
 }  // namespace
 
-void check_tree(const std::vector<UrdfLink>& links, const std::vector<UrdfJoint>& joints,
-                const std::string& path) {
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> above(links.size(), kNone);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    std::size_t& joint = above[joints[i].child];
-    if (joint != kNone) {
-      throw UserError(at_element(path, "link", links[joints[i].child].name),
-                      "is the child of two joints, ", tool::quoted(joints[joint].name), " and ",
-                      tool::quoted(joints[i].name), "; a robot is a tree: leave one of them out");
-    }
-    joint = i;
-  }
-  for (std::size_t link = 0; link < links.size(); ++link) {
-    std::size_t steps = 0;
-    for (std::size_t at = link; above[at] != kNone; at = joints[above[at]].parent) {
-      if (++steps > links.size()) {
-        throw UserError(at_element(path, "link", links[link].name),
-                        "hangs on a loop of joints; a robot is a tree: leave out joint ",
-                        tool::quoted(joints[above[link]].name));
-      }
-    }
-  }
-}
-
 void check_no_mesh(const std::string& path) {
   const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   constexpr std::string_view models[] = {".step",   ".stp", ".iges", ".igs", ".brep", ".sldprt",
@@ -189,12 +159,10 @@ void check_no_mesh(const std::string& path) {
 }
 
 UrdfRobot read_urdf_document(const std::string& path, bool visual_too, Warnings& warnings) {
-  TrimmedRobot trimmed = trimmed_urdf(path, visual_too, warnings);
-  const urdf::ModelInterfaceSharedPtr model = parse(doubled(trimmed.text), path);
   UrdfRobot robot;
+  const std::string text = trimmed_urdf(path, visual_too, robot, warnings);
+  const urdf::ModelInterfaceSharedPtr model = parse(doubled(text), path);
   robot.name = halved(model->getName());
-  robot.links = std::move(trimmed.links);
-  robot.joints = std::move(trimmed.joints);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     UrdfLink& link = robot.links[i];
     if (doubled(link.name) == model->getRoot()->name) {
@@ -204,10 +172,9 @@ UrdfRobot read_urdf_document(const std::string& path, bool visual_too, Warnings&
       link.collisions.push_back({transform_of(c->origin), geometry_of(*c->geometry)});
     }
   }
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    UrdfJoint& joint = robot.joints[i];
+  for (UrdfJoint& joint : robot.joints) {
     set_joint(*model->getJoint(doubled(joint.name)), joint);
-    narrow_limits(trimmed.soft_limits[i], path, joint, warnings);
+    narrow_limits(path, joint, warnings);
   }
   return robot;
 }

@@ -50,6 +50,8 @@ struct UrdfJoint {
   Vector3 axis{1, 0, 0};  ///< of any length, in the child's frame
   double lower = 0;       ///< also for a continuous joint, if the file has limits
   double upper = 0;
+  std::optional<double> soft_lower = {};  ///< of its <safety_controller>
+  std::optional<double> soft_upper = {};
   std::optional<UrdfMimic> mimic;  ///< none on fixed joints
 };
 
@@ -70,8 +72,10 @@ UrdfRobot read_urdf_document(const std::string& path, bool visual_too, Warnings&
 /// UserError if a file's name ends like that of a mesh or of a CAD model.
 void check_no_mesh(const std::string& path);
 
-/// UserError if a link has two parent joints, or is part of a loop.
-void check_tree(const std::vector<UrdfLink>& links, const std::vector<UrdfJoint>& joints,
-                const std::string& path);
+/// For read_urdf_document(): the text for urdfdom, without unused elements. Sets links without
+/// their collisions, and joints' names, links and soft limits. UserError also for faults that
+/// urdfdom would skip.
+std::string trimmed_urdf(const std::string& path, bool visual_too, UrdfRobot& robot,
+                         Warnings& warnings);
 
 }  // namespace flashbvh::tool

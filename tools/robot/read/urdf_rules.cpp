@@ -42,27 +42,12 @@ const ElementRule kRules[] = {
 };
 
 /// Other programs' elements in a joint or a collision, which move and bound nothing.
-constexpr std::string_view kOtherPrograms[] = {
-    "calibration",
-    "color",
-    "contact",
-    "contact_coefficients",
-    "dynamics",
-    "gazebo",
-    "hardwareInterface",
-    "hardware_interface",
-    "joint_properties",
-    "material",
-    "max_contacts",
-    "plugin",
-    "properties",
-    "property",
-    "sensor",
-    "surface",
-    "texture",
-    "transmission",
-    "verbose",
-};
+bool is_of_other_program(std::string_view name) {
+  return is_one_of(name, {"calibration", "color", "contact", "contact_coefficients", "dynamics",
+                          "gazebo", "hardwareInterface", "hardware_interface", "joint_properties",
+                          "material", "max_contacts", "plugin", "properties", "property", "sensor",
+                          "surface", "texture", "transmission", "verbose"});
+}
 
 template <class Names>
 bool has(const Names& names, std::string_view name) {
@@ -116,7 +101,7 @@ void check_element(const XmlNode& element, const std::string& place) {
       continue;
     }
     if (!has(rule->inside, inside.name)) {
-      if (rule->inside.empty() || !has(kOtherPrograms, inside.name)) {
+      if (rule->inside.empty() || !is_of_other_program(inside.name)) {
         throw UserError(
             place, "has <", inside.name, "> in <", name, ">, which URDF does not know; ",
             rule->inside.empty() ? "correct it or leave it out"

@@ -1,4 +1,4 @@
-#include "robot/read/urdf_trim.hpp"
+#include "robot/read/urdf_document.hpp"
 
 #include <algorithm>
 #include <initializer_list>
@@ -127,9 +127,22 @@ std::optional<double> soft_limit(const XmlNode& joint, const char* name, const s
   return limit;
 }
 
+/// The number of the link that <parent> or <child> names.
+std::size_t link_of(const XmlNode& joint, const char* which, const std::vector<UrdfLink>& links,
+                    const std::string& path) {
+  const std::string name = attribute(first_in(joint, which), "link");
+  const auto found = std::find_if(links.begin(), links.end(),
+                                  [&](const UrdfLink& link) { return link.name == name; });
+  if (found == links.end()) {
+    throw UserError(at_element(path, "joint", joint.attribute("name")), "has the ", which, " ",
+                    tool::quoted(name), ", which is no link of the robot; name one that is");
+  }
+  return static_cast<std::size_t>(found - links.begin());
+}
+
 /// Appends a joint to `text`.
-SoftLimits trim_joint(XmlNode joint, const std::string& path, Warnings& warnings,
-                      std::string& text) {
+UrdfJoint trim_joint(XmlNode joint, const std::string& path, const std::vector<UrdfLink>& links,
+                     Warnings& warnings, std::string& text) {
   const std::string place = at_element(path, "joint", joint.attribute("name"));
   const std::string type = joint.attribute("type");
   if (is_one_of(type, {"floating", "planar"})) {
@@ -150,25 +163,16 @@ SoftLimits trim_joint(XmlNode joint, const std::string& path, Warnings& warnings
   }
   check_element(joint, place);
   print(joint, {"origin", "parent", "child", "axis", "limit", "mimic"}, text);
-  if (type == "fixed") {
-    return {};
+  UrdfJoint trimmed;
+  if (type != "fixed") {
+    check_limits(joint, type, place, warnings);
+    trimmed.soft_lower = soft_limit(joint, "soft_lower_limit", place);
+    trimmed.soft_upper = soft_limit(joint, "soft_upper_limit", place);
   }
-  check_limits(joint, type, place, warnings);
-  return {soft_limit(joint, "soft_lower_limit", place),
-          soft_limit(joint, "soft_upper_limit", place)};
-}
-
-/// The number of the link that <parent> or <child> names.
-std::size_t link_of(const XmlNode& joint, const char* which, const std::vector<UrdfLink>& links,
-                    const std::string& path) {
-  const std::string name = attribute(first_in(joint, which), "link");
-  const auto found = std::find_if(links.begin(), links.end(),
-                                  [&](const UrdfLink& link) { return link.name == name; });
-  if (found == links.end()) {
-    throw UserError(at_element(path, "joint", joint.attribute("name")), "has the ", which, " ",
-                    tool::quoted(name), ", which is no link of the robot; name one that is");
-  }
-  return static_cast<std::size_t>(found - links.begin());
+  trimmed.name = joint.attribute("name");
+  trimmed.parent = link_of(joint, "parent", links, path);
+  trimmed.child = link_of(joint, "child", links, path);
+  return trimmed;
 }
 
 /// The links below a joint: its child's, and those of all joints that follow.
@@ -215,27 +219,48 @@ XmlNode fixed_base(XmlNode joint, const std::string& path, Warnings& warnings) {
   return joint;
 }
 
+/// UserError if a link has two parent joints, or is part of a loop.
+void check_tree(const std::vector<UrdfLink>& links, const std::vector<UrdfJoint>& joints,
+                const std::string& path) {
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> above(links.size(), kNone);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    std::size_t& joint = above[joints[i].child];
+    if (joint != kNone) {
+      throw UserError(at_element(path, "link", links[joints[i].child].name),
+                      "is the child of two joints, ", tool::quoted(joints[joint].name), " and ",
+                      tool::quoted(joints[i].name), "; a robot is a tree: leave one of them out");
+    }
+    joint = i;
+  }
+  for (std::size_t link = 0; link < links.size(); ++link) {
+    std::size_t steps = 0;
+    for (std::size_t at = link; above[at] != kNone; at = joints[above[at]].parent) {
+      if (++steps > links.size()) {
+        throw UserError(at_element(path, "link", links[link].name),
+                        "hangs on a loop of joints; a robot is a tree: leave out joint ",
+                        tool::quoted(joints[above[link]].name));
+      }
+    }
+  }
+}
+
 }  // namespace
 
-TrimmedRobot trimmed_urdf(const std::string& path, bool visual_too, Warnings& warnings) {
-  const XmlNode robot = robot_xml(path);
-  const XmlNode* const base = floating_base(robot, visual_too);
-  TrimmedRobot trimmed;
-  for (const XmlNode* e : elements_in(robot, "link")) {
-    trimmed.links.push_back(trim_link(*e, path, visual_too, trimmed.text));
+std::string trimmed_urdf(const std::string& path, bool visual_too, UrdfRobot& robot,
+                         Warnings& warnings) {
+  const XmlNode document = robot_xml(path);
+  const XmlNode* const base = floating_base(document, visual_too);
+  std::string text = tag_of(document);
+  for (const XmlNode* e : elements_in(document, "link")) {
+    robot.links.push_back(trim_link(*e, path, visual_too, text));
   }
-  for (const XmlNode* e : elements_in(robot, "joint")) {
-    trimmed.soft_limits.push_back(
-        trim_joint(e == base ? fixed_base(*e, path, warnings) : *e, path, warnings, trimmed.text));
-    UrdfJoint joint;
-    joint.name = e->attribute("name");
-    joint.parent = link_of(*e, "parent", trimmed.links, path);
-    joint.child = link_of(*e, "child", trimmed.links, path);
-    trimmed.joints.push_back(std::move(joint));
+  for (const XmlNode* e : elements_in(document, "joint")) {
+    robot.joints.push_back(trim_joint(e == base ? fixed_base(*e, path, warnings) : *e, path,
+                                      robot.links, warnings, text));
   }
-  check_tree(trimmed.links, trimmed.joints, path);  // urdfdom never frees its model of a loop
-  trimmed.text = concat(tag_of(robot), trimmed.text, "</robot>");
-  return trimmed;
+  check_tree(robot.links, robot.joints, path);  // urdfdom never frees its model of a loop
+  return text + "</robot>";
 }
 
 }  // namespace flashbvh::tool
