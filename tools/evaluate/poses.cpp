@@ -90,11 +90,11 @@ Point point_of(const Words& words, std::size_t first, double cell, const std::st
           cells_of(words[first + 2], cell, place)};
 }
 
-RigidPose parse_pose(std::string_view text, const std::string& place) {
+Transform parse_pose(std::string_view text, const std::string& place) {
   const Words words =
       words_in(text, 12, "a pose has 12: the rotation row by row, then the translation",
                "1 0 0 0 1 0 0 0 1 0 0 5", place);
-  RigidPose pose{};
+  Transform pose{};
   for (std::size_t i = 0; i < words.size(); ++i) {
     (i < 9 ? pose.rotation[i / 3][i % 3] : pose.translation[i - 9]) =
         number_of(words[i], place, "; a pose has 12 of them");
@@ -104,7 +104,7 @@ RigidPose parse_pose(std::string_view text, const std::string& place) {
 
 }  // namespace
 
-Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place) {
+Pose lattice_pose(const Transform& pose, double cell, const std::string& place) {
   std::int32_t rotation[3][3] = {};
   std::int32_t cells[3] = {};
   std::int16_t fraction[3] = {};

@@ -14,16 +14,16 @@
 
 namespace flashbvh::tool {
 
-/// A pose in the mesh's unit.
-struct RigidPose {
-  std::array<std::array<double, 3>, 3> rotation;  ///< row by row
-  std::array<double, 3> translation;
+/// Maps point p to rotation * p + translation.
+struct Transform {
+  std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< by rows
+  std::array<double, 3> translation{};
 };
 
 /// Rounds the translation to 1/65,536 of a cell and the rotation to 2^-30, halves away from zero;
 /// Pose::rigid() documents the result. UserError, naming `place`, if the matrix is no rotation
 /// within kRotationTolerance or translates B beyond kMaxTranslation.
-Pose lattice_pose(const RigidPose& pose, double cell, const std::string& place);
+Pose lattice_pose(const Transform& pose, double cell, const std::string& place);
 
 /// The pose of 12 finite numbers; else UserError.
 Pose read_lattice_pose(std::string_view text, double cell, const std::string& place);

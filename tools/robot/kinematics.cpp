@@ -133,7 +133,7 @@ Transform transform_of(const Frame& frame, double cell) {
 }
 
 Pose pose_of(const Transform& transform, double cell) {
-  return lattice_pose({transform.rotation, transform.translation}, cell, "the robot");
+  return lattice_pose(transform, cell, "the robot");
 }
 
 }  // namespace flashbvh::tool

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -14,16 +13,11 @@
 #include <vector>
 
 #include "bake/mesh.hpp"
+#include "evaluate/poses.hpp"
 #include "flashbvh/robot/robot.hpp"
 #include "text/numbers.hpp"
 
 namespace flashbvh::tool {
-
-/// Maps point p to rotation * p + translation.
-struct Transform {
-  std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::array<double, 3> translation{};
-};
 
 /// The joint number of the base.
 constexpr std::size_t kNoJoint = static_cast<std::size_t>(-1);

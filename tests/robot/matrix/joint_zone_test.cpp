@@ -214,7 +214,7 @@ TEST_CASE("neighbours that never touch, but pass within the stop distance, are n
   hub.vertices.back()[2] = -0.023;
   CHECK(passes.zone().shape.radius > 0.4);
   CHECK_FALSE(passes.decided().is_guarded);
-  passes.options.stops = {{0, 1, passes.options.stop, passes.options.stop}};
+  passes.options.own = {{0, 1, passes.options.stop, passes.options.stop}};
   CHECK(passes.zones().empty());
   CHECK(passes.decided().is_guarded);
 }
@@ -313,7 +313,7 @@ TEST_CASE("neighbours apart have no zone, late or not, unless they are nearer th
   REQUIRE(apart.zones().size() == 1);
   CHECK(apart.decided().verdict == MatrixVerdict::never);
   apart.options.stop = 0;
-  apart.options.stops = {{1, 0, 0.005 / kCell, 0.005 / kCell}};
+  apart.options.own = {{1, 0, 0.005 / kCell, 0.005 / kCell}};
   CHECK(apart.zones().size() == 1);
 }
 

@@ -235,7 +235,7 @@ TEST_CASE("what an SRDF disables is decided as any pair") {
   options.stop = 0.1 / kCell;
   CHECK(decided(model, options).verdict == MatrixVerdict::never);
   CHECK_FALSE(decided(model, options).is_guarded);
-  options.stops = {{0, 1, options.stop, options.stop}};
+  options.own = {{0, 1, options.stop, options.stop}};
   CHECK(decided(model, options).is_guarded);
 }
 

@@ -28,7 +28,7 @@ Baked bake_robot(const tool::Model& model, std::optional<double> cell = {},
     baked.wholes.push_back(tool::bake_part(link.mesh, chosen));
   }
   for (const tool::BakedLink& link : baked.links) {
-    meshes.push_back(link.mesh());
+    meshes.push_back(link.view());
   }
   const std::vector<tool::WholeMesh> wholes = tool::views_of(baked.wholes);
   baked.fixed = std::make_unique<tool::FixedRobot>(
@@ -110,11 +110,11 @@ TEST_CASE("a link's sphere holds what decides, and what firmware gets") {
     return Vector3{std::round(v[0] / kCell), std::round(v[1] / kCell), std::round(v[2] / kCell)};
   };
   for (const Vector3& vertex : whole.mesh.vertices) {
-    CHECK(holds(sphere_of({link.mesh()}), rounded(vertex)));
+    CHECK(holds(sphere_of({link.view()}), rounded(vertex)));
     CHECK(holds(sphere_of({}), rounded(vertex)));
   }
   for (const Vector3& vertex : coarse.mesh.vertices) {
-    CHECK(holds(sphere_of({link.mesh()}), rounded(vertex)));
+    CHECK(holds(sphere_of({link.view()}), rounded(vertex)));
   }
   CHECK_FALSE(holds(sphere_of({}), rounded(coarse.mesh.vertices[1])));
 }
@@ -185,7 +185,7 @@ TEST_CASE("the slack grows by what the reader of a link's file rounded, along th
   const std::uint32_t least = slack();
   model.links[1].precision = 10 * cell;
   CHECK(tool::link_deviation(model.links[1], cell) == Approx(before + std::sqrt(3.0) * 10 * cell));
-  CHECK(bake_link(model.links[1], cell, 2, "").mesh().deviation_sixteenths >= 17 * 16);
+  CHECK(bake_link(model.links[1], cell, 2, "").view().deviation_sixteenths >= 17 * 16);
   CHECK(slack() >= least + 2 * 17 * 256);
   CHECK(slack() <= least + 2 * 18 * 256);
 }

@@ -47,11 +47,11 @@ struct SimplifiedArm {
       coarse.coarsen(length);
       wholes.push_back(bake_part(link_input(link, ""), cell, 2));
       links.push_back(bake_link(link, cell, 2, "", &coarse));
-      deviations.push_back(links.back().tree.deviation);
+      deviations.push_back(links.back().deviation);
       drawn.emplace_back(triangles_of(link.mesh));
     }
     for (const BakedLink& link : links) {
-      meshes.push_back(link.mesh());
+      meshes.push_back(link.view());
     }
     fixed = std::make_unique<FixedRobot>(model, views_of(wholes), meshes, cell,
                                          std::vector<GuardedPair>{{0, 1, kStop, kWarn}}, Reaches(),

@@ -50,8 +50,8 @@ Json links_json(const BakedRobot& robot) {
   Json all = links_json(robot.model, robot.robot(), robot.sizes);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const ModelLink& link = robot.model.links[i];
-    all[i].update({{"flash_bytes", robot.links[i].image_bytes()},
-                   {"deviation", robot.links[i].tree.deviation},
+    all[i].update({{"flash_bytes", bake::image_size(robot.links[i])},
+                   {"deviation", robot.links[i].deviation},
                    {"source_triangles", link.mesh.triangles.size()},
                    {"sources", link.sources}});
   }
@@ -164,7 +164,7 @@ std::string simplified_text(const BakedRobot& robot) {
   std::size_t after = 0;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     before += robot.model.links[i].mesh.triangles.size();
-    after += robot.links[i].tree.triangles.size();
+    after += robot.links[i].triangles.size();
   }
   return concat("simplified: ", before, " triangles -> ", after, ", leaves of ",
                 bake::most_in_leaf(robot.leaf_size), "; ",
@@ -199,7 +199,7 @@ Json witness_json(const Model& model, const PairVerdict& pair) {
 Json robot_json(const BakedRobot& robot, std::size_t bytes) {
   double most = 0;
   for (const BakedLink& link : robot.links) {
-    most = std::max(most, link.tree.deviation);
+    most = std::max(most, link.deviation);
   }
   return {{"name", robot.model.name},
           {"not_guarded", unguarded_json(robot.model, robot.unguarded)},

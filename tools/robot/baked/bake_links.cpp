@@ -144,11 +144,9 @@ BakedLink bake_link(const ModelLink& link, double cell, std::uint32_t leaf_size,
   options.cell = cell;
   options.leaf_size = leaf_size;
   BakedMesh baked = coarse != nullptr ? bake(input, options, *coarse) : bake(input, options);
-  BakedLink made;
-  made.tree = std::get<bake::BakedTree<std::uint16_t, Layout::post_indexed>>(std::move(baked.tree));
-  made.tree.unit = Unit::m;
-  made.tree.name = link.name.substr(0, bake::kMaxNameSize);
-  made.defects = std::move(baked.defects);
+  BakedLink made = std::get<BakedLink>(std::move(baked.tree));
+  made.unit = Unit::m;
+  made.name = link.name.substr(0, bake::kMaxNameSize);
   return made;
 }
 

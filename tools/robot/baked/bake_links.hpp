@@ -13,14 +13,8 @@
 
 namespace flashbvh::tool {
 
-struct BakedLink {
-  bake::BakedTree<std::uint16_t, Layout::post_indexed> tree;
-  MeshDefects defects;
-
-  /// A view of the tree, in the frame of the link's joint.
-  Mesh mesh() const { return tree.view(); }
-  std::size_t image_bytes() const { return static_cast<std::size_t>(bake::image_size(tree)); }
-};
+/// A link for firmware, in the frame of its joint.
+using BakedLink = bake::BakedTree<std::uint16_t, Layout::post_indexed>;
 
 /// UserError if the robot has no joint, or more joints or links than firmware holds. `path`: the
 /// URDF.

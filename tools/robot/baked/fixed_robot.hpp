@@ -13,19 +13,12 @@
 
 #include "flashbvh/robot/robot.hpp"
 #include "robot/matrix/baked_part.hpp"
+#include "robot/matrix/matrix_options.hpp"
 #include "robot/matrix/reaches.hpp"
 #include "robot/model.hpp"
 #include "text/deadline.hpp"
 
 namespace flashbvh::tool {
-
-/// Two links to guard. Distances in metres.
-struct GuardedPair {
-  std::size_t a;
-  std::size_t b;
-  double stop;
-  double warn;
-};
 
 /// A unit of a joint's coordinate, in radians or metres.
 double unit_of_coordinate(JointType type, double cell);

@@ -63,7 +63,7 @@ class Finder {
         joint_(joint),
         cell_(cell),
         options_(options),
-        stop_(options.distances_of(a.link, b.link).stop),
+        stop_(options.of(a.link, b.link).stop),
         deviations_(a.deviation + b.deviation),
         touching_(stop_ + options.slack + options.early + 2 * kDeviation + deviations_ / cell),
         links_{a.link, b.link},
@@ -298,7 +298,7 @@ class Finder {
            (find_pair(model_.disabled, links_[0], links_[1]) == nullptr || has_own_stop());
   }
 
-  bool has_own_stop() const { return find_pair(options_.stops, links_[0], links_[1]) != nullptr; }
+  bool has_own_stop() const { return find_pair(options_.own, links_[0], links_[1]) != nullptr; }
 
   /// True if it is proven that nothing outside the zone ever touches.
   bool never_touch() const {
@@ -361,11 +361,6 @@ class Finder {
 
 std::string radius_text(const Model& model, double radius, std::size_t joint) {
   return concat(metres(radius, 4), " about ", model.joints[joint].name);
-}
-
-StopDistance MatrixOptions::distances_of(std::size_t a, std::size_t b) const {
-  const StopDistance* const own = find_pair(stops, a, b);
-  return own != nullptr ? *own : StopDistance{a, b, stop, warn};
 }
 
 FoundZones joint_zones(const Model& model, const std::vector<WholeMesh>& meshes, double cell,

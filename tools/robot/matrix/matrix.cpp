@@ -63,7 +63,7 @@ class Decider {
       return false;
     }
     if (pair.verdict == MatrixVerdict::never) {
-      const bool has_no_stop = find_pair(options_.stops, pair.a, pair.b) == nullptr;
+      const bool has_no_stop = find_pair(options_.own, pair.a, pair.b) == nullptr;
       pair.reason += has_no_stop ? "; disabled in the SRDF, so not kept --stop apart" : "";
       return has_no_stop;
     }
@@ -78,7 +78,7 @@ class Decider {
 
   /// Sets whether a guard has to test the pair, and what the guard would report.
   void guard(PairVerdict& pair) const {
-    const auto [a, b, stop, warn] = options_.distances_of(pair.a, pair.b);
+    const auto [a, b, stop, warn] = options_.of(pair.a, pair.b);
     pair.is_guarded = true;
     if (pair.verdict == MatrixVerdict::never) {
       const std::uint64_t before = pair.joint_boxes;

@@ -25,7 +25,7 @@ class Sieve {
         of_a_(of_a),
         cell_(cell),
         options_(options),
-        stop_(options.distances_of(zone.a, zone.b).stop) {
+        stop_(options.of(zone.a, zone.b).stop) {
     options_.most_joint_boxes = kCellsOfPart;
     options_.slack += 2 * kDeviation;  // vertices at cuts are rounded again
   }

@@ -28,7 +28,7 @@ std::vector<GuardedPair> guarded_pairs(const Divided& robot) {
   std::vector<GuardedPair> guarded;
   for (const PairVerdict& pair : robot.pairs) {
     if (pair.is_guarded) {
-      const auto [stop, warn] = distances_of(robot.distances, pair);
+      const auto [link_a, link_b, stop, warn] = robot.distances.of(pair.a, pair.b);
       const bool is_near =
           pair.is_warned && find_pair(robot.distances.own, pair.a, pair.b) == nullptr;
       for (const auto& [a, b] : pair.bodies) {
@@ -76,8 +76,8 @@ BakedRobot bake_for_firmware(Divided divided, SimplifiedLinks& simplified,
   std::vector<double> deviations;
   std::vector<Mesh> meshes;
   for (const BakedLink& link : robot.links) {
-    deviations.push_back(link.tree.deviation);
-    meshes.push_back(link.mesh());
+    deviations.push_back(link.deviation);
+    meshes.push_back(link.view());
   }
   robot.fixed = std::make_unique<FixedRobot>(robot.model, wholes, meshes, robot.cell, pairs,
                                              robot.reaches, deviations);
@@ -112,7 +112,7 @@ BakedRobot baked_robot(Model model, const RobotRequest& request, const Told& tol
 std::vector<std::uint32_t> image_of(const BakedRobot& robot, const std::string& name) {
   std::vector<std::vector<std::uint32_t>> meshes;
   for (const BakedLink& link : robot.links) {
-    meshes.push_back(bake::image_of(link.tree));
+    meshes.push_back(bake::image_of(link));
   }
   return robot_image(robot.model, robot.robot(), robot.unguarded, meshes, name);
 }

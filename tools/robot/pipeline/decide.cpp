@@ -36,10 +36,10 @@ std::vector<GuardedPair> moved_pairs(const Model& model) {
 MatrixOptions matrix_options(const Prepared& robot, const std::vector<WholeMesh>& meshes,
                              const Reaches& reaches) {
   MatrixOptions options;
-  options.stop = robot.distances.usual.stop / robot.cell;
-  options.warn = robot.distances.usual.warn / robot.cell;
+  options.stop = robot.distances.stop / robot.cell;
+  options.warn = robot.distances.warn / robot.cell;
   for (const GuardedPair& pair : robot.distances.own) {
-    options.stops.push_back({pair.a, pair.b, pair.stop / robot.cell, pair.warn / robot.cell});
+    options.own.push_back({pair.a, pair.b, pair.stop / robot.cell, pair.warn / robot.cell});
   }
   const FixedRobot fixed(robot.model, meshes, {}, robot.cell, moved_pairs(robot.model), reaches);
   options.slack = std::max(options.slack, kPlacing + fixed.robot().slack / double{kFineOne});

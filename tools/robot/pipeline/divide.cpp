@@ -21,7 +21,6 @@ std::size_t add_part(std::size_t of, bake::SourceMesh mesh, const std::string& w
   part.precision = robot.model.links[of].precision;
   robot.wholes.push_back(bake_part(link_input(part, request.urdf), robot.cell, request.leaf_size));
   robot.model.links.push_back(std::move(part));
-  robot.links_of_parts.push_back(of);
   ++robot.model.part_count;
   return robot.model.links.size() - 1;
 }
@@ -43,7 +42,8 @@ void add_reaches(Divided& robot) {
   for_each_in_parallel(robot.reaches.size() - first, [&](std::size_t i) {
     std::vector<double>& reaches = robot.reaches[first + i];
     reaches = reaches_of(robot.model, first + i, robot.cell, robot.options.deadline);
-    const std::vector<double>& whole = robot.reaches[robot.links_of_parts[i]];
+    const std::size_t link = find_link(robot.model, robot.model.links[first + i].name);
+    const std::vector<double>& whole = robot.reaches[link];
     std::transform(reaches.begin(), reaches.end(), whole.begin(), reaches.begin(),
                    [](double part, double all) { return std::min(part, all); });
   });
@@ -52,7 +52,7 @@ void add_reaches(Divided& robot) {
 }  // namespace
 
 Divided divide(Prepared prepared, Decided decided, const RobotRequest& request) {
-  Divided robot = {std::move(prepared), std::move(decided), {}, {}};
+  Divided robot = {std::move(prepared), std::move(decided), {}};
   std::vector<std::vector<ZoneParts>> parts =
       decide_parts(robot.model, robot.zones, robot.cell, robot.options, robot.pairs);
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -11,8 +11,7 @@ namespace flashbvh::tool {
 
 /// A robot and all that its guard tests: the links, and parts of links as further links.
 struct Divided : Prepared, Decided {
-  std::vector<std::size_t> links_of_parts;  ///< the link of each part
-  std::vector<UnguardedPair> unguarded;     ///< the pairs that no guard tests
+  std::vector<UnguardedPair> unguarded;  ///< the pairs that no guard tests
 };
 
 /// Adds the parts to the links, their trees, sizes and reaches, and to the pairs' bodies. UserError

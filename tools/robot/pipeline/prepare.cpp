@@ -34,8 +34,8 @@ void check_ranges(const AllDistances& distances, const RobotRequest& request, do
   const auto check = [&](double distance, const std::string& place) {
     check_length(distance, kMaxGuardDistance, place, cell);
   };
-  check(distances.usual.stop, "--stop " + request.stop);
-  check(distances.usual.warn, "--warn " + request.warn.value_or(request.stop));
+  check(distances.stop, "--stop " + request.stop);
+  check(distances.warn, "--warn " + request.warn.value_or(request.stop));
   for (std::size_t i = 0; i < distances.own.size(); ++i) {
     check(distances.own[i].warn, "--pair " + request.pairs[i]);
   }

@@ -114,10 +114,10 @@ Packages packages_of(const std::vector<std::string>& given) {
   return packages;
 }
 
-Distances usual_distances(const RobotRequest& request) {
+AllDistances usual_distances(const RobotRequest& request) {
   const std::string warn = request.warn.value_or(request.stop);
-  const Distances distances = {metres("--stop " + request.stop, request.stop),
-                               metres("--warn " + warn, warn)};
+  const AllDistances distances = {metres("--stop " + request.stop, request.stop),
+                                  metres("--warn " + warn, warn)};
   if (distances.warn < distances.stop) {
     throw UserError("--warn " + warn, "is nearer than --stop ", request.stop,
                     "; warn from further off");
@@ -139,7 +139,7 @@ std::pair<std::size_t, std::size_t> links_of(const Model& model, const std::stri
 }
 
 AllDistances all_distances(const Model& model, const RobotRequest& request) {
-  AllDistances all = {usual_distances(request), {}};
+  AllDistances all = usual_distances(request);
   for (const std::string& given : request.pairs) {
     const GuardedPair pair = own_distances(model, given);
     if (find_pair(all.own, pair.a, pair.b) != nullptr) {
@@ -178,11 +178,6 @@ ZoneRadii zone_radii(const Model& model, const std::vector<std::string>& given, 
     }
   }
   return radii;
-}
-
-Distances distances_of(const AllDistances& distances, const PairVerdict& pair) {
-  const GuardedPair* const own = find_pair(distances.own, pair.a, pair.b);
-  return own != nullptr ? Distances{own->stop, own->warn} : distances.usual;
 }
 
 std::vector<std::string> files_read(const RobotRequest& request, const Model& model) {

@@ -35,23 +35,10 @@ struct RobotRequest {
   std::optional<std::string> fit;       ///< or their largest size in bytes
 };
 
-/// Distances in metres.
-struct Distances {
-  double stop;
-  double warn;
-};
-
-/// The distances of most pairs, and pairs with their own distances.
-struct AllDistances {
-  Distances usual;
-  std::vector<GuardedPair> own;
-};
-
-/// UserError if a distance or a pair is invalid.
+/// In metres. UserError if a distance or a pair is invalid.
 AllDistances all_distances(const Model& model, const RobotRequest& request);
-Distances usual_distances(const RobotRequest& request);
-/// The distances of two links: their own, if given.
-Distances distances_of(const AllDistances& distances, const PairVerdict& pair);
+/// Without those of pairs.
+AllDistances usual_distances(const RobotRequest& request);
 
 /// The files of the robot, the SRDF and the meshes, sorted: no output may replace them.
 std::vector<std::string> files_read(const RobotRequest& request, const Model& model);

@@ -67,7 +67,7 @@ void warn_of_units(const Prepared& robot, const std::string& path, Warnings& war
 
 /// The smallest stop distance above 0; 0 if there is none.
 double least_stop(const AllDistances& distances) {
-  double least = distances.usual.stop;
+  double least = distances.stop;
   for (const GuardedPair& pair : distances.own) {
     least = least == 0 || (pair.stop > 0 && pair.stop < least) ? pair.stop : least;
   }

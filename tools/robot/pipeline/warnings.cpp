@@ -34,7 +34,7 @@ void check_limits(const Divided& robot, const RobotRequest& request) {
       const std::string& b = robot.model.links[pair.b].name;
       throw UserError(request.urdf, "--limit: links '", a, "' and '", b,
                       "' are nowhere found farther apart than their stop distance, ",
-                      shortest(distances_of(robot.distances, pair).stop),
+                      shortest(robot.distances.of(pair.a, pair.b).stop),
                       " m, and a tenth; limit() could never let them out; lower it (--stop, "
                       "--pair), or ",
                       way_out(pair, a, b));
@@ -64,8 +64,8 @@ void warn_of_near(const Divided& robot, const RobotRequest& request, Warnings& w
       continue;
     }
     const bool is_own = find_pair(robot.distances.own, pair.a, pair.b) != nullptr;
-    const auto [stop, warn] = distances_of(robot.distances, pair);
-    const double distance = pair.is_stopped ? stop : warn;
+    const GuardedPair of = robot.distances.of(pair.a, pair.b);
+    const double distance = pair.is_stopped ? of.stop : of.warn;
     const char* const word = pair.is_stopped ? "stop" : "warn";
     const std::string& a = robot.model.links[pair.a].name;
     const std::string& b = robot.model.links[pair.b].name;
