@@ -1,12 +1,6 @@
-"""machines.py SHAPE: prints a body of the toolhead example in OBJ, in millimetres.
-
-    head gantry             of a printer, from the nozzle's tip on: what goes with it
-    clamp vase wheel arch   on its bed, from the middle of their foot on
-"""
-import sys
+"""Bodies of the toolhead example, in millimetres: of a printer from the nozzle's tip on, on its bed from the middle of
+their foot on."""
 from math import copysign, cos, pi, sin
-
-from meshes import Mesh
 
 
 def ring(middle, u, v, around=48, power=2):
@@ -96,14 +90,4 @@ def arch(mesh):
     bent(mesh, (0, 0, 0), 28, steps(pi, 0, 44), [(5, 5)] * 45, around=32)
 
 
-def main():
-    shapes = {shape.__name__: shape for shape in (head, gantry, clamp, vase, wheel, arch)}
-    if len(sys.argv) != 2 or sys.argv[1] not in shapes:
-        sys.exit(__doc__)
-    mesh = Mesh()
-    shapes[sys.argv[1]](mesh)
-    print("\n".join(mesh.lines))
-
-
-if __name__ == "__main__":
-    main()
+BODIES = head, gantry, clamp, vase, wheel, arch

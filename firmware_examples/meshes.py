@@ -7,9 +7,13 @@
     room                                    5 x 4 x 2.5 m with a pillar, a table and shelves, in millimetres
     lump PARTS RADIUS                       a ball with bumps, 12 * PARTS^2 triangles, all well shaped
     gear TEETH RINGS RADIUS                 a spur gear with a bore, of well-shaped triangles
+    head | gantry                           of a printer, what goes with its nozzle
+    clamp | vase | wheel | arch             on its bed
 """
 import sys
 from math import copysign, cos, pi, sin, sqrt
+
+from machines import BODIES
 
 
 def nearest(value):
@@ -163,7 +167,8 @@ def gear(mesh, teeth, rings, radius):
 
 
 def main():
-    shapes = {"torus": (torus, 4), "sheet": (sheet, 5), "room": (room, 0), "lump": (lump, 2), "gear": (gear, 3)}
+    shapes = {"torus": (torus, 4), "sheet": (sheet, 5), "room": (room, 0), "lump": (lump, 2), "gear": (gear, 3),
+              **{body.__name__: (body, 0) for body in BODIES}}
     shape, sizes = shapes.get(sys.argv[1] if len(sys.argv) > 1 else "", (None, 0))
     if not shape or len(sys.argv) != 2 + sizes:
         sys.exit(__doc__)

@@ -81,8 +81,8 @@ TEST_CASE("a guard of simplified links holds what it says of all triangles") {
   for (const double length : {0.0003, 0.0015}) {
     const SimplifiedArm arm(two_rings(), length);
     const Robot& robot = arm.fixed->robot();
-    CAPTURE(length, robot.slack, arm.links[0].tree.triangles.size());
-    REQUIRE(arm.links[0].tree.triangles.size() < 1500);
+    CAPTURE(length, robot.slack, arm.links[0].triangles.size());
+    REQUIRE(arm.links[0].triangles.size() < 1500);
     REQUIRE(robot.slack * arm.cell / kFineOne >= 2 * 0.9 * length);
     const int count = is_thorough() ? 100'000 : 120;
     int stops = 0;
