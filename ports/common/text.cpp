@@ -1,7 +1,5 @@
 #include "text.hpp"
 
-#include <stddef.h>
-
 #include "semihosting.hpp"
 #include "text.h"
 

@@ -1,7 +1,6 @@
 // page_answers ROBOT, or A B: prints, as JSON for answers.mjs, values of a robot's joints with the
 // answers of an unprimed guard, or poses of B with the answers of the queries, drawn at random.
 // Fails unless each kind of answer occurs.
-#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>

@@ -2,7 +2,6 @@
 // distance and a ray. Each returns a status, writes within its arrays and ends. The answers equal
 // the C++ interface's, but after a changed cursor the pairs may be any. A hint is refused or does
 // not change an answer.
-#include <vector>
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/flashbvh.h"

@@ -1,6 +1,5 @@
 // Arbitrary bytes as a saved cursor: resume() refuses it, or the query ends, within as many visits
 // as there are pairs of nodes.
-#include <array>
 #include <vector>
 
 #include "bake/made_levels.hpp"

@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "bake/image_bytes.hpp"
 #include "golden/golden.hpp"

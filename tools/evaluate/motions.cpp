@@ -1,6 +1,5 @@
 #include "evaluate/motions.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "evaluate/poses.hpp"

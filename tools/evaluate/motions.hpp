@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "flashbvh/first_contact.hpp"
 #include "image/image_file.hpp"

@@ -1,7 +1,5 @@
 #include "evaluate/queries.hpp"
 
-#include <algorithm>
-
 #include "flashbvh/query.hpp"
 #include "flashbvh/solid.hpp"
 #include "text/numbers.hpp"

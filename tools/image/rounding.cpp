@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <utility>
 
 #include "simplify/deviation.hpp"
 #include "text/messages.hpp"

@@ -1,7 +1,6 @@
 // Finds the least coarsening that fits flash.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>

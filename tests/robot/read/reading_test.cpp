@@ -1,5 +1,4 @@
 // Features of real URDFs, read as intended.
-#include <clocale>
 #include <locale>
 
 #include "mesh/package.hpp"

@@ -1,6 +1,5 @@
 #include "support/arms/arms.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -1,6 +1,5 @@
 // flashbvh report: writes a page in which meshes answer.
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <memory>
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "bake/image_bytes.hpp"
 #include "image/baking.hpp"

@@ -1,7 +1,7 @@
 // A model in fixed point, in memory, as firmware holds it.
 //
 // Pairs with one or two joints between their links have distance tables: a guard reads bounds from
-// them without testing a mesh (lib/src/robot/distance_table.hpp has the layout).
+// them without testing a mesh (flashbvh/robot/distance_table.hpp has the layout).
 //
 // A table cell's distance is proven as in the matrix. The exact query measures the links' distance
 // at the middle of a part of it. In the part, it shrinks by at most the links' motion. Parts are

@@ -145,19 +145,12 @@ double mirrored(std::uint32_t number, std::uint32_t base) {
   return sum;
 }
 
-/// The n-th prime; number 0 is 2.
-std::uint32_t prime(std::size_t n) {
-  std::uint32_t candidate = 2;
-  for (;; ++candidate) {
-    bool is_prime = true;
-    for (std::uint32_t i = 2; i * i <= candidate; ++i) {
-      is_prime = is_prime && candidate % i != 0;
-    }
-    if (is_prime && n-- == 0) {
-      return candidate;
-    }
-  }
-}
+/// One for each joint that a robot may have.
+constexpr std::uint32_t kPrimes[kMaxJoints] = {
+    2,   3,   5,   7,   11,  13,  17,  19,  23,  29,  31,  37,  41,  43,  47,  53,
+    59,  61,  67,  71,  73,  79,  83,  89,  97,  101, 103, 107, 109, 113, 127, 131,
+    137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197, 199, 211, 223,
+    227, 229, 233, 239, 241, 251, 257, 263, 269, 271, 277, 281, 283, 293, 307, 311};
 
 /// Moves each variable by a step up or down if that brings the links nearer. False if none does.
 bool step_down(const PairSpace& space, double scale, Place& place) {
@@ -262,7 +255,7 @@ std::vector<double> spread_point(const PairSpace& space, std::uint32_t number) {
   std::vector<double> point;
   for (std::size_t i = 0; i < space.dimensions().size(); ++i) {
     const auto [lower, upper] = space.dimensions()[i].range;
-    point.push_back(lower + mirrored(number + 1, prime(i)) * (upper - lower));
+    point.push_back(lower + mirrored(number + 1, kPrimes[i]) * (upper - lower));
   }
   return point;
 }

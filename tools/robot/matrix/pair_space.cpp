@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "flashbvh/collide.hpp"
+#include "simplify/nearest.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -77,14 +78,11 @@ Interval BasicPairSpace<MeshType>::one_turn(std::size_t variable) const {
 template <class MeshType>
 typename BasicPairSpace<MeshType>::Bounds BasicPairSpace<MeshType>::bounds_of(const MeshType& mesh,
                                                                               double cell) {
-  Vector3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Vector3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (const Vector3& vertex : vertices_of(mesh)) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], cell * vertex[k]);
-      high[k] = std::max(high[k], cell * vertex[k]);
-    }
+  simplify::Box box;
+  for (const auto& [x, y, z] : vertices_of(mesh)) {
+    box.add({cell * x, cell * y, cell * z});
   }
+  const auto& [low, high] = box;
   Bounds bounds{};
   for (std::size_t i = 0; i < 8; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {

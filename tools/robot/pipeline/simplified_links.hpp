@@ -1,7 +1,6 @@
 // Firmware's links of a robot: with all triangles, or fewer as --simplify or --fit request.
 #pragma once
 
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>

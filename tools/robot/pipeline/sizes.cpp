@@ -1,7 +1,6 @@
 #include "robot/pipeline/prepare.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "robot/kinematics.hpp"

@@ -1,7 +1,5 @@
 #include "robot/read/link_mesh.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>

@@ -1,11 +1,12 @@
 #include "robot/read/primitive_mesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
+
+#include "simplify/nearest.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -19,11 +20,8 @@ Vector3 scaled(const Vector3& v, double factor) {
 Vector3 sum(const Vector3& v, const Vector3& w) {
   return {v[0] + w[0], v[1] + w[1], v[2] + w[2]};
 }
-double dot(const Vector3& v, const Vector3& w) {
-  return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
-}
 Vector3 unit(const Vector3& v) {
-  return scaled(v, 1 / std::sqrt(dot(v, v)));
+  return scaled(v, 1 / std::sqrt(simplify::dot(v, v)));
 }
 
 /// Divides each triangle into four, with all corners on the unit sphere.
@@ -67,11 +65,9 @@ double inner_radius(const bake::SourceMesh& sphere) {
   double least = 1;
   for (const auto& [a, b, c] : sphere.triangles) {
     const Vector3& p = sphere.vertices[a];
-    const Vector3 u = sum(sphere.vertices[b], scaled(p, -1));
-    const Vector3 v = sum(sphere.vertices[c], scaled(p, -1));
-    const Vector3 normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                            u[0] * v[1] - u[1] * v[0]};
-    least = std::min(least, dot(unit(normal), p));
+    const Vector3 normal = simplify::cross(simplify::minus(sphere.vertices[b], p),
+                                           simplify::minus(sphere.vertices[c], p));
+    least = std::min(least, simplify::dot(unit(normal), p));
   }
   return least;
 }

@@ -4,7 +4,6 @@
 #include <initializer_list>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include "robot/read/urdf_rules.hpp"
 #include "text/numbers.hpp"
