@@ -7,6 +7,7 @@
 #include "flashbvh/image.hpp"
 #include "forearm.fbvh.h"
 #include "palm.fbvh.h"
+#include "support/points.hpp"
 #include "support/rotations.hpp"
 #include "wrist.fbvh.h"
 
@@ -96,16 +97,6 @@ void set_in_ball(test::Random& random, int32_t (&point)[dimensions]) {
   } while (square > kRadius * kRadius || square < kRadius * kRadius / 16);
 }
 
-/// Twice the middle of a mesh's box.
-void set_middle(const Mesh& mesh, int64_t (&twice)[3]) {
-  const Box box = unpack(mesh.nodes[0].box);
-  const int32_t sums[3] = {box.lower.x + box.upper.x, box.lower.y + box.upper.y,
-                           box.lower.z + box.upper.z};
-  for (int axis = 0; axis < 3; ++axis) {
-    twice[axis] = 2 * int64_t{mesh.origin[axis]} + sums[axis];
-  }
-}
-
 }  // namespace
 
 const LinkPair kPairs[kLinkPairs] = {{"bicep", "palm", &bicep, &palm},
@@ -130,19 +121,20 @@ Pose PoseKey::pose(int32_t along_x) const {
   const auto square = static_cast<uint64_t>(
       direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
   const int64_t length = detail::square_root(square);
-  int64_t middle_a[3];
-  int64_t middle_b[3];
-  set_middle(*kPairs[pair].a, middle_a);
-  set_middle(*kPairs[pair].b, middle_b);
+  const MeshBox a(*kPairs[pair].a);
+  const MeshBox b(*kPairs[pair].b);
   const test::Rotation rotation = test::rotation_of({q[0], q[1], q[2], q[3]});
   const Pose turned = Pose::rigid(rotation.entry, {0, 0, 0});
   int32_t cells[3];
   for (int axis = 0; axis < 3; ++axis) {
-    int64_t middle = 0;  // B's, rotated
+    const auto twice = [](const MeshBox& box, int of) {
+      return int64_t{box.lower.*test::kPointAxes[of]} + box.upper.*test::kPointAxes[of];
+    };
+    int64_t middle = 0;  // of B, rotated, twice
     for (int i = 0; i < 3; ++i) {
-      middle += turned.rotation(axis, i) * middle_b[i];
+      middle += turned.rotation(axis, i) * twice(b, i);
     }
-    const int64_t aligned = (middle_a[axis] - middle / kRotationOne) / 2;
+    const int64_t aligned = (twice(a, axis) - middle / kRotationOne) / 2;
     cells[axis] = static_cast<int32_t>(aligned + int64_t{direction[axis]} * found[1] / length);
   }
   cells[0] += along_x;

@@ -33,6 +33,15 @@ void set_slack_of_exact_links(Parts parts, std::uint32_t slack) {
   parts.header.slack = slack;
 }
 
+RobotUnguarded believed(std::uint8_t a, std::uint8_t b) {
+  return {a, b, WhyUnguarded::believed, kBase, 0};
+}
+
+/// A link about the base's origin.
+RobotLink ball(std::uint32_t radius) {
+  return {{0, 0, 0}, radius, 0, kBase, 0, 0};
+}
+
 const Crafted kCrafted[] = {
     {"nothing", [](Parts) {}, Status::done},
     {"magic", [](Parts p) { p.header.magic = kImageMagic; }, Status::image_not_flashbvh},
@@ -57,11 +66,7 @@ const Crafted kCrafted[] = {
     {"more of them than bytes", [](Parts p) { p.header.unguarded_count = UINT16_MAX; },
      Status::image_corrupt},
     {"padding of the header", [](Parts p) { p.header.padding = 1; }},
-    {"the other reason",
-     [](Parts p) {
-       p.unguarded[0] = {0, 1, WhyUnguarded::believed, kBase, 0};
-     },
-     Status::done},
+    {"the other reason", [](Parts p) { p.unguarded[0] = believed(0, 1); }, Status::done},
     {"a reason that is none", [](Parts p) { p.unguarded[0].why = WhyUnguarded{2}; }},
     {"a zone about another joint", [](Parts p) { p.unguarded[0].joint = 1; }},
     {"a zone about no joint", [](Parts p) { p.unguarded[0].joint = kBase; }},
@@ -74,10 +79,7 @@ const Crafted kCrafted[] = {
     {"an unguarded link with itself", [](Parts p) { p.unguarded[1].b = 2; }},
     {"an unguarded pair twice", [](Parts p) { p.unguarded[1] = p.unguarded[0]; }},
     {"unguarded pairs out of order", [](Parts p) { std::swap(p.unguarded[0], p.unguarded[1]); }},
-    {"guarded and unguarded",
-     [](Parts p) {
-       p.unguarded[1] = {2, 4, WhyUnguarded::believed, kBase, 0};
-     }},
+    {"guarded and unguarded", [](Parts p) { p.unguarded[1] = believed(2, 4); }},
     {"large tables", [](Parts p) { p.header.distance_table_bytes = UINT32_MAX; },
      Status::image_corrupt},
     {"an empty name more", [](Parts p) { p.names[0] = 0; }},
@@ -123,15 +125,9 @@ const Crafted kCrafted[] = {
     {"too small a sphere", [](Parts p) { p.links[1].radius -= p.links[1].radius / 64; }},
     {"a sphere elsewhere", [](Parts p) { p.links[1].centre[2] += kFrameCell * 8; }},
     {"too large a sphere", [](Parts p) { p.links[1].radius = UINT32_MAX; }},
-    {"as far as may be",
-     [](Parts p) {
-       p.links[0] = {{0, 0, 0}, (1 << 30) - (1 << 15) - 1, 0, kBase, 0, 0};
-     },
+    {"as far as may be", [](Parts p) { p.links[0] = ball((1 << 30) - (1 << 15) - 1); },
      Status::done},
-    {"a little farther",
-     [](Parts p) {
-       p.links[0] = {{0, 0, 0}, (1 << 30) - (1 << 15), 0, kBase, 0, 0};
-     }},
+    {"a little farther", [](Parts p) { p.links[0] = ball((1 << 30) - (1 << 15)); }},
     {"a sphere too far", [](Parts p) { p.links[1].centre[0] = INT32_MIN; }},
     {"a link with itself", [](Parts p) { p.pairs[3].a = p.pairs[3].b; }},
     {"a link that is none", [](Parts p) { p.pairs[3].b = 6; }},
