@@ -112,7 +112,10 @@ FixedRobot::FixedRobot(const Model& model, const std::vector<WholeMesh>& wholes,
   for (const GuardedPair& pair : pairs) {
     add_pair(model, pair);
   }
-  check_reaches();
+  if (most_reach_ > UINT32_MAX) {  // too large for the guard's sums
+    throw UserError("robot", "its joints move links too far for so fine a lattice: give --cell ",
+                    significant(cell_ * most_reach_ / UINT32_MAX * 1.01, 3), " or more");
+  }
   robot_.joints = joints_.data();
   robot_.links = links_.data();
   robot_.meshes = meshes_.data();
@@ -211,14 +214,6 @@ double FixedRobot::reach_of(const RobotPair& pair) const {
     return std::accumulate(first, first + joints, 0.0);
   };
   return sum(pair.a, pair.joints_a) + sum(pair.b, pair.joints_b);
-}
-
-/// UserError if a pair's reach is too large for the guard's sums.
-void FixedRobot::check_reaches() const {
-  if (most_reach_ > UINT32_MAX) {
-    throw UserError("robot", "its joints move links too far for so fine a lattice: give --cell ",
-                    significant(cell_ * most_reach_ / UINT32_MAX * 1.01, 3), " or more");
-  }
 }
 
 /// A bound on the distance of the link's points from the base's origin, in cells.

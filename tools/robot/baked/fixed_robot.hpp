@@ -54,7 +54,6 @@ class FixedRobot {
                 const std::vector<double>& reaches, double deviation);
   void add_pair(const Model& model, const GuardedPair& pair);
   double reach_of(const RobotPair& pair) const;
-  void check_reaches() const;
   double extent_of(const Model& model, std::size_t link) const;
   std::uint32_t checked_slack(const Model& model) const;
 

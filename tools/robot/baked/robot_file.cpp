@@ -45,14 +45,6 @@ RobotFile::RobotFile(const std::string& path, const std::string& bytes)
                 "is no image of a robot; name one that `flashbvh robot --format image` wrote"});
 }
 
-double RobotFile::cell() const {
-  return cell_of(robot_);
-}
-
-std::string RobotFile::name() const {
-  return robot_name(words_.data());
-}
-
 Model RobotFile::model() const {
   Model model;
   model.name = name();

@@ -30,8 +30,8 @@ class RobotFile {
   const std::vector<std::uint32_t>& words() const { return words_; }
   /// header().byte_count bytes.
   const char* bytes() const { return reinterpret_cast<const char*>(words().data()); }
-  double cell() const;       ///< in metres
-  std::string name() const;  ///< of the robot
+  double cell() const { return cell_of(robot_); }                 ///< in metres
+  std::string name() const { return robot_name(words_.data()); }  ///< of the robot
   /// The model without its URDF: names, joints, attached links and mounts, but no meshes.
   Model model() const;
   std::vector<UnguardedPair> unguarded() const;

@@ -79,10 +79,6 @@ double farthest(const ZoneShape& shape, const Points& points) {
 
 }  // namespace
 
-Vector3 ZoneShape::from_middle(const Vector3& point) const {
-  return {point[0] - middle[0], point[1] - middle[1], is_cylinder ? 0 : point[2] - middle[2]};
-}
-
 PointTriangle placed_triangle(const Transform& transform, const PointTriangle& triangle) {
   return {placed(transform, triangle[0]), placed(transform, triangle[1]),
           placed(transform, triangle[2])};

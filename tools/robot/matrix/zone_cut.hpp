@@ -19,7 +19,9 @@ struct ZoneShape {
   double radius = 0;
 
   /// From the middle, or from the nearest point of the line.
-  Vector3 from_middle(const Vector3& point) const;
+  Vector3 from_middle(const Vector3& point) const {
+    return {point[0] - middle[0], point[1] - middle[1], is_cylinder ? 0 : point[2] - middle[2]};
+  }
   double distance_of(const Vector3& point) const { return length_of(from_middle(point)); }
 };
 

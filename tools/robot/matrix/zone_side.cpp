@@ -24,10 +24,6 @@ std::vector<std::uint32_t> sources_of(const ModelLink& link) {
 
 ZoneSide::ZoneSide(const ModelLink& link, const Transform& frame)
     : mesh_(link.mesh), to_joint_(inverse(frame)) {
-  number_shells(link);
-}
-
-void ZoneSide::number_shells(const ModelLink& link) {
   const std::vector<std::uint32_t> sources = sources_of(link);
   const std::size_t count = mesh_.triangles.size();
   bake::Shells shells(count);

@@ -30,8 +30,6 @@ class ZoneSide {
                            double edge) const;
 
  private:
-  void number_shells(const ModelLink& link);
-
   bake::SourceMesh mesh_;  ///< in the link's frame
   Transform to_joint_;
   std::vector<std::uint32_t> shells_;  ///< of each triangle
