@@ -2,51 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 #include "text/parallel.hpp"
 
 namespace flashbvh::tool {
 namespace {
-
-// An upper bound of a body's support function h(u) = max over its points p of u . p, which defines
-// the body's convex hull.
-//
-// h is convex and homogeneous of degree 1. The bound is kept at the points of a grid on the surface
-// of a cube and interpolated between them: a convex combination of values is never below h. So
-// nothing is understated; the error is of second order in the grid's step.
-
-class Support {
- public:
-  /// The support of points, each of which may be displaced by up to `deviation`.
-  Support(const std::vector<Vector3>& points, double deviation);
-
-  /// At least h(direction), for a vector of any length.
-  double operator()(const Vector3& direction) const;
-  /// The support in another frame, in which the body lies at `transform`, or at its inverse.
-  Support moved(const Transform& transform) const;
-  Support moved_back(const Transform& transform) const { return moved(inverse(transform)); }
-  /// The support of the volume swept by turning about z over an interval, in radians.
-  Support turned(const Interval& angles) const;
-  /// The support of the volume swept by sliding along z.
-  Support slid(const Interval& distances) const;
-  /// A bound on the distance of the body's points from the z axis.
-  double reach() const;
-  /// A bound on their distance from the origin.
-  double radius() const;
-
- private:
-  Support() = default;
-  /// Stores h(direction) for each point of the grid.
-  template <class Function>
-  static Support made(Function&& h);
-
-  /// The largest value over all images of the direction under `turns`.
-  template <class Turns>
-  double most_of(const Vector3& direction, const Turns& turns) const;
-
-  std::vector<double> values_;
-};
 
 /// Steps of a cube's edge from -1 to 1. Relative error of an interpolated value: about 1/(2 n^2).
 constexpr std::size_t kSteps = 24;
@@ -58,19 +20,22 @@ constexpr int kJointsKept = 12;
 /// Covers the rounding of doubles: a few units in 2^52 each, a few hundred operations.
 constexpr double kRoundUp = 1 + 1e-12;
 
-double at_point(std::size_t i) {
-  return 2.0 * static_cast<double>(i) / kSteps - 1;
+/// The points of the grid. Face 2 k has coordinate k at -1, face 2 k + 1 at 1; a face's rows and
+/// columns are the next two coordinates.
+std::vector<Vector3> grid_points() {
+  const auto at = [](std::size_t i) { return 2.0 * static_cast<double>(i) / kSteps - 1; };
+  std::vector<Vector3> points;
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (std::size_t i = 0; i < kPoints * kPoints; ++i) {
+      Vector3& point = points.emplace_back();
+      point[face / 2] = face % 2 == 0 ? -1 : 1;
+      point[(face / 2 + 1) % 3] = at(i / kPoints);
+      point[(face / 2 + 2) % 3] = at(i % kPoints);
+    }
+  }
+  return points;
 }
-
-/// Face 2 k has coordinate k at -1, face 2 k + 1 at 1; row and column are the next two coordinates.
-Vector3 grid_direction(std::size_t face, std::size_t row, std::size_t column) {
-  const std::size_t axis = face / 2;
-  Vector3 direction{};
-  direction[axis] = face % 2 == 0 ? -1 : 1;
-  direction[(axis + 1) % 3] = at_point(row);
-  direction[(axis + 2) % 3] = at_point(column);
-  return direction;
-}
+const std::vector<Vector3> kGrid = grid_points();
 
 /// A coordinate in grid steps: the point before it and the fraction of the step to the next point.
 struct Step {
@@ -114,97 +79,103 @@ std::vector<Turn> turns_to_corners(const Interval& angles) {
   return turns;
 }
 
-template <class Function>
-Support Support::made(Function&& h) {
-  Support support;
-  support.values_.reserve(6 * kPoints * kPoints);
-  for (std::size_t face = 0; face < 6; ++face) {
-    for (std::size_t row = 0; row < kPoints; ++row) {
-      for (std::size_t column = 0; column < kPoints; ++column) {
-        support.values_.push_back(h(grid_direction(face, row, column)));
-      }
-    }
-  }
-  return support;
-}
+// An upper bound of a body's support function h(u) = max over its points p of u . p, which defines
+// the body's convex hull.
+//
+// h is convex and homogeneous of degree 1. The bound is kept at the points of a grid on the surface
+// of a cube and interpolated between them: a convex combination of values is never below h. So
+// nothing is understated; the error is of second order in the grid's step.
 
-Support::Support(const std::vector<Vector3>& points, double deviation) {
-  *this = made([&](const Vector3& u) {
+class Support {
+ public:
+  /// The support of points, each of which may be displaced by up to `deviation`.
+  Support(const std::vector<Vector3>& points, double deviation) {
+    *this = made([&](const Vector3& u) {
+      double most = -HUGE_VAL;
+      for (const Vector3& p : points) {
+        most = std::max(most, u[0] * p[0] + u[1] * p[1] + u[2] * p[2]);
+      }
+      return most + deviation * std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    });
+  }
+
+  /// At least h(direction), for a vector of any length.
+  double operator()(const Vector3& direction) const {
+    const double* const u = direction.data();
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      axis = std::fabs(u[i]) > std::fabs(u[axis]) ? i : axis;
+    }
+    const double scale = std::fabs(u[axis]);
+    if (scale == 0) {
+      return 0;
+    }
+    const Step row = step_at(u[(axis + 1) % 3] / scale);
+    const Step column = step_at(u[(axis + 2) % 3] / scale);
+    const std::size_t face = 2 * axis + (u[axis] > 0 ? 1 : 0);
+    const double* const at = &values_[(face * kPoints + row.point) * kPoints + column.point];
+    const auto between = [&](const double* pair) {
+      return pair[0] + column.part * (pair[1] - pair[0]);
+    };
+    const double low = between(at);
+    return scale * (low + row.part * (between(at + kPoints) - low));
+  }
+
+  /// The support in another frame, in which the body lies at `transform`, or at its inverse.
+  Support moved(const Transform& transform) const {
+    return made([&](const Vector3& u) {
+      const Vector3& t = transform.translation;
+      return (*this)(rotated_back(transform, u)) + u[0] * t[0] + u[1] * t[1] + u[2] * t[2];
+    });
+  }
+  Support moved_back(const Transform& transform) const { return moved(inverse(transform)); }
+  /// The support of the volume swept by turning about z over an interval, in radians.
+  Support turned(const Interval& angles) const {
+    // R p . u = p . R^-1 u
+    const std::vector<Turn> turns = turns_to_corners({-angles.upper, -angles.lower});
+    return made([&](const Vector3& u) { return most_of(u, turns); });
+  }
+  /// The support of the volume swept by sliding along z.
+  Support slid(const Interval& distances) const {
+    return made([&](const Vector3& u) {
+      return (*this)(u) + std::max(distances.lower * u[2], distances.upper * u[2]);
+    });
+  }
+  /// A bound on the distance of the body's points from the z axis.
+  double reach() const { return most_of({1, 0, 0}, turns_to_corners({0, kTurn})) * kRoundUp; }
+  /// A bound on their distance from the origin.
+  double radius() const {
+    double most = 0;
+    for (std::size_t i = 0; i < kGrid.size(); ++i) {
+      most = std::max(most, values_[i] / length_of(kGrid[i]));
+    }
+    // The farthest point's direction is within half a step of a grid point along both axes.
+    constexpr double kNearest = 1 / (1 - 2.0 / (kSteps * kSteps));
+    return most * kNearest * kRoundUp;
+  }
+
+ private:
+  Support() = default;
+
+  /// Stores h(direction) for each point of the grid.
+  template <class Function>
+  static Support made(const Function& h) {
+    Support support;
+    std::transform(kGrid.begin(), kGrid.end(), std::back_inserter(support.values_), h);
+    return support;
+  }
+
+  /// The largest value over all images of the direction under `turns`.
+  double most_of(const Vector3& direction, const std::vector<Turn>& turns) const {
     double most = -HUGE_VAL;
-    for (const Vector3& p : points) {
-      most = std::max(most, u[0] * p[0] + u[1] * p[1] + u[2] * p[2]);
+    for (const Turn& turn : turns) {
+      most = std::max(most, (*this)(turn(direction)));
     }
-    return most + deviation * std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  });
-}
-
-template <class Turns>
-double Support::most_of(const Vector3& direction, const Turns& turns) const {
-  double most = -HUGE_VAL;
-  for (const auto& turn : turns) {
-    most = std::max(most, (*this)(turn(direction)));
+    return most;
   }
-  return most;
-}
 
-double Support::operator()(const Vector3& direction) const {
-  const double* const u = direction.data();
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    axis = std::fabs(u[i]) > std::fabs(u[axis]) ? i : axis;
-  }
-  const double scale = std::fabs(u[axis]);
-  if (scale == 0) {
-    return 0;
-  }
-  const Step row = step_at(u[(axis + 1) % 3] / scale);
-  const Step column = step_at(u[(axis + 2) % 3] / scale);
-  const std::size_t face = 2 * axis + (u[axis] > 0 ? 1 : 0);
-  const double* const at = &values_[(face * kPoints + row.point) * kPoints + column.point];
-  const auto between = [&](const double* pair) {
-    return pair[0] + column.part * (pair[1] - pair[0]);
-  };
-  const double low = between(at);
-  return scale * (low + row.part * (between(at + kPoints) - low));
-}
-
-Support Support::moved(const Transform& transform) const {
-  return made([&](const Vector3& u) {
-    const Vector3& t = transform.translation;
-    return (*this)(rotated_back(transform, u)) + u[0] * t[0] + u[1] * t[1] + u[2] * t[2];
-  });
-}
-
-Support Support::turned(const Interval& angles) const {
-  // R p . u = p . R^-1 u
-  const std::vector<Turn> turns = turns_to_corners({-angles.upper, -angles.lower});
-  return made([&](const Vector3& u) { return most_of(u, turns); });
-}
-
-Support Support::slid(const Interval& distances) const {
-  return made([&](const Vector3& u) {
-    return (*this)(u) + std::max(distances.lower * u[2], distances.upper * u[2]);
-  });
-}
-
-double Support::reach() const {
-  return most_of({1, 0, 0}, turns_to_corners({0, kTurn})) * kRoundUp;
-}
-
-double Support::radius() const {
-  double most = 0;
-  std::size_t place = 0;
-  for (std::size_t face = 0; face < 6; ++face) {
-    for (std::size_t row = 0; row < kPoints; ++row) {
-      for (std::size_t column = 0; column < kPoints; ++column) {
-        most = std::max(most, values_[place++] / length_of(grid_direction(face, row, column)));
-      }
-    }
-  }
-  // The farthest point's direction is within half a step of a grid point along both axes.
-  constexpr double kNearest = 1 / (1 - 2.0 / (kSteps * kSteps));
-  return most * kNearest * kRoundUp;
-}
+  std::vector<double> values_;
+};
 
 /// A ball about the origin that holds a body, in place of a Support.
 class Ball {
