@@ -132,4 +132,12 @@ XmlNode read_xml(std::string_view text, const std::string& path, const char* fix
   return TreeReader(path).read(text, fix);
 }
 
+std::string xml_value(std::string_view text) {
+  std::string value;
+  for (const char c : text) {
+    value += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  }
+  return value;
+}
+
 }  // namespace flashbvh::tool

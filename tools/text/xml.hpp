@@ -28,4 +28,7 @@ struct XmlNode {
 /// over 1000 deep, or has a document type that may define entities; `fix` ends the message.
 XmlNode read_xml(std::string_view text, const std::string& path, const char* fix);
 
+/// The text as an attribute's value within "".
+std::string xml_value(std::string_view text);
+
 }  // namespace flashbvh::tool

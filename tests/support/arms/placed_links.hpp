@@ -46,15 +46,8 @@ inline Transform transform_of(const Frame& frame) {
   return tool::transform_of(frame, 1);
 }
 inline Transform transform_of(const Pose& pose) {
-  Transform made;
-  for (int i = 0; i < 3; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    for (int j = 0; j < 3; ++j) {
-      made.rotation[row][static_cast<std::size_t>(j)] = 1.0 * pose.rotation(i, j) / kRotationOne;
-    }
-    made.translation[row] = pose.translation(i) + pose.fraction(i) / 65536.0;
-  }
-  return made;
+  const auto [a, b, c, d, e, f, g, h, i, x, y, z] = tool::pose_numbers(pose, 1);
+  return {{{{a, b, c}, {d, e, f}, {g, h, i}}}, {x, y, z}};
 }
 
 /// Calls visit(joint, reach) for the joints between two links. `reach`: in 1/256 cell per unit of

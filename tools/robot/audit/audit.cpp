@@ -7,6 +7,7 @@
 #include "robot/matrix/pair_space.hpp"
 #include "robot/matrix/unguarded.hpp"
 #include "text/numbers.hpp"
+#include "text/xml.hpp"
 
 namespace flashbvh::tool {
 namespace {
@@ -172,14 +173,6 @@ class Auditor {
   const Decided& decided_;
 };
 
-std::string xml_text(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-  }
-  return text;
-}
-
 }  // namespace
 
 const char* name_of(LineVerdict verdict) {
@@ -196,11 +189,11 @@ std::size_t Audit::count(LineVerdict verdict) const {
 
 std::string srdf_of(const Model& model, const std::vector<SrdfLine>& lines) {
   std::string text =
-      concat("<?xml version=\"1.0\"?>\n<robot name=\"", xml_text(model.name), "\">\n");
+      concat("<?xml version=\"1.0\"?>\n<robot name=\"", xml_value(model.name), "\">\n");
   for (const SrdfLine& line : lines) {
     text +=
-        concat("  <disable_collisions link1=\"", xml_text(model.links[line.a].name), "\" link2=\"",
-               xml_text(model.links[line.b].name), "\" reason=\"", line.reason, "\"/>\n");
+        concat("  <disable_collisions link1=\"", xml_value(model.links[line.a].name), "\" link2=\"",
+               xml_value(model.links[line.b].name), "\" reason=\"", line.reason, "\"/>\n");
   }
   return text + "</robot>\n";
 }

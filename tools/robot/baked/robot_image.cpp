@@ -13,24 +13,17 @@
 namespace flashbvh::tool {
 namespace {
 
-void add_name(const std::string& name, std::string& names) {
-  names += name.substr(0, kMaxRobotNameSize);
-  names += '\0';
-}
-
 /// The names of the robot, the joints, the links and the mounts.
 std::string names_of(const Model& model, const std::string& name) {
-  std::string names;
-  add_name(name, names);
-  for (const ModelJoint& joint : model.joints) {
-    add_name(joint.name, names);
-  }
-  for (const ModelLink& link : model.links) {
-    add_name(link.name, names);
-  }
-  for (const ModelMount& mount : model.mounts) {
-    add_name(mount.name, names);
-  }
+  std::string names = name.substr(0, kMaxRobotNameSize) + '\0';
+  const auto add_all = [&names](const auto& elements) {
+    for (const auto& element : elements) {
+      names += element.name.substr(0, kMaxRobotNameSize) + '\0';
+    }
+  };
+  add_all(model.joints);
+  add_all(model.links);
+  add_all(model.mounts);
   return names;
 }
 

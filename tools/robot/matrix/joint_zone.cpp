@@ -270,11 +270,7 @@ class Finder {
     }
     while (high > kMargin * low && !deadline_is_past()) {
       shape_.radius = 0.5 * (low + high);
-      if (are_apart_outside()) {
-        high = shape_.radius;
-      } else {
-        low = shape_.radius;
-      }
+      (are_apart_outside() ? high : low) = shape_.radius;
     }
     shape_.radius = high + deviations_;
   }

@@ -13,14 +13,6 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
-std::string escaped(const std::string& value) {
-  std::string text;
-  for (const char c : value) {
-    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-  }
-  return text;
-}
-
 std::string tag_of(const XmlNode& element) {
   std::string tag = concat("<", element.name);
   // urdfdom demands forces and speeds; firmware ignores them.
@@ -28,7 +20,7 @@ std::string tag_of(const XmlNode& element) {
   tag += is_limit ? R"( effort="0" velocity="0")" : "";
   for (const auto& [name, value] : element.attributes) {
     if (!is_limit || !is_one_of(name, {"effort", "velocity"})) {
-      tag += concat(" ", name, "=\"", escaped(value), "\"");
+      tag += concat(" ", name, "=\"", xml_value(value), "\"");
     }
   }
   return tag + ">";
