@@ -162,7 +162,7 @@ class Rig:
     def send(self, of):
         self.to_guard += of
 
-    def ask(self, of, seconds=1):
+    def ask(self, of, seconds=10):
         """The answer to a packet; None if there is none."""
         del self.answers[:]
         self.send(of)
@@ -172,7 +172,7 @@ class Rig:
         with open(self.log) as file:
             return file.read().splitlines()
 
-    def says(self, words, seconds=5):
+    def says(self, words, seconds=30):
         """Whether the guard's last line has these words, before long."""
         return self.run(seconds, lambda: any(words in line for line in self.text()[-1:]))
 

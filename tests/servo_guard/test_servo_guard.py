@@ -121,7 +121,7 @@ class ServoGuard(unittest.TestCase):
             rig.start()
             for number in rig.servos:
                 rig.ask(packet(number, WRITE, 40, 1))
-            self.assertTrue(self.go(home, 20), rig.text()[-2:])
+            self.assertTrue(self.go(home, 60), rig.text()[-2:])
             starts += 1
         self.assertIn(f"starts inside {starts}, came out {starts}", self.judge())
 
