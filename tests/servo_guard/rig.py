@@ -213,3 +213,4 @@ def hostile(rig, count, seed, pause=0.005):
         rig.send(sent)
         if draw.random() < 0.6:
             rig.run(pause * draw.choice([1, 1, 2, 8]) * (draw.random() < 0.95 or 20))
+        rig.run(60, lambda: len(rig.to_guard) < 1000)
