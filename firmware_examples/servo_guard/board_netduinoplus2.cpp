@@ -26,7 +26,7 @@ struct Usart {
   void interrupt() { bytes.put(static_cast<uint8_t>(at(registers + 4))); }
 
   uintptr_t registers;
-  servo::Ring bytes;
+  servo::Queue<1024> bytes;
 };
 
 /// A bus of one wire hears itself unless it is deaf while it sends.

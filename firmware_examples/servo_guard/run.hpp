@@ -13,29 +13,6 @@ inline flashbvh::Mesh meshes[ARM(LINK_COUNT)];
 inline const flashbvh::Robot robot = flashbvh::view_robot_unchecked(ARM(robot_image), meshes);
 inline flashbvh::GuardStateOf<ARM(JOINT_COUNT), ARM(PAIR_COUNT), ARM(PAIR_JOINT_COUNT)> state;
 
-/// Bytes from an interrupt's handler to the loop. Those that don't fit are lost.
-class Ring {
- public:
-  void put(uint8_t byte) {
-    const uint32_t next = (end_ + 1) % sizeof bytes_;
-    if (next != begin_) {
-      bytes_[end_] = byte;
-      end_ = next;
-    }
-  }
-  bool is_empty() const { return begin_ == end_; }
-  uint8_t take() {
-    const uint8_t byte = bytes_[begin_];
-    begin_ = (begin_ + 1) % sizeof bytes_;
-    return byte;
-  }
-
- private:
-  volatile uint8_t bytes_[1024] = {};
-  volatile uint32_t begin_ = 0;
-  volatile uint32_t end_ = 0;
-};
-
 /// Sends bytes while the UART takes them.
 template <class Bytes, class Uart>
 void send(Bytes& bytes, Uart& uart) {

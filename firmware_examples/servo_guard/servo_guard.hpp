@@ -24,11 +24,13 @@ namespace servo {
 
 constexpr uint32_t kPeriod = 5'000;  ///< in microseconds, as all times
 constexpr int32_t kCounts = 4096;    ///< of a turn
-constexpr int32_t kNear = 1;         ///< counts from its goal, at most, of a servo that arrived
-constexpr int32_t kMoved = 64;       ///< counts from its goal, at least, of a servo that won't
-constexpr uint8_t kStill = 10;       ///< readings of a servo that stands still
-constexpr uint8_t kStalled = 100;    ///< readings of a servo that gave up its goal
-constexpr uint32_t kWork = 500;      ///< of each call to the guard, in units of query.hpp
+constexpr flashbvh::JointCoordinate kCount = (1 << 28) / kCounts;  ///< a count's coordinate
+constexpr int32_t kNear = 1;       ///< counts from its goal, at most, of a servo that arrived
+constexpr int32_t kSlack = 3;      ///< counts beyond a joint's limits that are taken for the limit
+constexpr int32_t kMoved = 64;     ///< counts from its goal, at least, of a servo that won't
+constexpr uint8_t kStill = 10;     ///< readings of a servo that stands still
+constexpr uint8_t kStalled = 100;  ///< readings of a servo that gave up its goal
+constexpr uint32_t kWork = 500;    ///< of each call to the guard, in units of query.hpp
 constexpr uint32_t kMaxServos = 16;
 
 /// A line of an arm's file.
@@ -46,29 +48,28 @@ struct Times {
   uint32_t stale = 100'000;  ///< the age at which a position is unknown
 };
 
-/// Bytes in order.
+/// Bytes in order; an interrupt's handler may put them. Those that don't fit are lost.
 template <uint32_t size>
 class Queue {
  public:
-  uint32_t room() const { return size - count_; }
-  bool is_empty() const { return count_ == 0; }
-  /// A byte too many is lost.
+  uint32_t room() const { return size - 1 - (end_ + size - first_) % size; }
+  bool is_empty() const { return first_ == end_; }
   void put(uint8_t byte) {
     if (room() != 0) {
-      bytes_[(first_ + count_++) % size] = byte;
+      bytes_[end_] = byte;
+      end_ = (end_ + 1) % size;
     }
   }
   uint8_t take() {
     const uint8_t byte = bytes_[first_];
     first_ = (first_ + 1) % size;
-    --count_;
     return byte;
   }
 
  private:
-  uint8_t bytes_[size];
-  uint32_t first_ = 0;
-  uint32_t count_ = 0;
+  volatile uint8_t bytes_[size] = {};
+  volatile uint32_t first_ = 0;
+  volatile uint32_t end_ = 0;
 };
 
 enum class State : uint8_t {

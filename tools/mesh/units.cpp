@@ -104,7 +104,9 @@ double Units::converted(double length, const std::string& file, Unit says) const
   const std::uint64_t to = nanometres_in(common_);
   const std::uint64_t both = std::gcd(from, to);
   // In lowest terms, a conversion from mm to m rounds each length once, by the division.
-  return length * static_cast<double>(from / both) / static_cast<double>(to / both);
+  const std::uint64_t times = from / both;
+  const std::uint64_t parts = to / both;
+  return length * static_cast<double>(times) / static_cast<double>(parts);
 }
 
 void Units::convert(bake::SourceMesh& mesh, const std::string& file, Unit says) const {

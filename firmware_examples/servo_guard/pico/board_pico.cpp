@@ -37,7 +37,7 @@ struct Uart {
 
   uart_inst_t* uart;
   volatile bool is_sending = false;
-  servo::Ring bytes;
+  servo::Queue<1024> bytes;
 };
 
 struct Usb {

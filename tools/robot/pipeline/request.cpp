@@ -116,8 +116,8 @@ Packages packages_of(const std::vector<std::string>& given) {
 
 AllDistances usual_distances(const RobotRequest& request) {
   const std::string warn = request.warn.value_or(request.stop);
-  const AllDistances distances = {metres("--stop " + request.stop, request.stop),
-                                  metres("--warn " + warn, warn)};
+  AllDistances distances = {metres("--stop " + request.stop, request.stop),
+                            metres("--warn " + warn, warn)};
   if (distances.warn < distances.stop) {
     throw UserError("--warn " + warn, "is nearer than --stop ", request.stop,
                     "; warn from further off");
