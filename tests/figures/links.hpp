@@ -41,33 +41,6 @@ struct PoseKey {
   flashbvh::Pose pose(int32_t along_x = 0) const;
 };
 
-/// A mesh's box, in its frame.
-struct MeshBox {
-  flashbvh::Point lower;
-  flashbvh::Point upper;
-
-  explicit MeshBox(const flashbvh::Mesh& mesh) {
-    const flashbvh::Box root = unpack(mesh.nodes[0].box);
-    const int32_t(&o)[3] = mesh.origin;
-    lower = {root.lower.x + o[0], root.lower.y + o[1], root.lower.z + o[2]};
-    upper = {root.upper.x + o[0], root.upper.y + o[1], root.upper.z + o[2]};
-  }
-  flashbvh::Point middle() const {
-    return {(lower.x + upper.x) / 2, (lower.y + upper.y) / 2, (lower.z + upper.z) / 2};
-  }
-  int32_t longest_side() const {
-    const int32_t x = upper.x - lower.x;
-    const int32_t y = upper.y - lower.y;
-    const int32_t z = upper.z - lower.z;
-    const int32_t of_xy = x < y ? y : x;
-    return of_xy < z ? z : of_xy;
-  }
-  bool holds(const flashbvh::Point& p) const {
-    return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
-           p.z <= upper.z;
-  }
-};
-
 /// Calls `call(pair, key)` for each pose. Returns whether all calls return true.
 template <class Call>
 bool for_each_pose(const Call& call) {

@@ -12,18 +12,21 @@ constexpr int32_t kWay = 100;  // cells
 
 /// A turn about an axis through the middle of B's box that moves its corners by kWay.
 Move turn_of(const Mesh& b, const Pose& pose) {
-  const MeshBox box(b);
-  const Point middle = box.middle();
-  const int64_t x = box.upper.x - box.lower.x;
-  const int64_t y = box.upper.y - box.lower.y;
-  const int64_t z = box.upper.z - box.lower.z;
-  const auto squared = static_cast<uint64_t>(x * x + y * y + z * z);
-  const auto radius = static_cast<int32_t>(detail::square_root(squared) / 2);
+  const Box box = unpack(b.nodes[0].box);
+  const int32_t lower[3] = {box.lower.x, box.lower.y, box.lower.z};
+  const int32_t upper[3] = {box.upper.x, box.upper.y, box.upper.z};
+  int64_t squared = 0;
+  int64_t middle[3];
+  for (int i = 0; i < 3; ++i) {
+    squared += int64_t{upper[i] - lower[i]} * (upper[i] - lower[i]);
+    middle[i] = b.origin[i] + (lower[i] + upper[i]) / 2;
+  }
+  const auto radius = static_cast<int32_t>(detail::square_root(static_cast<uint64_t>(squared)) / 2);
   Move move = {{0, 0, 0}, {0, kRotationOne, 0}, 0, {0, 0, 0}};
   move.turn = static_cast<int32_t>(int64_t{kFullTurn} * kWay / 6 / radius);
   for (int i = 0; i < 3; ++i) {
-    const int64_t turned = pose.rotation(i, 0) * middle.x + pose.rotation(i, 1) * middle.y +
-                           pose.rotation(i, 2) * middle.z;
+    const int64_t turned = pose.rotation(i, 0) * middle[0] + pose.rotation(i, 1) * middle[1] +
+                           pose.rotation(i, 2) * middle[2];
     move.point[i] = static_cast<int32_t>((pose.translation(i) + (turned >> 30)) * kFrameCell);
   }
   return move;

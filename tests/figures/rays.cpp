@@ -16,6 +16,33 @@ constexpr uint64_t kSeed = 20240607;
 constexpr uint32_t kOfLink = 128;  ///< aimed rays, and points
 constexpr int32_t kOfLine = 256;   ///< rays of a row, 45 degrees wide
 
+/// A mesh's box, in its frame.
+struct MeshBox {
+  Point lower;
+  Point upper;
+
+  explicit MeshBox(const Mesh& mesh) {
+    const flashbvh::Box root = unpack(mesh.nodes[0].box);
+    const int32_t(&o)[3] = mesh.origin;
+    lower = {root.lower.x + o[0], root.lower.y + o[1], root.lower.z + o[2]};
+    upper = {root.upper.x + o[0], root.upper.y + o[1], root.upper.z + o[2]};
+  }
+  Point middle() const {
+    return {(lower.x + upper.x) / 2, (lower.y + upper.y) / 2, (lower.z + upper.z) / 2};
+  }
+  int32_t longest_side() const {
+    const int32_t x = upper.x - lower.x;
+    const int32_t y = upper.y - lower.y;
+    const int32_t z = upper.z - lower.z;
+    const int32_t of_xy = x < y ? y : x;
+    return of_xy < z ? z : of_xy;
+  }
+  bool holds(const Point& p) const {
+    return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
+           p.z <= upper.z;
+  }
+};
+
 Point any_point(test::Random& random, const Point& lower, const Point& upper) {
   const int32_t x = random.between(lower.x, upper.x);
   const int32_t y = random.between(lower.y, upper.y);

@@ -13,7 +13,8 @@
 //
 // Distances are in cells and 1/256 cell; float.hpp and units.hpp convert them to lengths, and
 // lengths to a FineLength.
-#pragma once
+#ifndef FLASHBVH_CLEARANCE_HPP
+#define FLASHBVH_CLEARANCE_HPP
 
 #include <stdint.h>
 
@@ -204,3 +205,5 @@ extern template class BasicClearanceQuery<Mesh>;
 extern template class BasicClearanceQuery<Mesh32>;
 
 }  // namespace flashbvh
+
+#endif

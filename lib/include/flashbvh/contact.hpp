@@ -1,5 +1,6 @@
 // The triangles of a reported pair: their contact, and their corners at a later time.
-#pragma once
+#ifndef FLASHBVH_CONTACT_HPP
+#define FLASHBVH_CONTACT_HPP
 
 #include <stdint.h>
 
@@ -52,3 +53,5 @@ template <class Mesh>
 }
 
 }  // namespace flashbvh
+
+#endif

@@ -12,7 +12,8 @@
 //
 // Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005);
 // lib/docs/derivations.md, "Motions of two bodies".
-#pragma once
+#ifndef FLASHBVH_FIRST_CONTACT_HPP
+#define FLASHBVH_FIRST_CONTACT_HPP
 
 #include <stdint.h>
 
@@ -233,3 +234,5 @@ extern template class BasicFirstContact<Mesh32>;
 }  // namespace flashbvh
 
 #pragma GCC diagnostic pop
+
+#endif

@@ -1,5 +1,6 @@
 // All headers that firmware needs to query baked meshes.
-#pragma once
+#ifndef FLASHBVH_FLASHBVH_HPP
+#define FLASHBVH_FLASHBVH_HPP
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
@@ -20,3 +21,5 @@
 #include "flashbvh/time_bound.hpp"
 #include "flashbvh/triangle.hpp"
 #include "flashbvh/version.hpp"
+
+#endif

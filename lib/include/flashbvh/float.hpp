@@ -17,7 +17,8 @@
 // segment is at most 0.9 cells away from the ray.
 //
 // Stack on Cortex-M3 to M55 at -O2: a pose 352 bytes, a ray 304 bytes.
-#pragma once
+#ifndef FLASHBVH_FLOAT_HPP
+#define FLASHBVH_FLOAT_HPP
 
 #include <stdint.h>
 
@@ -176,3 +177,5 @@ UnitContact<Index> contact_at(const BasicMesh<Index, Layout::post_indexed>& a,
 }
 
 }  // namespace flashbvh
+
+#endif

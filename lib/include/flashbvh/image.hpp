@@ -1,6 +1,7 @@
 // The binary image: a baked mesh in one block of bytes, used in place in flash. A header, then the
 // mesh's arrays; lib/docs/format.md has every bit.
-#pragma once
+#ifndef FLASHBVH_IMAGE_HPP
+#define FLASHBVH_IMAGE_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -109,3 +110,5 @@ ImageOffsets image_offsets(const ImageHeader& header);
 uint32_t image_crc(const void* bytes, size_t size);
 
 }  // namespace flashbvh
+
+#endif

@@ -2,7 +2,8 @@
 //
 // A mesh is rounded once, on the desktop, to multiples of its cell (a length). All boxes, vertices
 // and answers are then integers, which makes answers equal on every core.
-#pragma once
+#ifndef FLASHBVH_LATTICE_HPP
+#define FLASHBVH_LATTICE_HPP
 
 #include <stdint.h>
 
@@ -96,3 +97,5 @@ constexpr Box unpack(const PackedBox& box) {
 static_assert(sizeof(Vertex) == 6, "vertices are packed three halfwords");
 
 }  // namespace flashbvh
+
+#endif

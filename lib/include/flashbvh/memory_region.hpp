@@ -1,6 +1,7 @@
 // Checksums of memory that must not change: firmware's code and constants, images in flash, a
 // workcell's memory.
-#pragma once
+#ifndef FLASHBVH_MEMORY_REGION_HPP
+#define FLASHBVH_MEMORY_REGION_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -45,3 +46,5 @@ class RegionTest {
 };
 
 }  // namespace flashbvh
+
+#endif

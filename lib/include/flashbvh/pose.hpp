@@ -1,5 +1,6 @@
 // B's pose in A's frame: a rotation in fixed point and a translation in cells.
-#pragma once
+#ifndef FLASHBVH_POSE_HPP
+#define FLASHBVH_POSE_HPP
 
 #include <stdint.h>
 
@@ -140,3 +141,5 @@ constexpr Frame kIdentityFrame = {
     {{kRotationOne, 0, 0}, {0, kRotationOne, 0}, {0, 0, kRotationOne}}, {0, 0, 0}};
 
 }  // namespace flashbvh
+
+#endif

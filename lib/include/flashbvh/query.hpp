@@ -11,7 +11,8 @@
 // A query writes only to itself and to the caller's array. So any number of queries, in tasks and
 // in interrupts, may share meshes and poses. A query has one caller at a time: an interrupt of its
 // run must not touch it.
-#pragma once
+#ifndef FLASHBVH_QUERY_HPP
+#define FLASHBVH_QUERY_HPP
 
 #include <stdint.h>
 
@@ -157,3 +158,5 @@ extern template class Query<Ranked<Mesh>>;
 extern template class Query<Ranked<Mesh32>>;
 
 }  // namespace flashbvh
+
+#endif

@@ -9,7 +9,8 @@
 //
 // Coordinates are in cells of the shape's frame, rounded to the nearest: a workcell counts half a
 // cell's diagonal for it. The shape's cell is the tested mesh's.
-#pragma once
+#ifndef FLASHBVH_SHAPE_HPP
+#define FLASHBVH_SHAPE_HPP
 
 #include <stdint.h>
 
@@ -184,3 +185,5 @@ class BoxShape : public Shape<12, 8> {
 };
 
 }  // namespace flashbvh
+
+#endif

@@ -9,7 +9,8 @@
 //
 // Source: Edelsbrunner and Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9(1),
 // 1990.
-#pragma once
+#ifndef FLASHBVH_SOLID_HPP
+#define FLASHBVH_SOLID_HPP
 
 #include <stdint.h>
 
@@ -62,3 +63,5 @@ Answer solids_intersect(const BasicMesh<Index, Layout::post_indexed>& a,
                         const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
 
 }  // namespace flashbvh
+
+#endif

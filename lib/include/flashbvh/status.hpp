@@ -1,5 +1,6 @@
 // The end of a flashbvh call: its status, and the result and cursor of a query's run.
-#pragma once
+#ifndef FLASHBVH_STATUS_HPP
+#define FLASHBVH_STATUS_HPP
 
 #include <stdint.h>
 
@@ -100,3 +101,5 @@ template <class Index>
 using QueryCursor = typename detail::TypesOf<Index>::Cursor;
 
 }  // namespace flashbvh
+
+#endif

@@ -3,7 +3,8 @@
 // Queries decide exactly that a pair intersects (detail/predicates/triangle.hpp). These functions
 // compute where, for drawing, measuring or pushing bodies apart, one pair in each call; no query
 // pays for them. Query::last_pair() and transform_pair() return a pair's triangles.
-#pragma once
+#ifndef FLASHBVH_TRIANGLE_HPP
+#define FLASHBVH_TRIANGLE_HPP
 
 #include <stdint.h>
 
@@ -65,3 +66,5 @@ struct SquaredDistance {
 [[nodiscard]] SquaredDistance squared_distance(const Triangle& a, const Triangle& b) noexcept;
 
 }  // namespace flashbvh
+
+#endif

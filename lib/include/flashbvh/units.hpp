@@ -1,5 +1,6 @@
 // Converts lengths from cells to the mesh's unit, in integers. float.hpp converts to floats.
-#pragma once
+#ifndef FLASHBVH_UNITS_HPP
+#define FLASHBVH_UNITS_HPP
 
 #include <stdint.h>
 
@@ -34,3 +35,5 @@ CellsPerUnit exact_cells_per_unit(uint64_t cell_bits);
 }  // namespace detail
 
 }  // namespace flashbvh
+
+#endif

@@ -1,5 +1,6 @@
 // The object layout on which the assembly forms of the rotated box test rely.
-#pragma once
+#ifndef FLASHBVH_ARCH_ASSEMBLY_HPP
+#define FLASHBVH_ARCH_ASSEMBLY_HPP
 
 #include <stddef.h>
 
@@ -22,3 +23,5 @@ static_assert(offsetof(RotatedBox, bounds) == 0 && offsetof(RotatedBox, source) 
 static_assert(sizeof(SplitRow) == 12 && sizeof(BoxTestStart) == 8 && kSplitBits == 14);
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -3,7 +3,8 @@
 // A struct's bytes are an array of unsigned char, so an object may be constructed in them. A copy
 // of the struct is a copy of the object: all objects are trivially copyable. Only objects that
 // make_in_place() makes may point into themselves.
-#pragma once
+#ifndef FLASHBVH_C_OBJECTS_HPP
+#define FLASHBVH_C_OBJECTS_HPP
 
 #include <stddef.h>
 
@@ -107,3 +108,5 @@ inline flashbvh_status put_pose(const Pose& made, flashbvh_pose* pose) {
   struct flashbvh::ObjectIn<Struct> { \
     using Type = Held;                \
   }
+
+#endif

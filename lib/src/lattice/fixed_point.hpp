@@ -1,5 +1,6 @@
 // Products of rotations in fixed point; kRotationOne is 1.
-#pragma once
+#ifndef FLASHBVH_LATTICE_FIXED_POINT_HPP
+#define FLASHBVH_LATTICE_FIXED_POINT_HPP
 
 #include <stdint.h>
 
@@ -25,3 +26,5 @@ constexpr uint32_t magnitude(int32_t value) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Transforms points from a mesh's frame to its lattice.
-#pragma once
+#ifndef FLASHBVH_LATTICE_MESH_FRAME_HPP
+#define FLASHBVH_LATTICE_MESH_FRAME_HPP
 
 #include "flashbvh/lattice.hpp"
 
@@ -21,3 +22,5 @@ inline bool get_from_origin(const int32_t (&origin)[3], const Point& p, int32_t 
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Sine and cosine of a part of a turn, in fixed point, bit-identical on every core.
-#pragma once
+#ifndef FLASHBVH_LATTICE_SINE_HPP
+#define FLASHBVH_LATTICE_SINE_HPP
 
 #include <stdint.h>
 
@@ -45,3 +46,5 @@ inline SineCosine sine_cosine(uint32_t turn) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

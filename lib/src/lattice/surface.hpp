@@ -1,5 +1,6 @@
 // Measures a mesh's triangles for its check: the longest edge, and whether the surface is closed.
-#pragma once
+#ifndef FLASHBVH_LATTICE_SURFACE_HPP
+#define FLASHBVH_LATTICE_SURFACE_HPP
 
 #include <stdint.h>
 
@@ -69,3 +70,5 @@ class Surface {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // How far queries round a placed vertex.
-#pragma once
+#ifndef FLASHBVH_LATTICE_VERTEX_ROUNDING_HPP
+#define FLASHBVH_LATTICE_VERTEX_ROUNDING_HPP
 
 #include <stdint.h>
 
@@ -19,3 +20,5 @@ constexpr uint32_t vertex_rounding(uint64_t sum) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

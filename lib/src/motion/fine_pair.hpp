@@ -1,5 +1,6 @@
 // Two triangles, placed on a finer grid than the lattice, for the distance of moving bodies.
-#pragma once
+#ifndef FLASHBVH_MOTION_FINE_PAIR_HPP
+#define FLASHBVH_MOTION_FINE_PAIR_HPP
 
 #include <stdint.h>
 
@@ -37,3 +38,5 @@ PackedVector direction_between(const FinePair& pair);
 bool has_near_corners(const FinePair& pair, uint32_t distance);
 
 }  // namespace flashbvh::detail
+
+#endif

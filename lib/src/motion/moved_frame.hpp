@@ -1,5 +1,6 @@
 // Kinematics of a motion that is a product of moves.
-#pragma once
+#ifndef FLASHBVH_MOTION_MOVED_FRAME_HPP
+#define FLASHBVH_MOTION_MOVED_FRAME_HPP
 
 #include <stdint.h>
 
@@ -35,3 +36,5 @@ uint32_t distance_from_axis(const Move& move, const FramePoint& point);
 uint32_t length_of(const int32_t (&vector)[3]);
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Tests whether two bodies are within a distance, with the last nearest triangles as a hint.
-#pragma once
+#ifndef FLASHBVH_MOTION_NEAR_QUERY_HPP
+#define FLASHBVH_MOTION_NEAR_QUERY_HPP
 
 #include <stdint.h>
 
@@ -97,3 +98,5 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // The common part of two triangles that lie in one plane or have no area.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
+#define FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
 
 #include "flashbvh/triangle.hpp"
 
@@ -21,3 +22,5 @@ Outline outline_of(const Triangle& t, bool has_area);
 void set_flat_ends(const Triangle& a, const Triangle& b, Contact& contact);
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,6 +1,7 @@
 // Shared by the parts of a contact: orders of points and edges, and the point in which an edge
 // crosses a plane or a line.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_FINE_CROSSING_HPP
+#define FLASHBVH_PREDICATES_FINE_CROSSING_HPP
 
 #include "flashbvh/triangle.hpp"
 #include "orientation.hpp"
@@ -42,3 +43,5 @@ void set_crossing(const Point& p, const Point& q, int64_t height_p, int64_t heig
                   FinePoint& point);
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // 128-bit quotients for machines that cannot divide such numbers, and roots by quotients.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_LONG_DIVISION_HPP
+#define FLASHBVH_PREDICATES_LONG_DIVISION_HPP
 
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "short_root.hpp"
@@ -66,3 +67,5 @@ inline uint64_t long_root(const Int128& u) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,6 +1,7 @@
 // Exact orientation predicates: only differences of corners are multiplied, so their position never
 // matters. Each value is exact within the ranges that the callers state.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_ORIENTATION_HPP
+#define FLASHBVH_PREDICATES_ORIENTATION_HPP
 
 #include "flashbvh/lattice.hpp"
 
@@ -98,3 +99,5 @@ inline unsigned previous(unsigned corner) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

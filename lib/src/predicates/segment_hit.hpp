@@ -1,5 +1,6 @@
 // First common point of a segment and a triangle, and the passage of a line through a triangle.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
+#define FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
 
 #include "flashbvh/lattice.hpp"
 #include "orientation.hpp"
@@ -28,3 +29,5 @@ int passage(const Triangle& t, const Point& from, const Vector& way) noexcept;
 int side_of_plane(const Triangle& t, const Point& p) noexcept;
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Square root of a 32-bit number, rounded down.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_SHORT_ROOT_HPP
+#define FLASHBVH_PREDICATES_SHORT_ROOT_HPP
 
 #include <stdint.h>
 
@@ -16,3 +17,5 @@ inline uint32_t short_root(uint32_t value) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

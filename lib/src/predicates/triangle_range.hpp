@@ -1,5 +1,6 @@
 // Shared by the distance of triangles and by the tests that reject distant triangles.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
+#define FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
 
 #include "orientation.hpp"
 
@@ -37,3 +38,5 @@ inline Range range_of(const Triangle& t, int32_t Point::*axis) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

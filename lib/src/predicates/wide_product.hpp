@@ -1,5 +1,6 @@
 // 128-bit products, native if the compiler has 128-bit integers.
-#pragma once
+#ifndef FLASHBVH_PREDICATES_WIDE_PRODUCT_HPP
+#define FLASHBVH_PREDICATES_WIDE_PRODUCT_HPP
 
 #include "flashbvh/detail/predicates/fraction.hpp"
 
@@ -43,3 +44,5 @@ inline Int128 low_product(const Int128& u, const Int128& v) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // The joints between two links, and how far they move the links towards each other.
-#pragma once
+#ifndef FLASHBVH_ROBOT_BRANCH_HPP
+#define FLASHBVH_ROBOT_BRANCH_HPP
 
 #include <stdint.h>
 
@@ -79,3 +80,5 @@ class Travel {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Coordinates of joints.
-#pragma once
+#ifndef FLASHBVH_ROBOT_COORDINATE_HPP
+#define FLASHBVH_ROBOT_COORDINATE_HPP
 
 #include <stdint.h>
 
@@ -74,3 +75,5 @@ inline JointCoordinate coordinate_of(const RobotJoint& joint, const JointCoordin
 }
 
 }  // namespace flashbvh::detail
+
+#endif

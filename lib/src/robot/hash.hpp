@@ -1,5 +1,6 @@
 // The hash that distinguishes robots.
-#pragma once
+#ifndef FLASHBVH_ROBOT_HASH_HPP
+#define FLASHBVH_ROBOT_HASH_HPP
 
 #include <stdint.h>
 
@@ -18,3 +19,5 @@ template <class Element>
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -5,7 +5,8 @@
 // by at most what the joints move it, so levers grow by the joints' motion since then.
 //
 // Source: lib/docs/derivations.md, "Levers".
-#pragma once
+#ifndef FLASHBVH_ROBOT_LEVERS_HPP
+#define FLASHBVH_ROBOT_LEVERS_HPP
 
 #include <stdint.h>
 
@@ -54,3 +55,5 @@ class LeverTravel {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Bounding spheres of links, which separate distant links before a pose is made.
-#pragma once
+#ifndef FLASHBVH_ROBOT_SPHERES_HPP
+#define FLASHBVH_ROBOT_SPHERES_HPP
 
 #include <stdint.h>
 
@@ -27,3 +28,5 @@ uint32_t sphere_gap(const RobotLink& a, const Frame& frame_a, const RobotLink& b
 uint32_t distance_above(const Triangle& a, const Triangle& b);
 
 }  // namespace flashbvh::detail
+
+#endif

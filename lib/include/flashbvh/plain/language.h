@@ -1,5 +1,6 @@
 /* Differences between the two languages that read the C headers. */
-#pragma once
+#ifndef FLASHBVH_PLAIN_LANGUAGE_H
+#define FLASHBVH_PLAIN_LANGUAGE_H
 
 #if defined(__cplusplus) && __cplusplus < 201703L && !defined(_MSC_VER)
 #error "flashbvh needs C++17: set -std=gnu++17"
@@ -41,3 +42,5 @@ enum class [[nodiscard]] Status : uint8_t;
       void* pointer;                                              \
     } opaque;                                                     \
   } name
+
+#endif

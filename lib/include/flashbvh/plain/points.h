@@ -1,5 +1,6 @@
 /* Points, directions and types made of them. For C and C++: `Point` is `flashbvh_point`. */
-#pragma once
+#ifndef FLASHBVH_PLAIN_POINTS_H
+#define FLASHBVH_PLAIN_POINTS_H
 
 #include "flashbvh/plain/language.h"
 
@@ -102,3 +103,5 @@ typedef struct flashbvh_contact {
   flashbvh_normal normal_b;
   FLASHBVH_BYTE(ContactKind) kind; /**< a flashbvh_contact_kind */
 } flashbvh_contact;
+
+#endif

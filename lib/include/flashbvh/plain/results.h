@@ -1,5 +1,6 @@
 /* Results of queries, and the size of a tree. */
-#pragma once
+#ifndef FLASHBVH_PLAIN_RESULTS_H
+#define FLASHBVH_PLAIN_RESULTS_H
 
 #include "flashbvh/plain/language.h"
 
@@ -54,3 +55,5 @@ typedef struct flashbvh_run_costs {
   uint32_t leaf_triangle; /**< each triangle of a leaf after the first */
   uint32_t work;          /**< each unit of work */
 } flashbvh_run_costs;
+
+#endif

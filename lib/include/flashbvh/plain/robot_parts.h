@@ -1,6 +1,7 @@
 /* A baked robot, and the results of guards and motions. For C and C++: `RobotJoint` is
  * `flashbvh_robot_joint`. */
-#pragma once
+#ifndef FLASHBVH_PLAIN_ROBOT_PARTS_H
+#define FLASHBVH_PLAIN_ROBOT_PARTS_H
 
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/points.h"
@@ -209,3 +210,5 @@ typedef struct flashbvh_workcell_room {
   uint32_t pairs;
   uint32_t reaches;
 } flashbvh_workcell_room;
+
+#endif

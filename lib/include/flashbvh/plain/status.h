@@ -1,5 +1,6 @@
 /* Every way in which a flashbvh call can end, for C and, by the names of status.hpp, for C++. */
-#pragma once
+#ifndef FLASHBVH_PLAIN_STATUS_H
+#define FLASHBVH_PLAIN_STATUS_H
 
 /** The values are part of the interface and never change. All fit 8 bits. */
 typedef enum flashbvh_status {
@@ -88,4 +89,6 @@ const char* flashbvh_status_name(flashbvh_status status);
 
 #ifdef __cplusplus
 }
+#endif
+
 #endif

@@ -1,5 +1,6 @@
 // Frames of a robot's joints and links in fixed point: equal bits on every core.
-#pragma once
+#ifndef FLASHBVH_ROBOT_KINEMATICS_HPP
+#define FLASHBVH_ROBOT_KINEMATICS_HPP
 
 #include <stdint.h>
 
@@ -30,3 +31,5 @@ void set_frames(const Robot& robot, const JointCoordinate* coordinates, Frame* f
 [[nodiscard]] Pose relative_pose(const Frame& a, const Frame& b) noexcept;
 
 }  // namespace flashbvh
+
+#endif

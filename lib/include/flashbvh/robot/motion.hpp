@@ -7,7 +7,8 @@
 // Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005).
 //
 // Stack of run() on Cortex-M3 to M55 at -O2: 1,120 bytes.
-#pragma once
+#ifndef FLASHBVH_ROBOT_MOTION_HPP
+#define FLASHBVH_ROBOT_MOTION_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -129,3 +130,5 @@ class MotionQuery {
 }  // namespace flashbvh
 
 #pragma GCC diagnostic pop
+
+#endif

@@ -6,7 +6,8 @@
 // a mesh's pose in the base's frame is its joint's frame.
 //
 // All meshes share one cell. Lengths are in cells or parts of them.
-#pragma once
+#ifndef FLASHBVH_ROBOT_ROBOT_HPP
+#define FLASHBVH_ROBOT_ROBOT_HPP
 
 #include <stdint.h>
 
@@ -80,3 +81,5 @@ inline Status status_of(Fit fit, const Robot* robot) {
 
 }  // namespace detail
 }  // namespace flashbvh
+
+#endif

@@ -1,7 +1,8 @@
 // Converts floats of encoder drivers and trajectories to joint coordinates and frames.
 //
 // Optional, as float.hpp, and also without float arithmetic: a coordinate is equal on every core.
-#pragma once
+#ifndef FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
+#define FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
 
 #include <stdint.h>
 
@@ -102,3 +103,5 @@ inline void set_values(const Robot& robot, const float* floats, JointCoordinate*
 }
 
 }  // namespace flashbvh
+
+#endif

@@ -11,7 +11,8 @@
 // obstacle depends on the path length that the caller states.
 //
 // Stack of its functions on Cortex-M3 to M55 at -O2: 400 bytes at most.
-#pragma once
+#ifndef FLASHBVH_ROBOT_WORKCELL_HPP
+#define FLASHBVH_ROBOT_WORKCELL_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -132,3 +133,5 @@ class Workcell {
 };
 
 }  // namespace flashbvh
+
+#endif

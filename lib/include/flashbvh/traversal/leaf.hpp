@@ -8,7 +8,8 @@
 // 32 instructions a visit on Cortex-M0, M3 and M4F, translated, by boxes.
 //
 // Invariant: the leaves of A before `a` are done; for leaf `a`, so are B's nodes before `b`.
-#pragma once
+#ifndef FLASHBVH_TRAVERSAL_LEAF_HPP
+#define FLASHBVH_TRAVERSAL_LEAF_HPP
 
 #include <stdint.h>
 
@@ -119,3 +120,5 @@ using Leaf = BasicLeaf<PreMesh>;
 using LeafPost = BasicLeaf<Mesh>;
 
 }  // namespace flashbvh
+
+#endif

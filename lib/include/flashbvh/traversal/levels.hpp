@@ -6,7 +6,8 @@
 // child); Escape; and LevelUp(i, x), the ancestor x levels above i along last children.
 //
 // `flashbvh bake --layout pre` and `--layout post --levels` write the arrays: two indices a node.
-#pragma once
+#ifndef FLASHBVH_TRAVERSAL_LEVELS_HPP
+#define FLASHBVH_TRAVERSAL_LEVELS_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -101,3 +102,5 @@ template <>
 MeshWithLevels view_unchecked<MeshWithLevels>(const void* image);
 
 }  // namespace flashbvh
+
+#endif

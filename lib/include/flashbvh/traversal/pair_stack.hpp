@@ -8,7 +8,8 @@
 //     StackEntry<uint16_t> entries[stack_entries(plate_STACK_NEED, peg_STACK_NEED)];
 //     PairStack<uint16_t> stack(entries, sizeof entries / sizeof entries[0]);
 //     Query<VolumeStack> query(plate, peg, pose, stack);
-#pragma once
+#ifndef FLASHBVH_TRAVERSAL_PAIR_STACK_HPP
+#define FLASHBVH_TRAVERSAL_PAIR_STACK_HPP
 
 #include <stdint.h>
 
@@ -74,3 +75,5 @@ class PairStack {
 };
 
 }  // namespace flashbvh
+
+#endif

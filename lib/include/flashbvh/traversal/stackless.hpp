@@ -17,7 +17,8 @@
 // levels differ as they did at the leaf leads back to the eight cases.
 //
 // The walk ends when a node is the imaginary end node, the root's escape index.
-#pragma once
+#ifndef FLASHBVH_TRAVERSAL_STACKLESS_HPP
+#define FLASHBVH_TRAVERSAL_STACKLESS_HPP
 
 #include <stdint.h>
 
@@ -162,3 +163,5 @@ using Stackless = BasicStackless<PreMeshWithLevels>;
 using StacklessPost = BasicStackless<MeshWithLevels>;
 
 }  // namespace flashbvh
+
+#endif

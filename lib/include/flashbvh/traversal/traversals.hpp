@@ -1,5 +1,6 @@
 // All traversals and their names: the paper's five, in the order of its tables, then `ranked`.
-#pragma once
+#ifndef FLASHBVH_TRAVERSAL_TRAVERSALS_HPP
+#define FLASHBVH_TRAVERSAL_TRAVERSALS_HPP
 
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/traversal/alternating_stack.hpp"
@@ -39,3 +40,5 @@ constexpr void for_each_traversal(Use&& use) {
 }
 
 }  // namespace flashbvh
+
+#endif

@@ -6,7 +6,8 @@
 // ranks. Cut into runs, it resumes; it has no cursor to keep.
 // Cost: two volumes, 64-bit products, at each descent; each pair is pushed and popped once. About
 // 152, 63 and 56 instructions a visit on Cortex-M0, M3 and M4F, translated, by boxes.
-#pragma once
+#ifndef FLASHBVH_TRAVERSAL_VOLUME_STACK_HPP
+#define FLASHBVH_TRAVERSAL_VOLUME_STACK_HPP
 
 #include <stdint.h>
 
@@ -40,3 +41,5 @@ using VolumeStack = BasicVolumeStack<PreMesh>;
 using VolumeStackPost = BasicVolumeStack<Mesh>;
 
 }  // namespace flashbvh
+
+#endif

@@ -1,5 +1,6 @@
 // The inner step of the rotated box test for cores that multiply one pair of numbers at a time.
-#pragma once
+#ifndef FLASHBVH_ARCH_PLAIN_ROTATE_BOX_HPP
+#define FLASHBVH_ARCH_PLAIN_ROTATE_BOX_HPP
 
 #include "sums.hpp"
 
@@ -14,3 +15,5 @@ FLASHBVH_NOINLINE static uint32_t rotate_and_compare(RotatedBox& kept, const Pac
 }
 
 }  // namespace flashbvh::detail
+
+#endif

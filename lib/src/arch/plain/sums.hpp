@@ -1,7 +1,8 @@
 // The sums of a rotated box for cores that multiply one pair of numbers at a time: those of
 // portable/rotate_box.hpp without the products that are 0. One of an entry's positive and negative
 // parts is 0: a branch on it leaves two products of four.
-#pragma once
+#ifndef FLASHBVH_ARCH_PLAIN_SUMS_HPP
+#define FLASHBVH_ARCH_PLAIN_SUMS_HPP
 
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
@@ -95,3 +96,5 @@ FLASHBVH_INLINE inline void rotate_plain(const SplitMatrix& matrix, const BoxTes
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // The inner step of the rotated box test: the reference of the forms for single cores.
-#pragma once
+#ifndef FLASHBVH_ARCH_PORTABLE_ROTATE_BOX_HPP
+#define FLASHBVH_ARCH_PORTABLE_ROTATE_BOX_HPP
 
 #include "flashbvh/detail/arch/packed_multiply.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -43,3 +44,5 @@ FLASHBVH_NOINLINE static uint32_t rotate_and_compare(RotatedBox& kept, const Pac
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,7 +1,8 @@
 // The inner step of the rotated box test with SSE2: three axes at once, two products per lane
 // (PMADDWD). Results equal those of portable/rotate_box.hpp, bit for bit: halves are below 2^15,
 // and no sum leaves 32 bits.
-#pragma once
+#ifndef FLASHBVH_ARCH_SSE2_SUMS_HPP
+#define FLASHBVH_ARCH_SSE2_SUMS_HPP
 
 #include <emmintrin.h>
 #include <string.h>
@@ -39,3 +40,5 @@ inline PackedBox rotated_sse2(const BoxRotation& by, const PackedBox& box) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

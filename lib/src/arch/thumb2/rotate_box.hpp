@@ -2,7 +2,8 @@
 // extension (Cortex-M3): the arithmetic of plain/rotate_box.hpp, with a branch on 0 in one
 // instruction (CBZ), a shift inside a saturation (USAT) and all sums in registers. In C++ a
 // query takes more instructions.
-#pragma once
+#ifndef FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
+#define FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
 
 #include "../assembly.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -74,3 +75,5 @@ namespace flashbvh::detail {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

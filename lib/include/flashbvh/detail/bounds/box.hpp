@@ -4,7 +4,8 @@
 //     upper(A) - lower(B) >= t    and    upper(B) - lower(A) >= -t,
 // that is, if six sums of two packed bounds reach six thresholds that depend on the translation
 // alone. No form of the arithmetic wraps or saturates.
-#pragma once
+#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_HPP
+#define FLASHBVH_DETAIL_BOUNDS_BOX_HPP
 
 #include <stdint.h>
 
@@ -98,3 +99,5 @@ class TranslatedBoxTest {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,7 +1,8 @@
 // The overlap test for cores with the DSP extension (Cortex-M4, M7, M33, M55): the arithmetic of
 // packed.hpp, and loads of two words at once (LDRD), which compilers do not find. Most disjoint
 // boxes are apart along x or y, and the test then does not read z.
-#pragma once
+#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_DSP_HPP
+#define FLASHBVH_DETAIL_BOUNDS_BOX_DSP_HPP
 
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/arch/packed.hpp"
@@ -36,5 +37,7 @@ apart:
 }
 
 }  // namespace flashbvh::detail
+
+#endif
 
 #endif

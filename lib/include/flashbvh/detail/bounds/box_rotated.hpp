@@ -16,7 +16,8 @@
 // Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
 // cross products of edges are left out: they save visits, but execute more instructions in all
 // (lib/docs/decisions.md).
-#pragma once
+#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
+#define FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
 
 #include <stdint.h>
 
@@ -104,3 +105,5 @@ class RotatedBoxTest {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,7 +1,8 @@
 // Gaps along one direction from A to B, given by triangles found before. Boxes and triangles that
 // are farther apart along it than a limit are rejected. Triangles are read from flash unplaced; a
 // box takes three products instead of a rotation.
-#pragma once
+#ifndef FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
+#define FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
 
 #include <stdint.h>
 
@@ -163,3 +164,5 @@ class SupportGap {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

@@ -1,5 +1,6 @@
 // Distances of boxes from one box relative to their sizes: a measure of how deep they lie in it.
-#pragma once
+#ifndef FLASHBVH_DETAIL_BOUNDS_RELATIVE_DISTANCE_HPP
+#define FLASHBVH_DETAIL_BOUNDS_RELATIVE_DISTANCE_HPP
 
 #include <stdint.h>
 
@@ -37,3 +38,5 @@ class RelativeDistance {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

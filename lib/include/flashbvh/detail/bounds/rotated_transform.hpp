@@ -7,7 +7,8 @@
 // of the exact result of the pose's numbers (lib/docs/derivations.md, "Poses").
 //
 // All factors have 16 bits and all sums 32, so every core can compute them.
-#pragma once
+#ifndef FLASHBVH_DETAIL_BOUNDS_ROTATED_TRANSFORM_HPP
+#define FLASHBVH_DETAIL_BOUNDS_ROTATED_TRANSFORM_HPP
 
 #include <stdint.h>
 
@@ -66,3 +67,5 @@ struct RotatedTransform {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

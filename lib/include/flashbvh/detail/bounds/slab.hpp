@@ -7,7 +7,8 @@
 //
 // Source: the separating axes of Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, tested one by
 // one; lib/docs/derivations.md, "Slabs of leaf planes", derives the margins.
-#pragma once
+#ifndef FLASHBVH_DETAIL_BOUNDS_SLAB_HPP
+#define FLASHBVH_DETAIL_BOUNDS_SLAB_HPP
 
 #include <stdint.h>
 
@@ -211,3 +212,5 @@ class Slab {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

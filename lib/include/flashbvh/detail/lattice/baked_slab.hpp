@@ -1,5 +1,6 @@
 // A baked slab of a leaf, as sums of products take it.
-#pragma once
+#ifndef FLASHBVH_DETAIL_LATTICE_BAKED_SLAB_HPP
+#define FLASHBVH_DETAIL_LATTICE_BAKED_SLAB_HPP
 
 #include <stdint.h>
 
@@ -32,3 +33,5 @@ struct BakedSlab {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -2,7 +2,8 @@
 //
 // Each bound is a number from 1 to 32,767. The sum of two bounds is then at most 65,534: two of
 // them fit in a 32-bit addition without carry from one to the other.
-#pragma once
+#ifndef FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
+#define FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
 
 #include <stdint.h>
 
@@ -56,3 +57,5 @@ constexpr uint32_t extent(const PackedBox& box) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Splits floats into parts by their bits, for float.hpp, which calculates in integers alone.
-#pragma once
+#ifndef FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
+#define FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
 
 #include <stdint.h>
 
@@ -195,3 +196,5 @@ inline void set_rotation(const UnitQuaternion& q, int32_t (&rotation)[3][3]) {
 
 }  // namespace detail
 }  // namespace flashbvh
+
+#endif

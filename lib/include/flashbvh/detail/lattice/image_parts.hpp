@@ -1,5 +1,6 @@
 // The parts of an image's check: for open_image() and the tests.
-#pragma once
+#ifndef FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
+#define FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -46,3 +47,5 @@ Status check_tree(const BasicMesh<Index, layout>& mesh, const ImageLevels<Index>
                   TreeShape& shape);
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // Vectors whose x and y lie in one word, for cores that multiply two halves at once.
-#pragma once
+#ifndef FLASHBVH_DETAIL_LATTICE_PACKED_VECTOR_HPP
+#define FLASHBVH_DETAIL_LATTICE_PACKED_VECTOR_HPP
 
 #include <stdint.h>
 
@@ -40,3 +41,5 @@ inline uint32_t squared(const PackedVector& v) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

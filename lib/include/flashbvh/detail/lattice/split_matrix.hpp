@@ -4,7 +4,8 @@
 // upper bound, a negative entry the lower bound. So the positive and the negative part of every
 // entry are kept apart, as halves of words. These multiply a packed box's words two products at a
 // time (SMLAD on Cortex-M4, M7, M33; PMADDWD on SSE2).
-#pragma once
+#ifndef FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
+#define FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
 
 #include <stdint.h>
 
@@ -98,3 +99,5 @@ struct RotationMatrix {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

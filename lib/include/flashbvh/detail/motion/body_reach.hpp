@@ -1,5 +1,6 @@
 // Bounds on the travel of a body's points in a motion, and on the errors of their places.
-#pragma once
+#ifndef FLASHBVH_DETAIL_MOTION_BODY_REACH_HPP
+#define FLASHBVH_DETAIL_MOTION_BODY_REACH_HPP
 
 #include <stdint.h>
 
@@ -44,3 +45,5 @@ class BodyReach {
 
 }  // namespace detail
 }  // namespace flashbvh
+
+#endif

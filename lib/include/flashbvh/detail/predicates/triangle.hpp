@@ -1,5 +1,6 @@
 // Triangle against triangle in exact integer arithmetic: the last test of every query.
-#pragma once
+#ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
+#define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
 
 #include <stdint.h>
 
@@ -53,3 +54,5 @@ bool near_triangles_intersect(const Triangle& a, const Triangle& b,
 bool wide_triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -5,7 +5,8 @@
 // points of the planes, lines or points lie inside both features. The value of such a pair is never
 // below the distance, and the least value is the distance. So "within" is a disjunction of
 // comparisons, in any order.
-#pragma once
+#ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
+#define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
 
 #include <stdint.h>
 
@@ -161,3 +162,5 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

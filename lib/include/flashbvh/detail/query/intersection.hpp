@@ -22,7 +22,8 @@
 //                             put nearer
 //     error_of(transform, a, b)   unless kDisjointRootsEnd: returns the predicate's error
 // The predicate widens its box tests so that they reject no answer.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
+#define FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
 
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -115,3 +116,5 @@ struct BoxIntersection : Intersection {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // The tests of the triangles of pairs of leaves, which a walk collects in a batch.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_LEAF_TESTS_HPP
+#define FLASHBVH_DETAIL_QUERY_LEAF_TESTS_HPP
 
 #include <stdint.h>
 
@@ -137,3 +138,5 @@ class LeafTests : protected QuerySetup<Traversal, Predicate> {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -3,7 +3,8 @@
 // The nearest pair so far gives a direction, from its point on A to its point on B. Most other
 // boxes, leaves and triangles are farther apart along it. They are rejected by their numbers in
 // flash, before anything is rotated.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_NEAREST_HPP
+#define FLASHBVH_DETAIL_QUERY_NEAREST_HPP
 
 #include <stdint.h>
 
@@ -302,3 +303,5 @@ class TriangleTest<Nearest<Index>, Mesh, false> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

@@ -1,5 +1,6 @@
 // The predicate of bands: triangles within a distance of each other.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
+#define FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
 
 #include <stdint.h>
 
@@ -113,3 +114,5 @@ struct Within : ProximityPredicate {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

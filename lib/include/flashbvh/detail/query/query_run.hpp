@@ -1,5 +1,6 @@
 // A query's run: walks that collect pairs of leaves alternate with tests of their triangles.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_QUERY_RUN_HPP
+#define FLASHBVH_DETAIL_QUERY_QUERY_RUN_HPP
 
 #include <stdint.h>
 
@@ -155,3 +156,5 @@ class QueryRun : protected LeafTests<Traversal, Predicate> {
   keyword template class detail::QuerySetup<__VA_ARGS__>; \
   keyword template class detail::LeafTests<__VA_ARGS__>;  \
   keyword template class detail::QueryRun<__VA_ARGS__>
+
+#endif

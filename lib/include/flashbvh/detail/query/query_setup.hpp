@@ -1,5 +1,6 @@
 // A query's state, and how it is made: meshes, pose and predicate are checked, and B is placed.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_QUERY_SETUP_HPP
+#define FLASHBVH_DETAIL_QUERY_QUERY_SETUP_HPP
 
 #include <stdint.h>
 
@@ -160,3 +161,5 @@ class QuerySetup : protected Predicate {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

@@ -1,5 +1,6 @@
 // Conversion of a ray of floats to integers.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_RAY_PARTS_HPP
+#define FLASHBVH_DETAIL_QUERY_RAY_PARTS_HPP
 
 #include <stdint.h>
 
@@ -59,3 +60,5 @@ inline int64_t way_along(int64_t reach, int32_t component, uint32_t length) {
 }
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,6 +1,7 @@
 // The predicate for a mesh against itself: a predicate of two meshes, on each unordered pair of
 // triangles that share no vertex.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
+#define FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
 
 #include <stdint.h>
 
@@ -132,3 +133,5 @@ class TriangleTest<SelfPredicate<Base>, Mesh, false> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

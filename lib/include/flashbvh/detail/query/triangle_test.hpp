@@ -1,5 +1,6 @@
 // Tests pairs of triangles of two meshes, and keeps the data that consecutive pairs share.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
+#define FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
 
 #include <stdint.h>
 
@@ -128,3 +129,5 @@ class TriangleTest<Predicate, Mesh, true> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

@@ -1,6 +1,7 @@
 // Compares triangles of two leaves where they lie in flash, along the direction that separated the
 // last pair. A walk at a distance tests hundreds of pairs, and places only a few.
-#pragma once
+#ifndef FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
+#define FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
 
 #include <stdint.h>
 
@@ -112,3 +113,5 @@ class TriangleTest<WithinAlong, Mesh, false> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

@@ -1,5 +1,6 @@
 // Reads a pair's distance table.
-#pragma once
+#ifndef FLASHBVH_DETAIL_ROBOT_DISTANCE_TABLE_HPP
+#define FLASHBVH_DETAIL_ROBOT_DISTANCE_TABLE_HPP
 
 #include <stdint.h>
 
@@ -11,3 +12,5 @@ namespace flashbvh::detail {
 uint32_t table_distance_at(const Robot& robot, uint16_t pair, const JointCoordinate* coordinates);
 
 }  // namespace flashbvh::detail
+
+#endif

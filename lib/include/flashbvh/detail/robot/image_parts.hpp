@@ -1,5 +1,6 @@
 // Parts of a robot's image: for open_robot() and the tests.
-#pragma once
+#ifndef FLASHBVH_DETAIL_ROBOT_IMAGE_PARTS_HPP
+#define FLASHBVH_DETAIL_ROBOT_IMAGE_PARTS_HPP
 
 #include <stddef.h>
 #include <stdint.h>
@@ -23,3 +24,5 @@ Status open_robot_unhashed(const void* bytes, size_t size, Mesh* meshes, uint32_
                            Robot& robot);
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -1,5 +1,6 @@
 // A batch of leaf pairs: a walk collects them; then their triangles are tested outside the walk.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
+#define FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
 
 #include <stdint.h>
 
@@ -118,3 +119,5 @@ class LeafPairs {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -10,7 +10,8 @@
 //
 // The tests of a pair depend on the pair alone, wherever a query is cut. Only the state of the
 // slabs (made, current) depends on the cuts.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
+#define FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
 
 #include <stdint.h>
 
@@ -258,3 +259,5 @@ class LeafPlanes {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
+
+#endif

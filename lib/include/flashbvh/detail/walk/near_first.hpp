@@ -8,7 +8,8 @@
 //
 // Under a translation the traversal is Ranked: visits are so cheap there that looking ahead costs
 // more than it saves. lib/docs/decisions.md has figures.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
+#define FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
 
 #include <stdint.h>
 
@@ -150,3 +151,5 @@ class NearFirst : public Ranked<TreeType> {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

@@ -4,7 +4,8 @@
 // The leaf's own box, seen from the other tree, bounds the distance along that tree's axes. The
 // normal of its plane, and in that plane the normal of its longest edge, bound it along two more
 // directions, whose squared gaps add up against a limit larger by one part in 2^9.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
+#define FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
 
 #include <stdint.h>
 
@@ -181,3 +182,5 @@ class ProximityPlanes : LeafPlanes<Mesh> {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

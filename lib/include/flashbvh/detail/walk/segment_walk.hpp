@@ -1,5 +1,6 @@
 // The walk of a segment through one tree, from hit to hit.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_SEGMENT_WALK_HPP
+#define FLASHBVH_DETAIL_WALK_SEGMENT_WALK_HPP
 
 #include <stdint.h>
 
@@ -78,3 +79,5 @@ class SegmentWalk {
 
 }  // namespace detail
 }  // namespace flashbvh
+
+#endif

@@ -1,5 +1,6 @@
 // The walk over the nodes below one node of a tree, parents first, in the order of the traversals.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_SUBTREE_HPP
+#define FLASHBVH_DETAIL_WALK_SUBTREE_HPP
 
 #include <stdint.h>
 
@@ -67,3 +68,5 @@ class Subtree<IndexType, Layout::post_indexed> {
 };
 
 }  // namespace flashbvh::detail
+
+#endif

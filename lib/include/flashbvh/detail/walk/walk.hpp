@@ -27,7 +27,8 @@
 //
 // A box test decides by two boxes whether their subtrees may matter: bound(box_a, box_b). The run
 // holds a copy; a stateful box test is passed by a handle.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_WALK_HPP
+#define FLASHBVH_DETAIL_WALK_WALK_HPP
 
 #include <stdint.h>
 
@@ -200,3 +201,5 @@ FLASHBVH_INLINE inline State walk(const BoxTest& bound, Shapes& shapes, Run& run
 }
 
 }  // namespace flashbvh::detail
+
+#endif

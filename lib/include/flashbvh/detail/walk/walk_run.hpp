@@ -1,5 +1,6 @@
 // A run of a walk over pairs of nodes: its state, its budget and its progress.
-#pragma once
+#ifndef FLASHBVH_DETAIL_WALK_WALK_RUN_HPP
+#define FLASHBVH_DETAIL_WALK_WALK_RUN_HPP
 
 #include <stdint.h>
 
@@ -109,3 +110,5 @@ struct WalkRun {
 
 }  // namespace detail
 }  // namespace flashbvh
+
+#endif
