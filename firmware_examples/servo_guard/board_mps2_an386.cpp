@@ -1,7 +1,7 @@
 // The servo guard on QEMU's mps2-an386: the host at UART 0, the bus at UART 1, text at UART 2.
 // Without interrupts: QEMU's UARTs keep a byte until it is read, and bytes before it wait outside.
+#include "clock.hpp"
 #include "run.hpp"
-#include "systick.hpp"
 
 namespace {
 
@@ -31,17 +31,7 @@ struct Board {
   Uart bus{0x40005000};
   Uart text{0x40006000};
 
-  Board() {
-    port::systick().reload = 0xFFFFFF;
-    port::systick().current = 0;
-    port::systick().control = 5;  // processor clock, enable
-  }
-  uint32_t microseconds() {
-    const uint32_t count = port::systick().current;
-    ticks += (last - count) & 0xFFFFFF;
-    last = count;
-    return static_cast<uint32_t>(ticks / 25);
-  }
+  uint32_t microseconds() { return clock.microseconds(); }
   void listen() {}
   static void set_led(bool is_on) {
     *reinterpret_cast<volatile uint32_t*>(0x40028000) = is_on ? 1 : 0;
@@ -49,8 +39,7 @@ struct Board {
 
   /// QEMU's bus is a program on a busy machine.
   static constexpr servo::Times times = {100'000, 1'000'000};
-  uint64_t ticks = 0;
-  uint32_t last = 0;
+  servo::Clock<25> clock;
 };
 
 }  // namespace

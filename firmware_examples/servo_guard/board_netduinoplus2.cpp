@@ -1,8 +1,8 @@
 // The servo guard on an STM32F405, whose registers it names by address: the host at USART 1 (PA9,
 // PA10), the bus on the one wire PA2 of USART 2, text at USART 3 (PB10), the LED at PD12.
 // QEMU's netduinoplus2 runs it; no real one has.
+#include "clock.hpp"
 #include "run.hpp"
-#include "systick.hpp"
 
 namespace {
 
@@ -65,16 +65,8 @@ struct Board {
 
   Board() {
     at(bus.registers + 0x14) = 1u << 3;  // one wire
-    port::systick().reload = 0xFFFFFF;
-    port::systick().current = 0;
-    port::systick().control = 5;  // processor clock, enable
   }
-  uint32_t microseconds() {
-    const uint32_t count = port::systick().current;
-    ticks += (last - count) & 0xFFFFFF;
-    last = count;
-    return static_cast<uint32_t>(ticks / 168);
-  }
+  uint32_t microseconds() { return clock.microseconds(); }
   void listen() const {
     while ((at(bus.registers) & 1u << 6) == 0) {
     }
@@ -87,8 +79,7 @@ struct Board {
 #else
   static constexpr servo::Times times = {};
 #endif
-  uint64_t ticks = 0;
-  uint32_t last = 0;
+  servo::Clock<168> clock;
 };
 
 Board* board;
