@@ -33,13 +33,14 @@ test_packages="clang lld libclang-rt-14-dev libgmp-dev"
 # The boards need C++ headers, not the library; the RISC-V compiler has none and uses those of Arm.
 board_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm"
 riscv_packages="gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"
-# Stacks, code and bounds from machine code; conditions that a test has seen.
-measure_packages="python3-pyelftools llvm"
+# Stacks, code and bounds from machine code.
+measure_packages="python3-pyelftools"
 style_packages="clang-format clang-tidy doxygen"
 # Compiles 32-bit programs that run on this machine, for the digest that all compilers must produce.
 digest_packages="g++-i686-linux-gnu"
 # Compiles the WebAssembly of interactive pages.
 live_packages="binaryen clang lld wasi-libc libclang-rt-14-dev-wasm32"
+# llvm: archives of WebAssembly; conditions that a test has seen.
 wasm_packages="$live_packages llvm libc++-14-dev-wasm32 nodejs"
 # Shows pages, in long tests.
 page_packages="chromium"
