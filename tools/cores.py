@@ -22,7 +22,9 @@ BASE = {
 CLANG = {"CMAKE_CXX_COMPILER": "clang++", "CMAKE_C_COMPILER": "clang", "CMAKE_BUILD_TYPE": "Debug",
          "FLASHBVH_SANITIZE": "ON"}
 HOST = [
-    ("native", "This machine: the library, the host tool and all host tests", {"FLASHBVH_BUILD_PYTHON": "ON"}),
+    ("native", "This machine: the library, the host tool and all host tests",
+     {"CMAKE_BUILD_TYPE": "Release", "CMAKE_C_FLAGS_RELEASE": "-O2 -DNDEBUG",
+      "CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG", "FLASHBVH_BUILD_PYTHON": "ON"}),
     ("native-sanitize", "As native, with Clang's address and undefined-behaviour sanitizers",
      {**CLANG, "CMAKE_C_FLAGS_DEBUG": "-O1 -g1", "CMAKE_CXX_FLAGS_DEBUG": "-O1 -g1",
       "CMAKE_EXE_LINKER_FLAGS": "-fuse-ld=lld -no-pie"}),
