@@ -35,9 +35,13 @@ class Amalgamation:
             return
         if everywhere:
             self.whole.add(file)
+        text = file.read_text()
+        if "#pragma once\n" in text:
+            name = "FLASHBVH_" + re.sub(r"\W", "_", str(file.relative_to(LIB))).upper()
+            text = text.replace("#pragma once\n", f"#ifndef {name}\n#define {name}\n", 1) + "\n#endif"
         guard = 1 if file.suffix in (".h", ".hpp") else 0
         depth = 0
-        for line in file.read_text().split("\n"):
+        for line in text.split("\n"):
             included = INCLUDE.match(line)
             if included:
                 self.add(self.find(included[1], file), everywhere and depth == guard)

@@ -13,8 +13,7 @@
 //
 // Distances are in cells and 1/256 cell; float.hpp and units.hpp convert them to lengths, and
 // lengths to a FineLength.
-#ifndef FLASHBVH_CLEARANCE_HPP
-#define FLASHBVH_CLEARANCE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -205,5 +204,3 @@ extern template class BasicClearanceQuery<Mesh>;
 extern template class BasicClearanceQuery<Mesh32>;
 
 }  // namespace flashbvh
-
-#endif

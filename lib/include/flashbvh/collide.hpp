@@ -3,8 +3,7 @@
 // Every call has a query on its stack: at most 720 bytes with all functions that it calls, on
 // Cortex-M3 to M55 at -O2. A call ends when the answer is complete; if that takes too long, cut a
 // query into runs. Errors are those of Query, in the status.
-#ifndef FLASHBVH_COLLIDE_HPP
-#define FLASHBVH_COLLIDE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -161,5 +160,3 @@ FLASHBVH_COMPILED_QUERY_RUN(extern, detail::NearFirst<Mesh>, detail::Intersectio
 FLASHBVH_COMPILED_QUERY_RUN(extern, detail::NearFirst<Mesh32>, detail::Intersection);
 
 }  // namespace flashbvh
-
-#endif

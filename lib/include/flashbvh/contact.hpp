@@ -1,6 +1,5 @@
 // The triangles of a reported pair: their contact, and their corners at a later time.
-#ifndef FLASHBVH_CONTACT_HPP
-#define FLASHBVH_CONTACT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -53,5 +52,3 @@ template <class Mesh>
 }
 
 }  // namespace flashbvh
-
-#endif

@@ -12,8 +12,7 @@
 //
 // RAM: 16 bytes a node and 6 a vertex (20 with 32-bit indices), and this object, 104 bytes on a
 // 32-bit core. Stack of a refit: 176 bytes on a Cortex-M4 at -O2.
-#ifndef FLASHBVH_DEFORMABLE_HPP
-#define FLASHBVH_DEFORMABLE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -248,5 +247,3 @@ RefitResult BasicDeformableMesh<MeshType>::end(uint32_t work) {
 extern template class BasicDeformableMesh<Mesh>;
 
 }  // namespace flashbvh
-
-#endif

@@ -12,8 +12,7 @@
 //
 // Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005);
 // lib/docs/derivations.md, "Motions of two bodies".
-#ifndef FLASHBVH_FIRST_CONTACT_HPP
-#define FLASHBVH_FIRST_CONTACT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -234,5 +233,3 @@ extern template class BasicFirstContact<Mesh32>;
 }  // namespace flashbvh
 
 #pragma GCC diagnostic pop
-
-#endif

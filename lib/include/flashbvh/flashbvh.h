@@ -23,8 +23,7 @@
  * 480, a run 592, pairs in one call 736, a contact 496, a pose 416; a distance's run 880, its
  * result 1,040, a distance in one call 1,216; a point inside 416, one body inside another 720; a
  * ray's hit 832, a segment of floats 352, a shape 352, a refit 256. */
-#ifndef FLASHBVH_FLASHBVH_H
-#define FLASHBVH_FLASHBVH_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -394,6 +393,4 @@ flashbvh_first_contact_run(flashbvh_first_contact_query* query, uint32_t work);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 // All headers that firmware needs to query baked meshes.
-#ifndef FLASHBVH_FLASHBVH_HPP
-#define FLASHBVH_FLASHBVH_HPP
+#pragma once
 
 #include "flashbvh/clearance.hpp"
 #include "flashbvh/collide.hpp"
@@ -21,5 +20,3 @@
 #include "flashbvh/time_bound.hpp"
 #include "flashbvh/triangle.hpp"
 #include "flashbvh/version.hpp"
-
-#endif

@@ -17,8 +17,7 @@
 // segment is at most 0.9 cells away from the ray.
 //
 // Stack on Cortex-M3 to M55 at -O2: a pose 352 bytes, a ray 304 bytes.
-#ifndef FLASHBVH_FLOAT_HPP
-#define FLASHBVH_FLOAT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -177,5 +176,3 @@ UnitContact<Index> contact_at(const BasicMesh<Index, Layout::post_indexed>& a,
 }
 
 }  // namespace flashbvh
-
-#endif

@@ -1,7 +1,6 @@
 // The binary image: a baked mesh in one block of bytes, used in place in flash. A header, then the
 // mesh's arrays; lib/docs/format.md has every bit.
-#ifndef FLASHBVH_IMAGE_HPP
-#define FLASHBVH_IMAGE_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -110,5 +109,3 @@ ImageOffsets image_offsets(const ImageHeader& header);
 uint32_t image_crc(const void* bytes, size_t size);
 
 }  // namespace flashbvh
-
-#endif

@@ -2,8 +2,7 @@
 //
 // A mesh is rounded once, on the desktop, to multiples of its cell (a length). All boxes, vertices
 // and answers are then integers, which makes answers equal on every core.
-#ifndef FLASHBVH_LATTICE_HPP
-#define FLASHBVH_LATTICE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -97,5 +96,3 @@ constexpr Box unpack(const PackedBox& box) {
 static_assert(sizeof(Vertex) == 6, "vertices are packed three halfwords");
 
 }  // namespace flashbvh
-
-#endif

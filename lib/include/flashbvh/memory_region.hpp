@@ -1,7 +1,6 @@
 // Checksums of memory that must not change: firmware's code and constants, images in flash, a
 // workcell's memory.
-#ifndef FLASHBVH_MEMORY_REGION_HPP
-#define FLASHBVH_MEMORY_REGION_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -46,5 +45,3 @@ class RegionTest {
 };
 
 }  // namespace flashbvh
-
-#endif

@@ -16,8 +16,7 @@
 // A leaf's `data` has the top bit set and holds the leaf's number in array order. An internal
 // node's `data` holds its rank in the top byte (1 to 126) and its parent's rank in the low byte
 // (127 at the root): see traversal/ranked.hpp.
-#ifndef FLASHBVH_MESH_HPP
-#define FLASHBVH_MESH_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -223,5 +222,3 @@ static_assert(sizeof(Node<uint16_t>) == 16, "the figure in the documents");
 static_assert(sizeof(Node<uint32_t>) == 20, "the figure in the documents");
 
 }  // namespace flashbvh
-
-#endif

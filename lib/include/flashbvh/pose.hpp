@@ -1,6 +1,5 @@
 // B's pose in A's frame: a rotation in fixed point and a translation in cells.
-#ifndef FLASHBVH_POSE_HPP
-#define FLASHBVH_POSE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -141,5 +140,3 @@ constexpr Frame kIdentityFrame = {
     {{kRotationOne, 0, 0}, {0, kRotationOne, 0}, {0, 0, kRotationOne}}, {0, 0, 0}};
 
 }  // namespace flashbvh
-
-#endif

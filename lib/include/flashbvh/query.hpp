@@ -11,8 +11,7 @@
 // A query writes only to itself and to the caller's array. So any number of queries, in tasks and
 // in interrupts, may share meshes and poses. A query has one caller at a time: an interrupt of its
 // run must not touch it.
-#ifndef FLASHBVH_QUERY_HPP
-#define FLASHBVH_QUERY_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -158,5 +157,3 @@ extern template class Query<Ranked<Mesh>>;
 extern template class Query<Ranked<Mesh32>>;
 
 }  // namespace flashbvh
-
-#endif

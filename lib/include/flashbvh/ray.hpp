@@ -14,8 +14,7 @@
 // Points are in cells of the mesh's source frame, within kMaxRayCoordinate of the mesh's origin;
 // float.hpp converts lengths. Each call answers one query. A ray through a mesh of a thousand
 // triangles visits about 30 boxes, and 100 at worst (lib/docs/figures.md, Rays).
-#ifndef FLASHBVH_RAY_HPP
-#define FLASHBVH_RAY_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -98,5 +97,3 @@ CrossingCount signed_crossings(const BasicMesh<Index, Layout::post_indexed>& mes
 [[nodiscard]] uint32_t distance_along(const Segment& segment, const SegmentShare& along) noexcept;
 
 }  // namespace flashbvh
-
-#endif

@@ -12,8 +12,7 @@
  * Values: flashbvh_robot::variable_count of them. Distances and work are as in
  * flashbvh.h. NOT_OPEN, from every call of a guard, a motion or a workcell: its robot was not
  * opened. In the target flashbvh::robot. */
-#ifndef FLASHBVH_ROBOT_H
-#define FLASHBVH_ROBOT_H
+#pragma once
 
 #include "flashbvh/flashbvh.h"
 #include "flashbvh/plain/robot_parts.h"
@@ -195,6 +194,4 @@ FLASHBVH_NODISCARD flashbvh_status flashbvh_workcell_move(flashbvh_workcell* wor
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

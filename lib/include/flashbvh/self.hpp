@@ -7,8 +7,7 @@
 //
 // 128 bytes on a 32-bit core, 136 for the band. Stack of a run on a Cortex-M4 at -O2: 432 bytes,
 // 632 for the band (proofs/stack).
-#ifndef FLASHBVH_SELF_HPP
-#define FLASHBVH_SELF_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -60,5 +59,3 @@ extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<deta
 extern template class Query<detail::SelfRanked<Mesh>, detail::SelfPredicate<Within>>;
 
 }  // namespace flashbvh
-
-#endif

@@ -9,8 +9,7 @@
 //
 // Coordinates are in cells of the shape's frame, rounded to the nearest: a workcell counts half a
 // cell's diagonal for it. The shape's cell is the tested mesh's.
-#ifndef FLASHBVH_SHAPE_HPP
-#define FLASHBVH_SHAPE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -185,5 +184,3 @@ class BoxShape : public Shape<12, 8> {
 };
 
 }  // namespace flashbvh
-
-#endif

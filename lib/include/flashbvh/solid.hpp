@@ -9,8 +9,7 @@
 //
 // Source: Edelsbrunner and Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9(1),
 // 1990.
-#ifndef FLASHBVH_SOLID_HPP
-#define FLASHBVH_SOLID_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -63,5 +62,3 @@ Answer solids_intersect(const BasicMesh<Index, Layout::post_indexed>& a,
                         const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) noexcept;
 
 }  // namespace flashbvh
-
-#endif

@@ -1,6 +1,5 @@
 // The end of a flashbvh call: its status, and the result and cursor of a query's run.
-#ifndef FLASHBVH_STATUS_HPP
-#define FLASHBVH_STATUS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -101,5 +100,3 @@ template <class Index>
 using QueryCursor = typename detail::TypesOf<Index>::Cursor;
 
 }  // namespace flashbvh
-
-#endif

@@ -3,8 +3,7 @@
 //     constexpr uint32_t kWork =
 //         flashbvh::work_within(56000, flashbvh::kCortexM4F, arm_TREE_SIZE, cell_TREE_SIZE);
 //     step = query.run(kWork, found);  // 56,000 instructions at most
-#ifndef FLASHBVH_TIME_BOUND_HPP
-#define FLASHBVH_TIME_BOUND_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -122,5 +121,3 @@ constexpr uint32_t work_within(uint64_t instructions, const RunCosts& costs, con
 }
 
 }  // namespace flashbvh
-
-#endif

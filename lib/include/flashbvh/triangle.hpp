@@ -3,8 +3,7 @@
 // Queries decide exactly that a pair intersects (detail/predicates/triangle.hpp). These functions
 // compute where, for drawing, measuring or pushing bodies apart, one pair in each call; no query
 // pays for them. Query::last_pair() and transform_pair() return a pair's triangles.
-#ifndef FLASHBVH_TRIANGLE_HPP
-#define FLASHBVH_TRIANGLE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -66,5 +65,3 @@ struct SquaredDistance {
 [[nodiscard]] SquaredDistance squared_distance(const Triangle& a, const Triangle& b) noexcept;
 
 }  // namespace flashbvh
-
-#endif

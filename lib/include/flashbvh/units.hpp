@@ -1,6 +1,5 @@
 // Converts lengths from cells to the mesh's unit, in integers. float.hpp converts to floats.
-#ifndef FLASHBVH_UNITS_HPP
-#define FLASHBVH_UNITS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -35,5 +34,3 @@ CellsPerUnit exact_cells_per_unit(uint64_t cell_bits);
 }  // namespace detail
 
 }  // namespace flashbvh
-
-#endif

@@ -1,10 +1,7 @@
 // The version of the library. CMake reads it from here; everything else includes it.
 // lib/docs/changelog.md has the promises of MAJOR, MINOR and PATCH.
-#ifndef FLASHBVH_VERSION_HPP
-#define FLASHBVH_VERSION_HPP
+#pragma once
 
 #define FLASHBVH_VERSION_MAJOR 0
 #define FLASHBVH_VERSION_MINOR 9
 #define FLASHBVH_VERSION_PATCH 0
-
-#endif

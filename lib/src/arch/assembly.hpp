@@ -1,6 +1,5 @@
 // The object layout on which the assembly forms of the rotated box test rely.
-#ifndef FLASHBVH_ARCH_ASSEMBLY_HPP
-#define FLASHBVH_ARCH_ASSEMBLY_HPP
+#pragma once
 
 #include <stddef.h>
 
@@ -23,5 +22,3 @@ static_assert(offsetof(RotatedBox, bounds) == 0 && offsetof(RotatedBox, source) 
 static_assert(sizeof(SplitRow) == 12 && sizeof(BoxTestStart) == 8 && kSplitBits == 14);
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,8 +1,7 @@
 // The inner step of the rotated box test, in the form for this core:
 //     rotate_and_compare(kept, box, other)   rotates `box` by kept.by, stores it and its source in
 //                                            `kept`; 0 if it overlaps `other`
-#ifndef FLASHBVH_ARCH_ROTATE_BOX_HPP
-#define FLASHBVH_ARCH_ROTATE_BOX_HPP
+#pragma once
 
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
@@ -18,6 +17,4 @@
 #include "thumb2/rotate_box.hpp"
 #else
 #include "thumb1/rotate_box.hpp"
-#endif
-
 #endif

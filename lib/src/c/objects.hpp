@@ -3,8 +3,7 @@
 // A struct's bytes are an array of unsigned char, so an object may be constructed in them. A copy
 // of the struct is a copy of the object: all objects are trivially copyable. Only objects that
 // make_in_place() makes may point into themselves.
-#ifndef FLASHBVH_C_OBJECTS_HPP
-#define FLASHBVH_C_OBJECTS_HPP
+#pragma once
 
 #include <stddef.h>
 
@@ -108,5 +107,3 @@ inline flashbvh_status put_pose(const Pose& made, flashbvh_pose* pose) {
   struct flashbvh::ObjectIn<Struct> { \
     using Type = Held;                \
   }
-
-#endif

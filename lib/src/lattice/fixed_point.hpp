@@ -1,6 +1,5 @@
 // Products of rotations in fixed point; kRotationOne is 1.
-#ifndef FLASHBVH_LATTICE_FIXED_POINT_HPP
-#define FLASHBVH_LATTICE_FIXED_POINT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -26,5 +25,3 @@ constexpr uint32_t magnitude(int32_t value) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

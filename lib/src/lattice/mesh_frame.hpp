@@ -1,6 +1,5 @@
 // Transforms points from a mesh's frame to its lattice.
-#ifndef FLASHBVH_LATTICE_MESH_FRAME_HPP
-#define FLASHBVH_LATTICE_MESH_FRAME_HPP
+#pragma once
 
 #include "flashbvh/lattice.hpp"
 
@@ -22,5 +21,3 @@ inline bool get_from_origin(const int32_t (&origin)[3], const Point& p, int32_t 
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // Sine and cosine of a part of a turn, in fixed point, bit-identical on every core.
-#ifndef FLASHBVH_LATTICE_SINE_HPP
-#define FLASHBVH_LATTICE_SINE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -46,5 +45,3 @@ inline SineCosine sine_cosine(uint32_t turn) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

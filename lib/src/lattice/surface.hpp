@@ -1,6 +1,5 @@
 // Measures a mesh's triangles for its check: the longest edge, and whether the surface is closed.
-#ifndef FLASHBVH_LATTICE_SURFACE_HPP
-#define FLASHBVH_LATTICE_SURFACE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -70,5 +69,3 @@ class Surface {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // How far queries round a placed vertex.
-#ifndef FLASHBVH_LATTICE_VERTEX_ROUNDING_HPP
-#define FLASHBVH_LATTICE_VERTEX_ROUNDING_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -20,5 +19,3 @@ constexpr uint32_t vertex_rounding(uint64_t sum) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // Two triangles, placed on a finer grid than the lattice, for the distance of moving bodies.
-#ifndef FLASHBVH_MOTION_FINE_PAIR_HPP
-#define FLASHBVH_MOTION_FINE_PAIR_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -38,5 +37,3 @@ PackedVector direction_between(const FinePair& pair);
 bool has_near_corners(const FinePair& pair, uint32_t distance);
 
 }  // namespace flashbvh::detail
-
-#endif

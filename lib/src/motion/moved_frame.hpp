@@ -1,6 +1,5 @@
 // Kinematics of a motion that is a product of moves.
-#ifndef FLASHBVH_MOTION_MOVED_FRAME_HPP
-#define FLASHBVH_MOTION_MOVED_FRAME_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -36,5 +35,3 @@ uint32_t distance_from_axis(const Move& move, const FramePoint& point);
 uint32_t length_of(const int32_t (&vector)[3]);
 
 }  // namespace flashbvh::detail
-
-#endif

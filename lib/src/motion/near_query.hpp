@@ -1,6 +1,5 @@
 // Tests whether two bodies are within a distance, with the last nearest triangles as a hint.
-#ifndef FLASHBVH_MOTION_NEAR_QUERY_HPP
-#define FLASHBVH_MOTION_NEAR_QUERY_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -98,5 +97,3 @@ class NearQuery : protected Query<Ranked<MeshType>, NearAt<typename MeshType::In
 };
 
 }  // namespace flashbvh::detail
-
-#endif

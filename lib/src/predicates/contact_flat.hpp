@@ -1,6 +1,5 @@
 // The common part of two triangles that lie in one plane or have no area.
-#ifndef FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
-#define FLASHBVH_PREDICATES_CONTACT_FLAT_HPP
+#pragma once
 
 #include "flashbvh/triangle.hpp"
 
@@ -22,5 +21,3 @@ Outline outline_of(const Triangle& t, bool has_area);
 void set_flat_ends(const Triangle& a, const Triangle& b, Contact& contact);
 
 }  // namespace flashbvh::detail
-
-#endif

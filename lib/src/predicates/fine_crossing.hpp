@@ -1,7 +1,6 @@
 // Shared by the parts of a contact: orders of points and edges, and the point in which an edge
 // crosses a plane or a line.
-#ifndef FLASHBVH_PREDICATES_FINE_CROSSING_HPP
-#define FLASHBVH_PREDICATES_FINE_CROSSING_HPP
+#pragma once
 
 #include "flashbvh/triangle.hpp"
 #include "orientation.hpp"
@@ -43,5 +42,3 @@ void set_crossing(const Point& p, const Point& q, int64_t height_p, int64_t heig
                   FinePoint& point);
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // 128-bit quotients for machines that cannot divide such numbers, and roots by quotients.
-#ifndef FLASHBVH_PREDICATES_LONG_DIVISION_HPP
-#define FLASHBVH_PREDICATES_LONG_DIVISION_HPP
+#pragma once
 
 #include "flashbvh/detail/predicates/fraction.hpp"
 #include "short_root.hpp"
@@ -67,5 +66,3 @@ inline uint64_t long_root(const Int128& u) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,7 +1,6 @@
 // Exact orientation predicates: only differences of corners are multiplied, so their position never
 // matters. Each value is exact within the ranges that the callers state.
-#ifndef FLASHBVH_PREDICATES_ORIENTATION_HPP
-#define FLASHBVH_PREDICATES_ORIENTATION_HPP
+#pragma once
 
 #include "flashbvh/lattice.hpp"
 
@@ -99,5 +98,3 @@ inline unsigned previous(unsigned corner) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // First common point of a segment and a triangle, and the passage of a line through a triangle.
-#ifndef FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
-#define FLASHBVH_PREDICATES_SEGMENT_HIT_HPP
+#pragma once
 
 #include "flashbvh/lattice.hpp"
 #include "orientation.hpp"
@@ -29,5 +28,3 @@ int passage(const Triangle& t, const Point& from, const Vector& way) noexcept;
 int side_of_plane(const Triangle& t, const Point& p) noexcept;
 
 }  // namespace flashbvh::detail
-
-#endif

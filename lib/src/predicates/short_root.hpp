@@ -1,6 +1,5 @@
 // Square root of a 32-bit number, rounded down.
-#ifndef FLASHBVH_PREDICATES_SHORT_ROOT_HPP
-#define FLASHBVH_PREDICATES_SHORT_ROOT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -17,5 +16,3 @@ inline uint32_t short_root(uint32_t value) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

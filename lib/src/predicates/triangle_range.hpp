@@ -1,6 +1,5 @@
 // Shared by the distance of triangles and by the tests that reject distant triangles.
-#ifndef FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
-#define FLASHBVH_PREDICATES_TRIANGLE_RANGE_HPP
+#pragma once
 
 #include "orientation.hpp"
 
@@ -38,5 +37,3 @@ inline Range range_of(const Triangle& t, int32_t Point::*axis) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // 128-bit products, native if the compiler has 128-bit integers.
-#ifndef FLASHBVH_PREDICATES_WIDE_PRODUCT_HPP
-#define FLASHBVH_PREDICATES_WIDE_PRODUCT_HPP
+#pragma once
 
 #include "flashbvh/detail/predicates/fraction.hpp"
 
@@ -44,5 +43,3 @@ inline Int128 low_product(const Int128& u, const Int128& v) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // The joints between two links, and how far they move the links towards each other.
-#ifndef FLASHBVH_ROBOT_BRANCH_HPP
-#define FLASHBVH_ROBOT_BRANCH_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -80,5 +79,3 @@ class Travel {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // Coordinates of joints.
-#ifndef FLASHBVH_ROBOT_COORDINATE_HPP
-#define FLASHBVH_ROBOT_COORDINATE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -75,5 +74,3 @@ inline JointCoordinate coordinate_of(const RobotJoint& joint, const JointCoordin
 }
 
 }  // namespace flashbvh::detail
-
-#endif

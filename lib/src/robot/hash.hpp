@@ -1,6 +1,5 @@
 // The hash that distinguishes robots.
-#ifndef FLASHBVH_ROBOT_HASH_HPP
-#define FLASHBVH_ROBOT_HASH_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -19,5 +18,3 @@ template <class Element>
 }
 
 }  // namespace flashbvh::detail
-
-#endif

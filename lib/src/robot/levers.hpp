@@ -5,8 +5,7 @@
 // by at most what the joints move it, so levers grow by the joints' motion since then.
 //
 // Source: lib/docs/derivations.md, "Levers".
-#ifndef FLASHBVH_ROBOT_LEVERS_HPP
-#define FLASHBVH_ROBOT_LEVERS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -55,5 +54,3 @@ class LeverTravel {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // Bounding spheres of links, which separate distant links before a pose is made.
-#ifndef FLASHBVH_ROBOT_SPHERES_HPP
-#define FLASHBVH_ROBOT_SPHERES_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -28,5 +27,3 @@ uint32_t sphere_gap(const RobotLink& a, const Frame& frame_a, const RobotLink& b
 uint32_t distance_above(const Triangle& a, const Triangle& b);
 
 }  // namespace flashbvh::detail
-
-#endif

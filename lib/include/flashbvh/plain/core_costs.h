@@ -1,7 +1,6 @@
 /* Each core's names in C++, in C and in documents, and its flashbvh_run_costs. Written by
  * tools/figures.sh; proven by proofs/time for GCC 12 at -O2. */
-#ifndef FLASHBVH_PLAIN_CORE_COSTS_H
-#define FLASHBVH_PLAIN_CORE_COSTS_H
+#pragma once
 
 /* clang-format off */
 #define FLASHBVH_FOR_EACH_CORE(core) \
@@ -13,5 +12,3 @@
   core(CortexM55, cortex_m55, "Cortex-M55", 3413, 24, 12, 170, 199) \
   core(RV32IMAC, rv32imac, "RV32IMAC", 4808, 21, 10, 210, 404)
 /* clang-format on */
-
-#endif

@@ -1,6 +1,5 @@
 /* Differences between the two languages that read the C headers. */
-#ifndef FLASHBVH_PLAIN_LANGUAGE_H
-#define FLASHBVH_PLAIN_LANGUAGE_H
+#pragma once
 
 #if defined(__cplusplus) && __cplusplus < 201703L && !defined(_MSC_VER)
 #error "flashbvh needs C++17: set -std=gnu++17"
@@ -42,5 +41,3 @@ enum class [[nodiscard]] Status : uint8_t;
       void* pointer;                                              \
     } opaque;                                                     \
   } name
-
-#endif

@@ -1,6 +1,5 @@
 /* Motions of a body with a free pose. For C and C++: `Move` is `flashbvh_move`. */
-#ifndef FLASHBVH_PLAIN_MOTION_PARTS_H
-#define FLASHBVH_PLAIN_MOTION_PARTS_H
+#pragma once
 
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/results.h"
@@ -40,5 +39,3 @@ typedef struct FLASHBVH_KEEP flashbvh_first_contact_answer {
   uint32_t from;                         /**< if SUSPENDED: certified or passed over up to here */
   uint32_t to;
 } flashbvh_first_contact_answer;
-
-#endif

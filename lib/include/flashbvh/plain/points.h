@@ -1,6 +1,5 @@
 /* Points, directions and types made of them. For C and C++: `Point` is `flashbvh_point`. */
-#ifndef FLASHBVH_PLAIN_POINTS_H
-#define FLASHBVH_PLAIN_POINTS_H
+#pragma once
 
 #include "flashbvh/plain/language.h"
 
@@ -103,5 +102,3 @@ typedef struct flashbvh_contact {
   flashbvh_normal normal_b;
   FLASHBVH_BYTE(ContactKind) kind; /**< a flashbvh_contact_kind */
 } flashbvh_contact;
-
-#endif

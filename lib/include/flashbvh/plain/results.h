@@ -1,6 +1,5 @@
 /* Results of queries, and the size of a tree. */
-#ifndef FLASHBVH_PLAIN_RESULTS_H
-#define FLASHBVH_PLAIN_RESULTS_H
+#pragma once
 
 #include "flashbvh/plain/language.h"
 
@@ -55,5 +54,3 @@ typedef struct flashbvh_run_costs {
   uint32_t leaf_triangle; /**< each triangle of a leaf after the first */
   uint32_t work;          /**< each unit of work */
 } flashbvh_run_costs;
-
-#endif

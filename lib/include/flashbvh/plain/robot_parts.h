@@ -1,7 +1,6 @@
 /* A baked robot, and the results of guards and motions. For C and C++: `RobotJoint` is
  * `flashbvh_robot_joint`. */
-#ifndef FLASHBVH_PLAIN_ROBOT_PARTS_H
-#define FLASHBVH_PLAIN_ROBOT_PARTS_H
+#pragma once
 
 #include "flashbvh/plain/language.h"
 #include "flashbvh/plain/points.h"
@@ -210,5 +209,3 @@ typedef struct flashbvh_workcell_room {
   uint32_t pairs;
   uint32_t reaches;
 } flashbvh_workcell_room;
-
-#endif

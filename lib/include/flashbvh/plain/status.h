@@ -1,6 +1,5 @@
 /* Every way in which a flashbvh call can end, for C and, by the names of status.hpp, for C++. */
-#ifndef FLASHBVH_PLAIN_STATUS_H
-#define FLASHBVH_PLAIN_STATUS_H
+#pragma once
 
 /** The values are part of the interface and never change. All fit 8 bits. */
 typedef enum flashbvh_status {
@@ -89,6 +88,4 @@ const char* flashbvh_status_name(flashbvh_status status);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -4,8 +4,7 @@
 // A table cuts each joint's range into up to 32 joint boxes. It holds a byte for each box, or pair
 // of boxes: no pose in it brings the links nearer. Rows belong to the joint nearer to link A.
 // Robot::distance_tables holds the tables of all pairs in sequence.
-#ifndef FLASHBVH_ROBOT_DISTANCE_TABLE_HPP
-#define FLASHBVH_ROBOT_DISTANCE_TABLE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -33,5 +32,3 @@ constexpr uint32_t table_distance(uint8_t byte) {
 }
 
 }  // namespace flashbvh
-
-#endif

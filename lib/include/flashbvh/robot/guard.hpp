@@ -23,8 +23,7 @@
 // The guard tests surfaces: a link inside another one is as far from it as from its wall.
 //
 // Stack on Cortex-M3 to M55 at -O2: update() 1,136 bytes, limit() 1,352.
-#ifndef FLASHBVH_ROBOT_GUARD_HPP
-#define FLASHBVH_ROBOT_GUARD_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -398,5 +397,3 @@ class Guard {
 }  // namespace flashbvh
 
 #pragma GCC diagnostic pop
-
-#endif

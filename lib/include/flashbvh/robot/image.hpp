@@ -1,7 +1,6 @@
 // A robot's binary image: joints, links, the pairs that can collide and the links' meshes in one
 // block of bytes, used in place in flash. lib/docs/format.md has every bit.
-#ifndef FLASHBVH_ROBOT_IMAGE_HPP
-#define FLASHBVH_ROBOT_IMAGE_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -100,5 +99,3 @@ const RobotUnguarded* unguarded_pairs(const void* image);
 uint32_t robot_hash(const Robot& robot);
 
 }  // namespace flashbvh
-
-#endif

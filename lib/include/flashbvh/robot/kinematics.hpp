@@ -1,6 +1,5 @@
 // Frames of a robot's joints and links in fixed point: equal bits on every core.
-#ifndef FLASHBVH_ROBOT_KINEMATICS_HPP
-#define FLASHBVH_ROBOT_KINEMATICS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -31,5 +30,3 @@ void set_frames(const Robot& robot, const JointCoordinate* coordinates, Frame* f
 [[nodiscard]] Pose relative_pose(const Frame& a, const Frame& b) noexcept;
 
 }  // namespace flashbvh
-
-#endif

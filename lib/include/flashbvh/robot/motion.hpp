@@ -7,8 +7,7 @@
 // Source: Schwarzer, Saha and Latombe, "Adaptive Dynamic Collision Checking" (2005).
 //
 // Stack of run() on Cortex-M3 to M55 at -O2: 1,120 bytes.
-#ifndef FLASHBVH_ROBOT_MOTION_HPP
-#define FLASHBVH_ROBOT_MOTION_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -130,5 +129,3 @@ class MotionQuery {
 }  // namespace flashbvh
 
 #pragma GCC diagnostic pop
-
-#endif

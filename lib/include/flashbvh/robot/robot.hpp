@@ -6,8 +6,7 @@
 // a mesh's pose in the base's frame is its joint's frame.
 //
 // All meshes share one cell. Lengths are in cells or parts of them.
-#ifndef FLASHBVH_ROBOT_ROBOT_HPP
-#define FLASHBVH_ROBOT_ROBOT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -81,5 +80,3 @@ inline Status status_of(Fit fit, const Robot* robot) {
 
 }  // namespace detail
 }  // namespace flashbvh
-
-#endif

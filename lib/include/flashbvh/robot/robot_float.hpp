@@ -1,8 +1,7 @@
 // Converts floats of encoder drivers and trajectories to joint coordinates and frames.
 //
 // Optional, as float.hpp, and also without float arithmetic: a coordinate is equal on every core.
-#ifndef FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
-#define FLASHBVH_ROBOT_ROBOT_FLOAT_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -103,5 +102,3 @@ inline void set_values(const Robot& robot, const float* floats, JointCoordinate*
 }
 
 }  // namespace flashbvh
-
-#endif

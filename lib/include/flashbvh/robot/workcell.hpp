@@ -11,8 +11,7 @@
 // obstacle depends on the path length that the caller states.
 //
 // Stack of its functions on Cortex-M3 to M55 at -O2: 400 bytes at most.
-#ifndef FLASHBVH_ROBOT_WORKCELL_HPP
-#define FLASHBVH_ROBOT_WORKCELL_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -133,5 +132,3 @@ class Workcell {
 };
 
 }  // namespace flashbvh
-
-#endif

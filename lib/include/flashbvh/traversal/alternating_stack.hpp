@@ -6,8 +6,7 @@
 // (pair_stack.hpp); no ranks. Cut into runs, it resumes; it has no cursor to keep.
 // Cost: two levels are read at each descent; each pair is pushed and popped once. About 63, 48 and
 // 43 instructions a visit on Cortex-M0, M3 and M4F, translated, by boxes.
-#ifndef FLASHBVH_TRAVERSAL_ALTERNATING_STACK_HPP
-#define FLASHBVH_TRAVERSAL_ALTERNATING_STACK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -43,5 +42,3 @@ using AlternatingStack = BasicAlternatingStack<PreMeshWithLevels>;
 using AlternatingStackPost = BasicAlternatingStack<MeshWithLevels>;
 
 }  // namespace flashbvh
-
-#endif

@@ -8,8 +8,7 @@
 // 32 instructions a visit on Cortex-M0, M3 and M4F, translated, by boxes.
 //
 // Invariant: the leaves of A before `a` are done; for leaf `a`, so are B's nodes before `b`.
-#ifndef FLASHBVH_TRAVERSAL_LEAF_HPP
-#define FLASHBVH_TRAVERSAL_LEAF_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -120,5 +119,3 @@ using Leaf = BasicLeaf<PreMesh>;
 using LeafPost = BasicLeaf<Mesh>;
 
 }  // namespace flashbvh
-
-#endif

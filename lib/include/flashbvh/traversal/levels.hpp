@@ -6,8 +6,7 @@
 // child); Escape; and LevelUp(i, x), the ancestor x levels above i along last children.
 //
 // `flashbvh bake --layout pre` and `--layout post --levels` write the arrays: two indices a node.
-#ifndef FLASHBVH_TRAVERSAL_LEVELS_HPP
-#define FLASHBVH_TRAVERSAL_LEVELS_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -102,5 +101,3 @@ template <>
 MeshWithLevels view_unchecked<MeshWithLevels>(const void* image);
 
 }  // namespace flashbvh
-
-#endif

@@ -8,8 +8,7 @@
 //     StackEntry<uint16_t> entries[stack_entries(plate_STACK_NEED, peg_STACK_NEED)];
 //     PairStack<uint16_t> stack(entries, sizeof entries / sizeof entries[0]);
 //     Query<VolumeStack> query(plate, peg, pose, stack);
-#ifndef FLASHBVH_TRAVERSAL_PAIR_STACK_HPP
-#define FLASHBVH_TRAVERSAL_PAIR_STACK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -75,5 +74,3 @@ class PairStack {
 };
 
 }  // namespace flashbvh
-
-#endif

@@ -14,8 +14,7 @@
 // rank among parent(a) and parent(b), B's on a tie. Hence the pair after (a, b) is a function of
 // the pair. A root's missing parent counts as kRootParentRank, above every real rank. So a root is
 // left last, and the walk is over when both nodes are roots. proofs/walk proves all of it.
-#ifndef FLASHBVH_TRAVERSAL_RANKED_HPP
-#define FLASHBVH_TRAVERSAL_RANKED_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -172,5 +171,3 @@ class Ranked {
 };
 
 }  // namespace flashbvh
-
-#endif

@@ -17,8 +17,7 @@
 // levels differ as they did at the leaf leads back to the eight cases.
 //
 // The walk ends when a node is the imaginary end node, the root's escape index.
-#ifndef FLASHBVH_TRAVERSAL_STACKLESS_HPP
-#define FLASHBVH_TRAVERSAL_STACKLESS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -163,5 +162,3 @@ using Stackless = BasicStackless<PreMeshWithLevels>;
 using StacklessPost = BasicStackless<MeshWithLevels>;
 
 }  // namespace flashbvh
-
-#endif

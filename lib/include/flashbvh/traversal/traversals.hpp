@@ -1,6 +1,5 @@
 // All traversals and their names: the paper's five, in the order of its tables, then `ranked`.
-#ifndef FLASHBVH_TRAVERSAL_TRAVERSALS_HPP
-#define FLASHBVH_TRAVERSAL_TRAVERSALS_HPP
+#pragma once
 
 #include "flashbvh/mesh.hpp"
 #include "flashbvh/traversal/alternating_stack.hpp"
@@ -40,5 +39,3 @@ constexpr void for_each_traversal(Use&& use) {
 }
 
 }  // namespace flashbvh
-
-#endif

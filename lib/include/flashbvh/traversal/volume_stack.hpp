@@ -6,8 +6,7 @@
 // ranks. Cut into runs, it resumes; it has no cursor to keep.
 // Cost: two volumes, 64-bit products, at each descent; each pair is pushed and popped once. About
 // 152, 63 and 56 instructions a visit on Cortex-M0, M3 and M4F, translated, by boxes.
-#ifndef FLASHBVH_TRAVERSAL_VOLUME_STACK_HPP
-#define FLASHBVH_TRAVERSAL_VOLUME_STACK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -41,5 +40,3 @@ using VolumeStack = BasicVolumeStack<PreMesh>;
 using VolumeStackPost = BasicVolumeStack<Mesh>;
 
 }  // namespace flashbvh
-
-#endif

@@ -1,8 +1,7 @@
 // The inner step of the rotated box test for Armv7E-M and Armv8-M Mainline cores with the DSP
 // extension: the arithmetic of portable/rotate_box.hpp with several words per load (LDM, LDRD),
 // which compilers do not find. In C++ a query takes more instructions.
-#ifndef FLASHBVH_ARCH_DSP_ROTATE_BOX_HPP
-#define FLASHBVH_ARCH_DSP_ROTATE_BOX_HPP
+#pragma once
 
 #include "../assembly.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -58,5 +57,3 @@ namespace flashbvh::detail {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

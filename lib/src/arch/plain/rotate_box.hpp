@@ -1,6 +1,5 @@
 // The inner step of the rotated box test for cores that multiply one pair of numbers at a time.
-#ifndef FLASHBVH_ARCH_PLAIN_ROTATE_BOX_HPP
-#define FLASHBVH_ARCH_PLAIN_ROTATE_BOX_HPP
+#pragma once
 
 #include "sums.hpp"
 
@@ -15,5 +14,3 @@ FLASHBVH_NOINLINE static uint32_t rotate_and_compare(RotatedBox& kept, const Pac
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,8 +1,7 @@
 // The sums of a rotated box for cores that multiply one pair of numbers at a time: those of
 // portable/rotate_box.hpp without the products that are 0. One of an entry's positive and negative
 // parts is 0: a branch on it leaves two products of four.
-#ifndef FLASHBVH_ARCH_PLAIN_SUMS_HPP
-#define FLASHBVH_ARCH_PLAIN_SUMS_HPP
+#pragma once
 
 #include "flashbvh/detail/bounds/box_rotated.hpp"
 
@@ -96,5 +95,3 @@ FLASHBVH_INLINE inline void rotate_plain(const SplitMatrix& matrix, const BoxTes
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // The inner step of the rotated box test: the reference of the forms for single cores.
-#ifndef FLASHBVH_ARCH_PORTABLE_ROTATE_BOX_HPP
-#define FLASHBVH_ARCH_PORTABLE_ROTATE_BOX_HPP
+#pragma once
 
 #include "flashbvh/detail/arch/packed_multiply.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -44,5 +43,3 @@ FLASHBVH_NOINLINE static uint32_t rotate_and_compare(RotatedBox& kept, const Pac
 }
 
 }  // namespace flashbvh::detail
-
-#endif

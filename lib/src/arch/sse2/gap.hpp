@@ -1,7 +1,6 @@
 // Rotates a box into the other lattice with SSE2: three axes at once, two products per lane
 // (PMADDWD), as in sums.hpp. Results equal those of gap.cpp, bit for bit.
-#ifndef FLASHBVH_ARCH_SSE2_GAP_HPP
-#define FLASHBVH_ARCH_SSE2_GAP_HPP
+#pragma once
 
 #include <emmintrin.h>
 
@@ -75,5 +74,3 @@ inline PackedTriple window_lanes(const BoxTestLanes& sums, int32_t zero) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

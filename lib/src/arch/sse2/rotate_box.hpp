@@ -1,6 +1,5 @@
 // The inner step of the rotated box test with SSE2.
-#ifndef FLASHBVH_ARCH_SSE2_ROTATE_BOX_HPP
-#define FLASHBVH_ARCH_SSE2_ROTATE_BOX_HPP
+#pragma once
 
 #include "sums.hpp"
 
@@ -15,5 +14,3 @@ FLASHBVH_NOINLINE static uint32_t rotate_and_compare(RotatedBox& kept, const Pac
 }
 
 }  // namespace flashbvh::detail
-
-#endif

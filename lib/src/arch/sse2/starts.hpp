@@ -1,7 +1,6 @@
 // Start values of a rotated box's sums, and the test whether B as a whole is apart from A, with
 // SSE2. One axis per lane, and one branch; equals rotated_transform.cpp bit for bit.
-#ifndef FLASHBVH_ARCH_SSE2_STARTS_HPP
-#define FLASHBVH_ARCH_SSE2_STARTS_HPP
+#pragma once
 
 #include "gap.hpp"
 #include "sums.hpp"
@@ -38,5 +37,3 @@ inline bool far_apart(const RowLanes& rows, const BoxTestLanes& starts, const Pa
 }
 
 }  // namespace flashbvh::detail
-
-#endif

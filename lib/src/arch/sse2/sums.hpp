@@ -1,8 +1,7 @@
 // The inner step of the rotated box test with SSE2: three axes at once, two products per lane
 // (PMADDWD). Results equal those of portable/rotate_box.hpp, bit for bit: halves are below 2^15,
 // and no sum leaves 32 bits.
-#ifndef FLASHBVH_ARCH_SSE2_SUMS_HPP
-#define FLASHBVH_ARCH_SSE2_SUMS_HPP
+#pragma once
 
 #include <emmintrin.h>
 #include <string.h>
@@ -40,5 +39,3 @@ inline PackedBox rotated_sse2(const BoxRotation& by, const PackedBox& box) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -2,8 +2,7 @@
 // M23). Computes as plain/rotate_box.hpp does, in the eight low registers of Thumb-1.
 // The box's bounds are loaded for each product: this takes no more instructions than a copy from a
 // high register and needs no spill. Compilers do not find this form.
-#ifndef FLASHBVH_ARCH_THUMB1_ROTATE_BOX_HPP
-#define FLASHBVH_ARCH_THUMB1_ROTATE_BOX_HPP
+#pragma once
 
 #include "../assembly.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -111,5 +110,3 @@ extern "C" [[FLASHBVH_CALLED_BY_NAME]] void flashbvh_clamp_sums() {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -2,8 +2,7 @@
 // extension (Cortex-M3): the arithmetic of plain/rotate_box.hpp, with a branch on 0 in one
 // instruction (CBZ), a shift inside a saturation (USAT) and all sums in registers. In C++ a
 // query takes more instructions.
-#ifndef FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
-#define FLASHBVH_ARCH_THUMB2_ROTATE_BOX_HPP
+#pragma once
 
 #include "../assembly.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -75,5 +74,3 @@ namespace flashbvh::detail {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

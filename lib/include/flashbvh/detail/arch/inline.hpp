@@ -1,6 +1,5 @@
 // Inlining attributes, where the compiler's own judgement costs registers or stack.
-#ifndef FLASHBVH_DETAIL_ARCH_INLINE_HPP
-#define FLASHBVH_DETAIL_ARCH_INLINE_HPP
+#pragma once
 
 /// Walks are not inlined: in a function of its own, a loop gets the registers.
 #if defined(__GNUC__)
@@ -22,6 +21,4 @@
 #define FLASHBVH_INLINE
 #define FLASHBVH_INLINE_FOR_SPEED
 #define FLASHBVH_INLINE_TO_RUN
-#endif
-
 #endif

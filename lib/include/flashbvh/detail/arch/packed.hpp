@@ -3,8 +3,7 @@
 // Comparisons have three forms, equal bit for bit: plain C++ as the reference, UQSUB16 with the DSP
 // extension (Cortex-M4, M7, M33, M55), and two comparisons of words on cores without it (Cortex-M0,
 // M3, RISC-V). FLASHBVH_PORTABLE selects the reference everywhere.
-#ifndef FLASHBVH_DETAIL_ARCH_PACKED_HPP
-#define FLASHBVH_DETAIL_ARCH_PACKED_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -98,5 +97,3 @@ inline bool halves_reach(const PackedTriple& value, const PackedTriple& least) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

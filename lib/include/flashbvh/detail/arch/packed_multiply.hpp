@@ -3,8 +3,7 @@
 // Plain C++ is the definition; where the core has the DSP extension (Cortex-M4, M7, M33, M55) one
 // instruction does it (SMLAD, SMLADX). No form wraps where the true sum fits in 32 bits.
 // FLASHBVH_PORTABLE selects the definition everywhere.
-#ifndef FLASHBVH_DETAIL_ARCH_PACKED_MULTIPLY_HPP
-#define FLASHBVH_DETAIL_ARCH_PACKED_MULTIPLY_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -93,5 +92,3 @@ constexpr int32_t add_crossed_products(int32_t sum, uint32_t u, uint32_t v) {
 #endif
 
 }  // namespace flashbvh::detail
-
-#endif

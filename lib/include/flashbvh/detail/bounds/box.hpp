@@ -4,8 +4,7 @@
 //     upper(A) - lower(B) >= t    and    upper(B) - lower(A) >= -t,
 // that is, if six sums of two packed bounds reach six thresholds that depend on the translation
 // alone. No form of the arithmetic wraps or saturates.
-#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_HPP
-#define FLASHBVH_DETAIL_BOUNDS_BOX_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -99,5 +98,3 @@ class TranslatedBoxTest {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,8 +1,7 @@
 // The overlap test for cores with the DSP extension (Cortex-M4, M7, M33, M55): the arithmetic of
 // packed.hpp, and loads of two words at once (LDRD), which compilers do not find. Most disjoint
 // boxes are apart along x or y, and the test then does not read z.
-#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_DSP_HPP
-#define FLASHBVH_DETAIL_BOUNDS_BOX_DSP_HPP
+#pragma once
 
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/arch/packed.hpp"
@@ -37,7 +36,5 @@ apart:
 }
 
 }  // namespace flashbvh::detail
-
-#endif
 
 #endif

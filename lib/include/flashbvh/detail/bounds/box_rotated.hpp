@@ -16,8 +16,7 @@
 // Source: Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, for the separating axes. The nine
 // cross products of edges are left out: they save visits, but execute more instructions in all
 // (lib/docs/decisions.md).
-#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
-#define FLASHBVH_DETAIL_BOUNDS_BOX_ROTATED_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -105,5 +104,3 @@ class RotatedBoxTest {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

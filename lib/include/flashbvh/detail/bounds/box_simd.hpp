@@ -2,8 +2,7 @@
 // makes all six sums at once and one branch, as branches cost most on a core that predicts them.
 //
 // Bit-identical to the forms in packed.hpp: the fourth word is zero and so is its threshold.
-#ifndef FLASHBVH_DETAIL_BOUNDS_BOX_SIMD_HPP
-#define FLASHBVH_DETAIL_BOUNDS_BOX_SIMD_HPP
+#pragma once
 
 #include "flashbvh/detail/arch/packed.hpp"
 #include "flashbvh/detail/lattice/box_packed.hpp"
@@ -56,5 +55,3 @@ inline bool bounds_reach_simd(const PackedBox& a, const PackedBox& b, const Pack
 #endif
 
 }  // namespace flashbvh::detail
-
-#endif

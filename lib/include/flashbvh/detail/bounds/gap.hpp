@@ -7,8 +7,7 @@
 //
 // If the limit is less than 2^15 cells, gaps are halves of words, two axes at once. Larger limits,
 // and a translated B that is too far off for halves, take the wide form, with gaps of 32 bits.
-#ifndef FLASHBVH_DETAIL_BOUNDS_GAP_HPP
-#define FLASHBVH_DETAIL_BOUNDS_GAP_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -379,5 +378,3 @@ bool is_within_far(const PackedBox& leaf, Side side, const PackedBox& box,
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

@@ -1,7 +1,6 @@
 // Gaps of boxes with SSE2, one axis per lane: the arithmetic of gap.hpp, bit for bit. The fourth
 // lane holds no bound, and is masked out before lanes are added.
-#ifndef FLASHBVH_DETAIL_BOUNDS_GAP_SIMD_HPP
-#define FLASHBVH_DETAIL_BOUNDS_GAP_SIMD_HPP
+#pragma once
 
 #include <emmintrin.h>
 
@@ -76,5 +75,3 @@ inline bool is_within_lanes(__m128i least, __m128i halves, uint32_t limit) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

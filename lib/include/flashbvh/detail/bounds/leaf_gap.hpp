@@ -1,8 +1,7 @@
 // Gaps along one direction from A to B, given by triangles found before. Boxes and triangles that
 // are farther apart along it than a limit are rejected. Triangles are read from flash unplaced; a
 // box takes three products instead of a rotation.
-#ifndef FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
-#define FLASHBVH_DETAIL_BOUNDS_LEAF_GAP_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -164,5 +163,3 @@ class SupportGap {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

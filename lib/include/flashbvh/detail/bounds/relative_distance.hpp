@@ -1,6 +1,5 @@
 // Distances of boxes from one box relative to their sizes: a measure of how deep they lie in it.
-#ifndef FLASHBVH_DETAIL_BOUNDS_RELATIVE_DISTANCE_HPP
-#define FLASHBVH_DETAIL_BOUNDS_RELATIVE_DISTANCE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -38,5 +37,3 @@ class RelativeDistance {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -7,8 +7,7 @@
 // of the exact result of the pose's numbers (lib/docs/derivations.md, "Poses").
 //
 // All factors have 16 bits and all sums 32, so every core can compute them.
-#ifndef FLASHBVH_DETAIL_BOUNDS_ROTATED_TRANSFORM_HPP
-#define FLASHBVH_DETAIL_BOUNDS_ROTATED_TRANSFORM_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -67,5 +66,3 @@ struct RotatedTransform {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -7,8 +7,7 @@
 //
 // Source: the separating axes of Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996, tested one by
 // one; lib/docs/derivations.md, "Slabs of leaf planes", derives the margins.
-#ifndef FLASHBVH_DETAIL_BOUNDS_SLAB_HPP
-#define FLASHBVH_DETAIL_BOUNDS_SLAB_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -212,5 +211,3 @@ class Slab {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,7 +1,6 @@
 // Tests two slabs at once, with the vector instructions that desktop compilers assume: all four
 // sums in one vector, and one branch. Bit-identical to Slab::may_touch(): no sum leaves 32 bits.
-#ifndef FLASHBVH_DETAIL_BOUNDS_SLAB_SIMD_HPP
-#define FLASHBVH_DETAIL_BOUNDS_SLAB_SIMD_HPP
+#pragma once
 
 #include "flashbvh/detail/bounds/slab.hpp"
 
@@ -40,5 +39,3 @@ FLASHBVH_INLINE inline bool may_touch_both(const Slab& first, const Slab& second
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,7 +1,6 @@
 // B's placement in A's lattice: translated, or also rotated. The pose decides which; a translation
 // never pays for the arithmetic of a rotation.
-#ifndef FLASHBVH_DETAIL_BOUNDS_TRANSFORM_HPP
-#define FLASHBVH_DETAIL_BOUNDS_TRANSFORM_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -269,5 +268,3 @@ void place_pair(const Mesh& a, uint32_t of_a, const Mesh& b, uint32_t of_b,
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

@@ -1,6 +1,5 @@
 // A baked slab of a leaf, as sums of products take it.
-#ifndef FLASHBVH_DETAIL_LATTICE_BAKED_SLAB_HPP
-#define FLASHBVH_DETAIL_LATTICE_BAKED_SLAB_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -33,5 +32,3 @@ struct BakedSlab {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

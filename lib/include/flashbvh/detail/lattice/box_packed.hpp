@@ -2,8 +2,7 @@
 //
 // Each bound is a number from 1 to 32,767. The sum of two bounds is then at most 65,534: two of
 // them fit in a 32-bit addition without carry from one to the other.
-#ifndef FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
-#define FLASHBVH_DETAIL_LATTICE_BOX_PACKED_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -57,5 +56,3 @@ constexpr uint32_t extent(const PackedBox& box) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // Splits floats into parts by their bits, for float.hpp, which calculates in integers alone.
-#ifndef FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
-#define FLASHBVH_DETAIL_LATTICE_FLOAT_PARTS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -196,5 +195,3 @@ inline void set_rotation(const UnitQuaternion& q, int32_t (&rotation)[3][3]) {
 
 }  // namespace detail
 }  // namespace flashbvh
-
-#endif

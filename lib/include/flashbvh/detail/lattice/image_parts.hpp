@@ -1,6 +1,5 @@
 // The parts of an image's check: for open_image() and the tests.
-#ifndef FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
-#define FLASHBVH_DETAIL_LATTICE_IMAGE_PARTS_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -47,5 +46,3 @@ Status check_tree(const BasicMesh<Index, layout>& mesh, const ImageLevels<Index>
                   TreeShape& shape);
 
 }  // namespace flashbvh::detail
-
-#endif

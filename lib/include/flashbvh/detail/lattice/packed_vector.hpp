@@ -1,6 +1,5 @@
 // Vectors whose x and y lie in one word, for cores that multiply two halves at once.
-#ifndef FLASHBVH_DETAIL_LATTICE_PACKED_VECTOR_HPP
-#define FLASHBVH_DETAIL_LATTICE_PACKED_VECTOR_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -41,5 +40,3 @@ inline uint32_t squared(const PackedVector& v) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

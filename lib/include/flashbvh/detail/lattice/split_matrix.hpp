@@ -4,8 +4,7 @@
 // upper bound, a negative entry the lower bound. So the positive and the negative part of every
 // entry are kept apart, as halves of words. These multiply a packed box's words two products at a
 // time (SMLAD on Cortex-M4, M7, M33; PMADDWD on SSE2).
-#ifndef FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
-#define FLASHBVH_DETAIL_LATTICE_SPLIT_MATRIX_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -99,5 +98,3 @@ struct RotationMatrix {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // Bounds on the travel of a body's points in a motion, and on the errors of their places.
-#ifndef FLASHBVH_DETAIL_MOTION_BODY_REACH_HPP
-#define FLASHBVH_DETAIL_MOTION_BODY_REACH_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -45,5 +44,3 @@ class BodyReach {
 
 }  // namespace detail
 }  // namespace flashbvh
-
-#endif

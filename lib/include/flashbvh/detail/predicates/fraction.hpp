@@ -2,8 +2,7 @@
 //
 // Portable C++: 32-bit cores have no integer of 128 bits. Numbers are in two's complement. Nothing
 // is checked: callers keep the ranges.
-#ifndef FLASHBVH_DETAIL_PREDICATES_FRACTION_HPP
-#define FLASHBVH_DETAIL_PREDICATES_FRACTION_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -89,5 +88,3 @@ bool is_above(const Fraction& x, const ShortFraction& y) noexcept;
 int64_t rounded_up(const Fraction& x) noexcept;
 
 }  // namespace flashbvh::detail
-
-#endif

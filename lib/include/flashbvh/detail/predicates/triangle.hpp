@@ -1,6 +1,5 @@
 // Triangle against triangle in exact integer arithmetic: the last test of every query.
-#ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
-#define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -54,5 +53,3 @@ bool near_triangles_intersect(const Triangle& a, const Triangle& b,
 bool wide_triangles_intersect(const Triangle& a, const Triangle& b) noexcept;
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -5,8 +5,7 @@
 // points of the planes, lines or points lie inside both features. The value of such a pair is never
 // below the distance, and the least value is the distance. So "within" is a disjunction of
 // comparisons, in any order.
-#ifndef FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
-#define FLASHBVH_DETAIL_PREDICATES_TRIANGLE_DISTANCE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -162,5 +161,3 @@ void nearest_places(const Triangle& a, const Triangle& b, const Features& featur
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

@@ -22,8 +22,7 @@
 //                             put nearer
 //     error_of(transform, a, b)   unless kDisjointRootsEnd: returns the predicate's error
 // The predicate widens its box tests so that they reject no answer.
-#ifndef FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
-#define FLASHBVH_DETAIL_QUERY_INTERSECTION_HPP
+#pragma once
 
 #include "flashbvh/detail/arch/inline.hpp"
 #include "flashbvh/detail/bounds/box_rotated.hpp"
@@ -116,5 +115,3 @@ struct BoxIntersection : Intersection {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

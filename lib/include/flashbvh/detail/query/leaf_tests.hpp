@@ -1,6 +1,5 @@
 // The tests of the triangles of pairs of leaves, which a walk collects in a batch.
-#ifndef FLASHBVH_DETAIL_QUERY_LEAF_TESTS_HPP
-#define FLASHBVH_DETAIL_QUERY_LEAF_TESTS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -138,5 +137,3 @@ class LeafTests : protected QuerySetup<Traversal, Predicate> {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

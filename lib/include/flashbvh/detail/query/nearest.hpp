@@ -3,8 +3,7 @@
 // The nearest pair so far gives a direction, from its point on A to its point on B. Most other
 // boxes, leaves and triangles are farther apart along it. They are rejected by their numbers in
 // flash, before anything is rotated.
-#ifndef FLASHBVH_DETAIL_QUERY_NEAREST_HPP
-#define FLASHBVH_DETAIL_QUERY_NEAREST_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -303,5 +302,3 @@ class TriangleTest<Nearest<Index>, Mesh, false> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

@@ -1,6 +1,5 @@
 // The predicate of bands: triangles within a distance of each other.
-#ifndef FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
-#define FLASHBVH_DETAIL_QUERY_PROXIMITY_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -114,5 +113,3 @@ struct Within : ProximityPredicate {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

@@ -1,6 +1,5 @@
 // A query's run: walks that collect pairs of leaves alternate with tests of their triangles.
-#ifndef FLASHBVH_DETAIL_QUERY_QUERY_RUN_HPP
-#define FLASHBVH_DETAIL_QUERY_QUERY_RUN_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -156,5 +155,3 @@ class QueryRun : protected LeafTests<Traversal, Predicate> {
   keyword template class detail::QuerySetup<__VA_ARGS__>; \
   keyword template class detail::LeafTests<__VA_ARGS__>;  \
   keyword template class detail::QueryRun<__VA_ARGS__>
-
-#endif

@@ -1,6 +1,5 @@
 // A query's state, and how it is made: meshes, pose and predicate are checked, and B is placed.
-#ifndef FLASHBVH_DETAIL_QUERY_QUERY_SETUP_HPP
-#define FLASHBVH_DETAIL_QUERY_QUERY_SETUP_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -161,5 +160,3 @@ class QuerySetup : protected Predicate {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

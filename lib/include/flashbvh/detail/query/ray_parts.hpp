@@ -1,6 +1,5 @@
 // Conversion of a ray of floats to integers.
-#ifndef FLASHBVH_DETAIL_QUERY_RAY_PARTS_HPP
-#define FLASHBVH_DETAIL_QUERY_RAY_PARTS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -60,5 +59,3 @@ inline int64_t way_along(int64_t reach, int32_t component, uint32_t length) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

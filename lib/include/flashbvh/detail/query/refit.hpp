@@ -3,8 +3,7 @@
 // In both layouts a node lies before its subtrees. Backwards in the array, children come before
 // their parents, and the box of a parent's first child is still in registers when the parent
 // follows. Leaves and their triangles also come in the array's order, so no index is looked up.
-#ifndef FLASHBVH_DETAIL_QUERY_REFIT_HPP
-#define FLASHBVH_DETAIL_QUERY_REFIT_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -286,5 +285,3 @@ FLASHBVH_NOINLINE void refit_nodes(Node<typename Mesh::Index>* nodes, uint32_t b
 }
 
 }  // namespace flashbvh::detail
-
-#endif

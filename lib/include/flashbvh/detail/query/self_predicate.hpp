@@ -1,7 +1,6 @@
 // The predicate for a mesh against itself: a predicate of two meshes, on each unordered pair of
 // triangles that share no vertex.
-#ifndef FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
-#define FLASHBVH_DETAIL_QUERY_SELF_PREDICATE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -133,5 +132,3 @@ class TriangleTest<SelfPredicate<Base>, Mesh, false> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

@@ -1,6 +1,5 @@
 // Tests pairs of triangles of two meshes, and keeps the data that consecutive pairs share.
-#ifndef FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
-#define FLASHBVH_DETAIL_QUERY_TRIANGLE_TEST_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -129,5 +128,3 @@ class TriangleTest<Predicate, Mesh, true> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

@@ -1,7 +1,6 @@
 // Compares triangles of two leaves where they lie in flash, along the direction that separated the
 // last pair. A walk at a distance tests hundreds of pairs, and places only a few.
-#ifndef FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
-#define FLASHBVH_DETAIL_QUERY_WITHIN_ALONG_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -113,5 +112,3 @@ class TriangleTest<WithinAlong, Mesh, false> {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

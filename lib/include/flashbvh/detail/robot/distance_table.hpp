@@ -1,6 +1,5 @@
 // Reads a pair's distance table.
-#ifndef FLASHBVH_DETAIL_ROBOT_DISTANCE_TABLE_HPP
-#define FLASHBVH_DETAIL_ROBOT_DISTANCE_TABLE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -12,5 +11,3 @@ namespace flashbvh::detail {
 uint32_t table_distance_at(const Robot& robot, uint16_t pair, const JointCoordinate* coordinates);
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -1,6 +1,5 @@
 // Parts of a robot's image: for open_robot() and the tests.
-#ifndef FLASHBVH_DETAIL_ROBOT_IMAGE_PARTS_HPP
-#define FLASHBVH_DETAIL_ROBOT_IMAGE_PARTS_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -24,5 +23,3 @@ Status open_robot_unhashed(const void* bytes, size_t size, Mesh* meshes, uint32_
                            Robot& robot);
 
 }  // namespace flashbvh::detail
-
-#endif

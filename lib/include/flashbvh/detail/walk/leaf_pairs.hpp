@@ -1,6 +1,5 @@
 // A batch of leaf pairs: a walk collects them; then their triangles are tested outside the walk.
-#ifndef FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
-#define FLASHBVH_DETAIL_WALK_LEAF_PAIRS_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -119,5 +118,3 @@ class LeafPairs {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -10,8 +10,7 @@
 //
 // The tests of a pair depend on the pair alone, wherever a query is cut. Only the state of the
 // slabs (made, current) depends on the cuts.
-#ifndef FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
-#define FLASHBVH_DETAIL_WALK_LEAF_PLANES_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -259,5 +258,3 @@ class LeafPlanes {
 }  // namespace flashbvh::detail
 
 #pragma GCC diagnostic pop
-
-#endif

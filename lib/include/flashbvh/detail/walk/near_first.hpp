@@ -8,8 +8,7 @@
 //
 // Under a translation the traversal is Ranked: visits are so cheap there that looking ahead costs
 // more than it saves. lib/docs/decisions.md has figures.
-#ifndef FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
-#define FLASHBVH_DETAIL_WALK_NEAR_FIRST_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -151,5 +150,3 @@ class NearFirst : public Ranked<TreeType> {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

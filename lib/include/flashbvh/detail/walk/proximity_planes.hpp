@@ -4,8 +4,7 @@
 // The leaf's own box, seen from the other tree, bounds the distance along that tree's axes. The
 // normal of its plane, and in that plane the normal of its longest edge, bound it along two more
 // directions, whose squared gaps add up against a limit larger by one part in 2^9.
-#ifndef FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
-#define FLASHBVH_DETAIL_WALK_PROXIMITY_PLANES_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -182,5 +181,3 @@ class ProximityPlanes : LeafPlanes<Mesh> {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

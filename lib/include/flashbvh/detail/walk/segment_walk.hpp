@@ -1,6 +1,5 @@
 // The walk of a segment through one tree, from hit to hit.
-#ifndef FLASHBVH_DETAIL_WALK_SEGMENT_WALK_HPP
-#define FLASHBVH_DETAIL_WALK_SEGMENT_WALK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -79,5 +78,3 @@ class SegmentWalk {
 
 }  // namespace detail
 }  // namespace flashbvh
-
-#endif

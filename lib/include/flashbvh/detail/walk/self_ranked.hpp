@@ -7,8 +7,7 @@
 // siblings matter while b lies after a. The last sibling that matters is a or contains a; the
 // siblings after it lie before a. The siblings of a never pass b: if the parent of a were disjoint
 // from b, it would lie before b.
-#ifndef FLASHBVH_DETAIL_WALK_SELF_RANKED_HPP
-#define FLASHBVH_DETAIL_WALK_SELF_RANKED_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -66,5 +65,3 @@ class SelfRanked : public Ranked<TreeType> {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

@@ -5,8 +5,7 @@
 //
 // Node addresses live in registers, pairs of indices on the stack, and the only later sibling in a
 // binary tree is pushed without a loop.
-#ifndef FLASHBVH_DETAIL_WALK_STACK_ORDER_HPP
-#define FLASHBVH_DETAIL_WALK_STACK_ORDER_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -172,5 +171,3 @@ Side side_of(const Node* a, const Node* b, const PrefersA& prefers_a) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

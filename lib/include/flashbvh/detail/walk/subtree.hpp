@@ -1,6 +1,5 @@
 // The walk over the nodes below one node of a tree, parents first, in the order of the traversals.
-#ifndef FLASHBVH_DETAIL_WALK_SUBTREE_HPP
-#define FLASHBVH_DETAIL_WALK_SUBTREE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -68,5 +67,3 @@ class Subtree<IndexType, Layout::post_indexed> {
 };
 
 }  // namespace flashbvh::detail
-
-#endif

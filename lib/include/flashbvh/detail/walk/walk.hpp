@@ -27,8 +27,7 @@
 //
 // A box test decides by two boxes whether their subtrees may matter: bound(box_a, box_b). The run
 // holds a copy; a stateful box test is passed by a handle.
-#ifndef FLASHBVH_DETAIL_WALK_WALK_HPP
-#define FLASHBVH_DETAIL_WALK_WALK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -201,5 +200,3 @@ FLASHBVH_INLINE inline State walk(const BoxTest& bound, Shapes& shapes, Run& run
 }
 
 }  // namespace flashbvh::detail
-
-#endif

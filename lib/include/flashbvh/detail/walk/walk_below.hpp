@@ -9,8 +9,7 @@
 // as the paper has it. Leaf planes with kKnowsRoot store the node below which a walk stopped, for
 // the next walk of the run. Leaf planes with kComparesLeaves also test the other leaf's triangles,
 // by shapes.rejects_leaf(node, progress), which may spend work.
-#ifndef FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
-#define FLASHBVH_DETAIL_WALK_WALK_BELOW_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -214,5 +213,3 @@ FLASHBVH_NOINLINE State walk_on_below(Shapes& shapes, Run& run, bool after) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif

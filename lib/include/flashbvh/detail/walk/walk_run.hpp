@@ -1,6 +1,5 @@
 // A run of a walk over pairs of nodes: its state, its budget and its progress.
-#ifndef FLASHBVH_DETAIL_WALK_WALK_RUN_HPP
-#define FLASHBVH_DETAIL_WALK_WALK_RUN_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -110,5 +109,3 @@ struct WalkRun {
 
 }  // namespace detail
 }  // namespace flashbvh
-
-#endif

@@ -3,8 +3,7 @@
 //
 // A visit costs 1. The other prices follow from the most instructions of a step, relative to a
 // visit under a rotation, on the tested cores (lib/docs/bounded_time.md).
-#ifndef FLASHBVH_DETAIL_WALK_WORK_HPP
-#define FLASHBVH_DETAIL_WALK_WORK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -62,5 +61,3 @@ constexpr uint32_t triangle_pairs_for(uint32_t work) {
 }
 
 }  // namespace flashbvh::detail
-
-#endif
