@@ -8,8 +8,7 @@
 // No heap, no time. Registers and instructions were compared in two sources: LeRobot's table of the
 // STS series, after FEETECH's manual, and the header SMS_STS.h of FEETECH's own SDK. They agree,
 // with one exception: that torque register 128 recalibrates stands in the SDK alone.
-#ifndef SERVO_GUARD_PACKET_HPP
-#define SERVO_GUARD_PACKET_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -192,5 +191,3 @@ inline Effect effect_of(const Packet& packet) {
 }
 
 }  // namespace servo
-
-#endif

@@ -13,8 +13,7 @@
 // keep theirs. When all servos stand still the guard starts anew from where they are, and makes
 // that their goals. So it also does for servos that stand still farther than kMoved from their
 // goals.
-#ifndef SERVO_GUARD_SERVO_GUARD_HPP
-#define SERVO_GUARD_SERVO_GUARD_HPP
+#pragma once
 
 #include <flashbvh/robot/guard.hpp>
 
@@ -187,5 +186,3 @@ class ServoGuard {
 };
 
 }  // namespace servo
-
-#endif

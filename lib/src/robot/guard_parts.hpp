@@ -1,6 +1,5 @@
 // Shared by the parts of a guard that check all pairs and that measure one pair.
-#ifndef FLASHBVH_ROBOT_GUARD_PARTS_HPP
-#define FLASHBVH_ROBOT_GUARD_PARTS_HPP
+#pragma once
 
 #include "branch.hpp"
 #include "coordinate.hpp"
@@ -144,5 +143,3 @@ struct Guard::Found {
 };
 
 }  // namespace flashbvh
-
-#endif
