@@ -42,6 +42,13 @@ constexpr uint8_t checksum(const uint8_t* packet, uint32_t size) {
   return static_cast<uint8_t>(~sum);
 }
 
+/// Writes a packet's header, length and checksum.
+inline void seal(uint8_t* packet, uint32_t size) {
+  packet[0] = packet[1] = 0xFF;
+  packet[3] = static_cast<uint8_t>(size - 4);
+  packet[size - 1] = checksum(packet, size);
+}
+
 /// A whole packet, checked.
 struct Packet {
   const uint8_t* bytes;

@@ -125,7 +125,7 @@ void ServoGuard::request(const Packet& packet) {
 
 /// Sends some servos their goals. `servos`: a bit each.
 void ServoGuard::send_goals(uint32_t servos) {
-  uint8_t packet[8 + 3 * kMaxServos] = {0xFF, 0xFF, kBroadcast, 0, kSyncWrite, kGoal, 2};
+  uint8_t packet[8 + 3 * kMaxServos] = {0, 0, kBroadcast, 0, kSyncWrite, kGoal, 2};
   uint32_t size = 7;
   for (uint32_t i = 0; i < count_; ++i) {
     if ((servos >> i & 1) != 0) {
@@ -134,10 +134,9 @@ void ServoGuard::send_goals(uint32_t servos) {
       packet[size++] = static_cast<uint8_t>(joints_[i].sent >> 8);
     }
   }
-  packet[3] = static_cast<uint8_t>(size - 3);
-  packet[size] = checksum(packet, size + 1);
+  seal(packet, ++size);
   is_old_ = true;
-  forward(packet, size + 1);
+  forward(packet, size);
   own_at_ = now_;
 }
 
@@ -183,7 +182,7 @@ void ServoGuard::take_goals(const Packet& packet, const Writes& writes) {
     changed[goal_at(i)] = static_cast<uint8_t>(sent);
     changed[goal_at(i) + 1] = static_cast<uint8_t>(sent >> 8);
   }
-  changed[packet.size() - 1] = checksum(changed, packet.size());
+  seal(changed, packet.size());
   request(packet);
   is_old_ = true;
   forward(changed, packet.size());
@@ -229,8 +228,8 @@ void ServoGuard::from_bus(uint8_t byte) {
 
 void ServoGuard::poll() {
   const uint8_t id = servos_[next_poll_].id;
-  uint8_t packet[8] = {0xFF, 0xFF, id, 4, kRead, kPresent, 2};
-  packet[7] = checksum(packet, sizeof packet);
+  uint8_t packet[8] = {0, 0, id, 0, kRead, kPresent, 2};
+  seal(packet, sizeof packet);
   request({packet});
   forward(packet, sizeof packet);
   is_own_ = true;

@@ -20,13 +20,6 @@ flashbvh::GuardStateOf<ARM(JOINT_COUNT), ARM(PAIR_COUNT), ARM(PAIR_JOINT_COUNT)>
 int32_t at[kServoCount];  // in 1/16 count
 int32_t goals[kServoCount];
 
-uint32_t finish(uint8_t* packet, uint32_t size) {
-  packet[0] = packet[1] = 0xFF;
-  packet[3] = static_cast<uint8_t>(size - 4);
-  packet[size - 1] = checksum(packet, size);
-  return size;
-}
-
 /// Servos answer what is on the bus.
 void answer(ServoGuard& guard, Parser& bus) {
   while (!guard.to_bus.is_empty()) {
@@ -41,14 +34,10 @@ void answer(ServoGuard& guard, Parser& bus) {
         }
         if (packet.instruction() == kRead && packet.id() == kServos[i].id) {
           const int32_t count = at[i] / 16;
-          uint8_t reply[8] = {0,
-                              0,
-                              packet.id(),
-                              0,
-                              0,
-                              static_cast<uint8_t>(count),
-                              static_cast<uint8_t>(count >> 8)};
-          finish(reply, sizeof reply);
+          uint8_t reply[8] = {0, 0, packet.id()};
+          reply[5] = static_cast<uint8_t>(count);
+          reply[6] = static_cast<uint8_t>(count >> 8);
+          seal(reply, sizeof reply);
           for (const uint8_t byte : reply) {
             guard.from_bus(byte);
           }
@@ -117,7 +106,7 @@ int main() {
       }
       size = sizeof packet;
     }
-    finish(packet, size);
+    seal(packet, size);
     for (uint32_t i = 0; i + 1 < size; ++i) {
       guard.from_host(packet[i]);
     }

@@ -16,10 +16,10 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 Bytes packet(std::uint8_t id, std::uint8_t instruction, const Bytes& parameters) {
-  Bytes made = {0xFF, 0xFF, id, static_cast<std::uint8_t>(parameters.size() + 2), instruction};
+  Bytes made = {0, 0, id, 0, instruction};
   made.insert(made.end(), parameters.begin(), parameters.end());
   made.push_back(0);
-  made.back() = checksum(made.data(), static_cast<std::uint32_t>(made.size()));
+  seal(made.data(), static_cast<std::uint32_t>(made.size()));
   return made;
 }
 
