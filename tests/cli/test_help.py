@@ -38,7 +38,6 @@ class HelpTest(Case):
         refuse_each("", {
             "bak": "bak; see flashbvh --help",
             "--vesion": "--vesion; see flashbvh --help",
-            "bake meshes/ring.stl -o out --formt c": "--formt",
             "bake meshes/ring.stl -o out --formt=c": "--formt=c; see flashbvh bake --help",
             "bake meshes/ring.stl -o out --format cc": "--format: cc not in {c,image,both}",
             "info -- post/ring.fbvh --josn": "not expected",

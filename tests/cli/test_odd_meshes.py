@@ -24,11 +24,6 @@ def odd():
 class OddMeshesTest(Case):
     inputs = closed_box,
 
-    def test_closed_meshes_say_nothing(self):
-        meshes()
-        self.assertEqual(flashbvh("bake box.obj -o box --cell 1").err, "")
-        self.assertEqual(flashbvh("bake meshes/ring.stl meshes/coarse.stl meshes/tetrahedron.stl -o rings").err, "")
-
     def test_triangles_without_area_and_duplicates_are_kept_or_left_out(self):
         odd()
         for drop, degenerate, duplicate, triangles in (

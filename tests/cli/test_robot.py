@@ -127,7 +127,7 @@ class RobotTest(Case):
 
     def test_what_cant_be_made_is_refused(self):
         refuse_each("robot", {
-            "arm.urdf": "--output",
+            "arm.urdf": "--output or --dry-run",
             "gone.urdf -o out": "gone.urdf",
             "arm.urdf -o out --format fbx": "--format",
             "arm.urdf -o out --package parts": "is no NAME=DIR",

@@ -99,7 +99,6 @@ class SimplifyTest(Case):
         two_thirds = full["flash_bytes"] * 2 // 3
         out = flashbvh(f"robot arm.urdf -o fit {OPTIONS} --fit {two_thirds} --json")
         self.assertTrue(two_thirds * 0.8 < out.json["flash_bytes"] <= two_thirds)
-        refuse(f"robot arm.urdf {OPTIONS}", "--output or --dry-run")
         refuse_each(f"robot arm.urdf -o out {OPTIONS}", {
             "--simplify 0": "--simplify 0: simplifies nothing",
             "--simplify 1e-7": "--simplify 1e-7: is less than rounding moves link",
