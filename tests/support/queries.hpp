@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bake/mesh.hpp"
+#include "flashbvh/collide.hpp"
 #include "heap_guard.hpp"
 #include "support/any_query.hpp"
 #include "support/transformed_vertex.hpp"
@@ -57,7 +58,8 @@ Pairs run_to_end(Query& query, std::uint32_t work = kNoLimit, std::uint32_t capa
   }
 }
 
-/// Checks the pairs of each traversal that supports this layout. `truth`: in order.
+/// Checks the pairs of each traversal that supports this layout, also of that of a search for one
+/// pair. `truth`: in order.
 template <class Tree>
 void check_pairs(const Tree& a, const Tree& b, const Pose& pose, const Pairs& truth) {
   for_each_query(a, b, pose, [&truth](const char* name, auto& query) {
@@ -65,6 +67,13 @@ void check_pairs(const Tree& a, const Tree& b, const Pose& pose, const Pairs& tr
     REQUIRE(sorted(run_to_end(query)) == truth);
     REQUIRE(query.stats().triangle_pairs == truth.size());
   });
+  if constexpr (Tree::kLayout == Layout::post_indexed) {
+    using Near = Query<detail::NearFirst<BasicMesh<typename Tree::Index, Tree::kLayout>>>;
+    Near whole(a, b, pose);
+    REQUIRE(sorted(run_to_end(whole)) == truth);
+    Near cut(a, b, pose);
+    REQUIRE(sorted(run_to_end(cut, 33, 2)) == truth);
+  }
 }
 
 }  // namespace flashbvh::test
