@@ -24,3 +24,54 @@ TEST_CASE("with 32-bit indices a query finds exactly the pairs that brute force 
     check_pairs(wide_a.view(), wide_b.view(), pose, brute_force(a, b, pose));
   });
 }
+
+namespace {
+
+/// Searches two rings, one inside the other, often of few or no pairs, by first_pair().
+template <class Index>
+void search_nested_rings() {
+  const auto ring = [](double tube) {
+    const bake::LatticeMesh mesh = torus(64, 32, 9000, tube);
+    return bake::lay_out<Index, Layout::post_indexed>(bake::collapse(bake::build_sah(mesh, 2), 4),
+                                                      mesh);
+  };
+  const auto outer = ring(3000);
+  const auto inner = ring(2700);
+  const auto a = outer.view();
+  const auto b = inner.view();
+  using MeshType = std::decay_t<decltype(a)>;
+  std::uint32_t found_some = 0;
+  std::uint32_t none = 0;
+  std::uint32_t other = 0;
+  for_rounds(60, 7, [&](Random& random, std::uint32_t round) {
+    const auto any = [&] { return random.between(-250, 250); };
+    const Quaternion turn = {20000, any(), any(), any()};
+    const std::int32_t by[3] = {any(), any(), any()};
+    const Pose pose = round % 2 == 0 ? Pose::translated(by[0], by[1], by[2])
+                                     : Pose::rigid(rotation_of(turn).entry, by);
+    DefaultQuery<Index> query(a, b, pose);
+    const Pairs pairs = run_to_end(query);
+    TrianglePair<Index> found = {0xABCD, 0xDCBA};
+    const Answer answer = first_pair<Index>(a, b, pose, found);
+    REQUIRE(answer.status == Status::done);
+    REQUIRE(answer.yes == !pairs.empty());
+    none += pairs.empty() ? 1 : 0;
+    if (answer.yes) {
+      ++found_some;
+      const Pairs::value_type first = {found.a, found.b};
+      REQUIRE(std::count(pairs.begin(), pairs.end(), first) == 1);
+      Query<detail::NearFirst<MeshType>> walk(a, b, pose);
+      other += run_to_end(walk).front() == first ? 0 : 1;
+    }
+  });
+  CHECK(found_some > 5);
+  CHECK(none > 5);
+  CHECK(other > 2);  // of the nearest pairs, not of the walk
+}
+
+}  // namespace
+
+TEST_CASE("a search finds a pair of nested surfaces if there is one, wherever it lies") {
+  search_nested_rings<std::uint16_t>();
+  search_nested_rings<std::uint32_t>();
+}

@@ -7,8 +7,7 @@
 
 #include <stdint.h>
 
-#include "flashbvh/detail/predicates/triangle.hpp"
-#include "flashbvh/detail/walk/near_first.hpp"
+#include "flashbvh/detail/query/first_query.hpp"
 #include "flashbvh/query.hpp"
 
 namespace flashbvh {
@@ -48,41 +47,6 @@ inline Answer answer_of(Status status) {
 template <class Index>
 using DefaultQuery = Query<Ranked<BasicMesh<Index, Layout::post_indexed>>>;
 
-namespace detail {
-
-/// A search for any one pair.
-template <class Index>
-class FirstQuery : public Query<NearFirst<BasicMesh<Index, Layout::post_indexed>>> {
-  using Base = Query<NearFirst<BasicMesh<Index, Layout::post_indexed>>>;
-
- public:
-  using Base::Base;
-
-  /// Calls `take(pair)` if there is a pair.
-  template <class Take>
-  FLASHBVH_INLINE Answer find(const Take& take) {
-    uint32_t work = UINT32_MAX;
-    const auto sink = [&take](const TrianglePair<Index>& pair) {
-      take(pair);
-      return false;
-    };
-    return answer_of(this->run_with(work, sink, [] { return UINT32_MAX; }));
-  }
-  /// True if the hint's triangles intersect. `hint`: none, or a pair of these meshes' triangles.
-  FLASHBVH_NOINLINE bool holds(const Witness<Index>& hint) const {
-    if (hint.is_none() || this->error() != Status::done || this->transform().roots_disjoint()) {
-      return false;
-    }
-    Triangle a;
-    Triangle b;
-    translate_triangle(this->mesh_a(), hint.a, kNoOffset, a);
-    transform_triangle(this->mesh_b(), hint.b, this->transform(), b);
-    return triangles_intersect(a, b);
-  }
-};
-
-}  // namespace detail
-
 /// Searches for one pair of triangles that intersect, and writes it to `found` only if there is
 /// one. Other queries may find another pair first.
 template <class Index>
@@ -90,7 +54,8 @@ Answer first_pair(const BasicMesh<Index, Layout::post_indexed>& a,
                   const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose,
                   TrianglePair<Index>& found) {
   detail::FirstQuery<Index> query(a, b, pose);
-  return query.find([&found](const TrianglePair<Index>& pair) { found = pair; });
+  return detail::answer_of(
+      query.find(true, [&](const TrianglePair<Index>& pair) { found = pair; }));
 }
 
 /// True if any two triangles intersect. Searches first where the meshes overlap most, and ends at
@@ -99,7 +64,7 @@ template <class Index>
 Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
                   const BasicMesh<Index, Layout::post_indexed>& b, const Pose& pose) {
   detail::FirstQuery<Index> query(a, b, pose);
-  return query.find([](const TrianglePair<Index>&) {});
+  return detail::answer_of(query.find(true, [](const TrianglePair<Index>&) {}));
 }
 
 /// Repeats the test along a motion. `hint`: the pair that intersected last, which is tested first;
@@ -119,11 +84,12 @@ Answer intersects(const BasicMesh<Index, Layout::post_indexed>& a,
   if (!hint.is_none() && !detail::is_pair(hint, a, b)) {
     return {query.status() == Status::suspended ? Status::hint_invalid : query.status(), true};
   }
-  if (query.holds(hint)) {
+  if (!hint.is_none() && query.holds(hint.a, hint.b)) {
     return {Status::done, true};
   }
-  const Answer answer = query.find([](const TrianglePair<Index>&) {});
-  hint = answer.yes && answer.status == Status::done ? query.template last_slots<Witness<Index>>()
+  const Answer answer =
+      detail::answer_of(query.find(!hint.is_none(), [](const TrianglePair<Index>&) {}));
+  hint = answer.yes && answer.status == Status::done ? query.template found_slots<Witness<Index>>()
                                                      : Witness<Index>();
   return answer;
 }
@@ -158,5 +124,7 @@ RunResult find_pairs(const BasicMesh<Index, Layout::post_indexed>& a,
 // Compiled once, in the library.
 FLASHBVH_COMPILED_QUERY_RUN(extern, detail::NearFirst<Mesh>, detail::Intersection);
 FLASHBVH_COMPILED_QUERY_RUN(extern, detail::NearFirst<Mesh32>, detail::Intersection);
+extern template class detail::FirstQuery<uint16_t>;
+extern template class detail::FirstQuery<uint32_t>;
 
 }  // namespace flashbvh

@@ -42,4 +42,14 @@ PackedTriple RotatedBoxTest::window(const RotatedBox& kept, const PackedBox& box
   return detail::window({{zeros, zeros, zeros}}, kept.bounds);
 }
 
+PackedTriple RotatedBoxTest::window_of(const RotatedTransform& transform, bool of_a,
+                                       const PackedBox& box) {
+  RotatedBox kept = {{0, 0, 0},
+                     nullptr,
+                     of_a ? BoxRotation(transform.columns, transform.on_b)
+                          : BoxRotation(transform.matrix->rows, transform.on_a)};
+  keep(kept, box);
+  return window(kept, box);
+}
+
 }  // namespace flashbvh::detail

@@ -86,9 +86,8 @@ class RotatedBoxTest {
   /// every box reaches the limits of another argument.
   PackedTriple window_of_a(const PackedBox& a) const { return window(a_, a); }
   PackedTriple window_of_b(const PackedBox& b) const { return window(b_, b); }
-  /// The boxes of the last pair that overlapped, each on the other's lattice.
-  const PackedBox& seen_a() const { return a_.bounds; }
-  const PackedBox& seen_b() const { return b_.bounds; }
+  /// The same, of any box. `of_a`: it is one of A.
+  static PackedTriple window_of(const RotatedTransform& transform, bool of_a, const PackedBox& box);
   void keep_a(const PackedBox& a) { keep(a_, a); }
   void keep_b(const PackedBox& b) { keep(b_, b); }
 

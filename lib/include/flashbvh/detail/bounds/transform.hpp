@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "flashbvh/detail/bounds/box.hpp"
+#include "flashbvh/detail/bounds/box_rotated.hpp"
 #include "flashbvh/detail/bounds/rotated_transform.hpp"
 #include "flashbvh/detail/predicates/triangle.hpp"
 #include "flashbvh/mesh.hpp"
@@ -111,6 +112,16 @@ class Transform {
   bool is_far_apart() const { return is_rotated() && roots_disjoint(); }
   const TranslatedTransform& translated() const { return translated_; }
   const RotatedTransform& rotated() const { return rotated_; }
+
+  /// Lower limits for the packed words of a box of the other tree, to overlap a box of side `of`;
+  /// after prepare().
+  PackedTriple window_of(Side of, const PackedBox& box) const {
+    if (!is_rotated()) {
+      const TranslatedBoxTest& bound = translated_.bound;
+      return of == Side::a ? bound.window_of_a(box) : bound.window_of_b(box);
+    }
+    return RotatedBoxTest::window_of(rotated_, of == Side::a, box);
+  }
 
   /// True if place() separated the root boxes: this decides the commonest query, of objects far
   /// apart, before a walk is prepared.

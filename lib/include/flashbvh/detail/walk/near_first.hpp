@@ -54,9 +54,9 @@ class NearFirst : public Ranked<TreeType> {
     const int32_t rank_a = a_.node->rank();
     const int32_t rank_b = b_.node->rank();
     if (rank_a < rank_b) {
-      descend(b_, rank_b, bound.seen_a());
+      descend(b_, rank_b, bound.window_of_a(a_.node->box));
     } else {
-      descend(a_, rank_a, bound.seen_b());
+      descend(a_, rank_a, bound.window_of_b(b_.node->box));
     }
   }
 
@@ -110,15 +110,15 @@ class NearFirst : public Ranked<TreeType> {
     return left;
   }
 
-  FLASHBVH_NOINLINE void descend(Place& at, int32_t rank, const PackedBox& other) {
+  FLASHBVH_NOINLINE void descend(Place& at, int32_t rank, const PackedTriple& window) {
     at.descend(rank);
     if (++kept_.levels <= kLevels) {
-      kept_.left = kept_.left << kBits | begin_nearest(at, other);
+      kept_.left = kept_.left << kBits | begin_nearest(at, window);
     }
   }
-  /// Moves from a first child to the nearest that overlaps `other`. Returns the remaining siblings.
-  FLASHBVH_INLINE static uint32_t begin_nearest(Place& at, const PackedBox& other) {
-    const RelativeDistance distance(other);
+  /// Moves from a first child to the nearest that reaches the other node's window. Returns the
+  /// remaining siblings.
+  FLASHBVH_INLINE static uint32_t begin_nearest(Place& at, const PackedTriple& window) {
     const auto* const first = at.node;
     const auto* child = first;
     uint32_t children = 0;
@@ -130,11 +130,11 @@ class NearFirst : public Ranked<TreeType> {
         at.node = first;
         return kAsRanked;
       }
-      if (compare(child->box, other) == 0) {
+      if (reaches(child->box, window)) {
         overlapping |= 1u << children;
-        const uint32_t squared = distance.squared_to(child->box);
-        if (squared < least) {
-          least = squared;
+        const uint32_t distance = relative_distance(child->box, window).squared();
+        if (distance < least) {
+          least = distance;
           nearest = children;
           at.node = child;
         }

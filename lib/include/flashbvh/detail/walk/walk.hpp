@@ -59,8 +59,8 @@ template <class StatefulBoxTest>
 struct ByReference {
   StatefulBoxTest* bound;
   bool operator()(const PackedBox& a, const PackedBox& b) const { return (*bound)(a, b); }
-  PackedBox seen_a() const { return bound->seen_a(); }
-  PackedBox seen_b() const { return bound->seen_b(); }
+  PackedTriple window_of_a(const PackedBox& a) const { return bound->window_of_a(a); }
+  PackedTriple window_of_b(const PackedBox& b) const { return bound->window_of_b(b); }
 };
 
 /// Makes the compiler assume that `object` may have changed: it can't live in registers across this
