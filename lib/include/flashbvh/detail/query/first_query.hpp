@@ -77,9 +77,9 @@ class FirstQuery : QueryRun<NearFirst<BasicMesh<Index, Layout::post_indexed>>, I
     uint32_t visits;
   };
   static constexpr Long kTranslated = {1000, 400};
-  static constexpr Long kRotated = {1000, 300};
+  static constexpr Long kRotated = {400, 110};
   /// The most pairs of nodes that are looked at, and of leaves among them.
-  static constexpr uint32_t kMostPairs = 100;
+  static constexpr uint32_t kMostPairs = 150;
   static constexpr uint32_t kMostLeaves = 8;
 
   /// True if one of the nearest pairs of leaves has a pair, which is then the current one. If not,
