@@ -8,13 +8,12 @@
 
 namespace flashbvh::detail {
 
-/// At most twelve pairs, at first the roots; the farthest are forgotten. 100 bytes with 16-bit
-/// indices.
+/// At first the roots; the farthest are forgotten. 100 bytes at most.
 template <class Index>
 class NearestPairs {
  public:
   struct Pair {
-    uint32_t distance;
+    uint16_t distance;
     Index nodes[2];  ///< of A and B
   };
 
@@ -31,7 +30,7 @@ class NearestPairs {
     do {
       const Node<Index>& node = nodes[child];
       if (reaches(node.box, window)) {
-        at.distance = relative_distance(node.box, window).largest();
+        at.distance = static_cast<uint16_t>(relative_distance(node.box, window).largest());
         at.nodes[side] = child;
         add(at);
       }
@@ -40,7 +39,7 @@ class NearestPairs {
   }
 
  private:
-  static constexpr uint32_t kMost = 12;
+  static constexpr uint32_t kMost = sizeof(Index) == 2 ? 12 : 8;
 
   FLASHBVH_INLINE void add(const Pair& pair) {
     uint32_t i = 0;
