@@ -5,7 +5,7 @@
 /* clang-format off */
 #define FLASHBVH_FOR_EACH_CORE(core) \
   core(CortexM0, cortex_m0, "Cortex-M0", 9262, 32, 12, 314, 781) \
-  core(CortexM3, cortex_m3, "Cortex-M3", 3884, 24, 12, 210, 237) \
+  core(CortexM3, cortex_m3, "Cortex-M3", 3899, 24, 12, 210, 237) \
   core(CortexM4F, cortex_m4f, "Cortex-M4F", 3381, 23, 12, 172, 199) \
   core(CortexM7, cortex_m7, "Cortex-M7", 3388, 24, 12, 172, 203) \
   core(CortexM33, cortex_m33, "Cortex-M33", 3386, 24, 12, 172, 200) \
