@@ -1,7 +1,9 @@
 // The traversal of a search for one pair, as ranked. Its pairs: support/queries.hpp.
 #include "flashbvh/collide.hpp"
 #include "support/any_mesh.hpp"
+#include "support/rotations.hpp"
 #include "support/test.hpp"
+#include "support/torus.hpp"
 
 TEST_CASE("as ranked, a walk is ranked's") {
   for_rounds(200, 4, [&](Random& random, int) {
