@@ -1,5 +1,5 @@
-// Microseconds, modulo 2^32, by the core's timer. To be asked more often than that wraps, every
-// 2^24 cycles.
+// Microseconds, modulo 2^32, by the core's timer, which wraps every 2^24 cycles: to be read more
+// often.
 #pragma once
 
 #include "systick.hpp"

@@ -149,7 +149,7 @@ inline Writes writes_of(const Packet& packet) {
   return {kNoRegister, 0, 0, 0, 0};
 }
 
-/// What a packet can do.
+/// The effect that a packet can have.
 enum class Effect : uint8_t {
   none,      ///< moves nothing
   goal,      ///< sets goals, and maybe acceleration, time and speed with them

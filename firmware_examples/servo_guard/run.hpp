@@ -1,4 +1,4 @@
-// What all boards have in common: an arm's robot and servos, and the loop. arm.hpp is written by
+// Common to all boards: an arm's robot and servos, and the loop. arm.hpp is written by
 // arm.py.
 #pragma once
 

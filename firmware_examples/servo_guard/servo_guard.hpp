@@ -1,7 +1,7 @@
 // Lets a host move an arm's servos as far as no two links get too near each other.
 //
-// A forwarder between a host and a servo bus, by itself: bytes in and out, and a clock that is
-// told. No UARTs, no heap, no floats. A board calls from_host() and from_bus() for each byte,
+// A forwarder between a host and a servo bus, by itself: bytes in and out, and the time as an
+// argument. No UARTs, no heap, no floats. A board calls from_host() and from_bus() for each byte,
 // tick() in its loop, and sends what is in to_bus, to_host and text.
 //
 // Goals are what Guard::limit() grants, a step of at most the servos' speed a period. limit()
@@ -10,7 +10,7 @@
 // between the last readings and all goals since, which servos that move evenly don't leave.
 //
 // While any position is unknown, stale, or of a servo without torque, no goal passes: the servos
-// keep theirs. When all servos stand still the guard starts anew from where they are, and makes
+// keep theirs. When all servos stand still the guard starts again from where they are, and makes
 // that their goals. So it also does for servos that stand still farther than kMoved from their
 // goals.
 #pragma once

@@ -1,6 +1,6 @@
-// What a packet costs in the servo guard, from its last byte to its first one on the bus: all that
-// from_host() executes. Servos answer at once, and are late in their ways. Packets that move
-// nothing come out as they are, in that call.
+// The instructions of a packet in the servo guard, from its last byte to its first one on the bus:
+// all that from_host() executes. Servos answer at once, and are late in their ways. Packets that
+// move nothing come out as they are, in that call.
 #include <flashbvh/robot/image.hpp>
 
 #include "arm.hpp"

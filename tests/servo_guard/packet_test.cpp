@@ -1,5 +1,5 @@
 // Packets of servos: found in any stream, by the byte, as a scan of the whole stream finds them,
-// and told apart by what they can do.
+// and classified by their effects.
 #include "packet.hpp"
 
 #include <vector>

@@ -1,6 +1,6 @@
 // The servo guard on a Raspberry Pi Pico, with its SDK: the host at UART 0 (GP0, GP1), the bus at
 // UART 1 (GP4 by a resistor of 1 kOhm to the wire, GP5 at the wire), text by USB.
-// Built by nobody yet: no machine that tests this folder has the SDK.
+// Not compiled yet: no machine that tests this folder has the SDK.
 #include <hardware/irq.h>
 #include <hardware/uart.h>
 #include <pico/stdlib.h>
