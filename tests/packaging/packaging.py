@@ -182,7 +182,7 @@ def two_files():
     for file in "flashbvh", "flashbvh_robot":
         hold(run(*cxx, *warnings, "-c", f"two/{file}.cpp", "-o", f"{file}.o"), file)
     answers_as_the_readme("-Itwo", "flashbvh.o")
-    # The digest names headers of detail/, which the two files hold or hide: copied are those that they hide.
+    # The digest includes headers of detail/. Those in the two files become stubs, the others are copied.
     whole = Path("two/flashbvh.hpp").read_text()
     for file in Path(ROOT, "lib/include/flashbvh").glob("detail/*/*"):
         name = file.relative_to(f"{ROOT}/lib/include")

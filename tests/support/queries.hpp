@@ -58,8 +58,8 @@ Pairs run_to_end(Query& query, std::uint32_t work = kNoLimit, std::uint32_t capa
   }
 }
 
-/// Checks the pairs of each traversal that supports this layout, also of that of a search for one
-/// pair. `truth`: in order.
+/// Checks the pairs of each traversal that supports this layout, NearFirst included. `truth`: in
+/// order.
 template <class Tree>
 void check_pairs(const Tree& a, const Tree& b, const Pose& pose, const Pairs& truth) {
   for_each_query(a, b, pose, [&truth](const char* name, auto& query) {

@@ -1,4 +1,4 @@
-// The traversal of a search for one pair, as ranked. Its pairs: support/queries.hpp.
+// A search for one pair: as ranked, and of nested surfaces. All its pairs: support/queries.hpp.
 #include "flashbvh/collide.hpp"
 #include "support/any_mesh.hpp"
 #include "support/rotations.hpp"

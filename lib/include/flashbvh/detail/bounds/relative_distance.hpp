@@ -1,4 +1,4 @@
-// The distance of boxes from one box relative to their sizes: a measure of how deep they lie in it.
+// The distance of two boxes relative to their sizes: a measure of how deep they lie in each other.
 #pragma once
 
 #include <stdint.h>

@@ -8,7 +8,7 @@
 
 namespace flashbvh::detail {
 
-/// At first the roots; the farthest are forgotten. 100 bytes at most.
+/// Begins with the roots. A full list drops its farthest pair. 100 bytes at most.
 template <class Index>
 class NearestPairs {
  public:
