@@ -23,42 +23,42 @@ enum Instruction : uint8_t {
 };
 
 enum Register : uint8_t {
-  kMode = 33,      ///< 0: positions; 1: speeds; 2: open loop; 3: steps
-  kTorque = 40,    ///< 0: off; 1: on; 128: here is the middle
-  kGoal = 42,      ///< goal position, 2 bytes; 44: its time, 46: its speed
-  kPresent = 56,   ///< present position, 2 bytes
-  kGoalEnd = 48,   ///< the first register after the goal's speed
-  kNoRegister = 0  ///< of packets that write nothing
+  kMode = 33,     ///< 0: positions; 1: speeds; 2: open loop; 3: steps
+  kTorque = 40,   ///< 0: off; 1: on; 128: here is the middle
+  kGoal = 42,     ///< goal position, 2 bytes; 44: its time, 46: its speed
+  kGoalEnd = 48,  ///< the first register after the goal's speed
+  kPresent = 56,  ///< present position, 2 bytes
 };
 
 constexpr uint8_t kBroadcast = 254;
 constexpr uint32_t kLargestPacket = 4 + 255;
 
-constexpr uint8_t checksum(const uint8_t* packet, uint32_t size) {
-  uint32_t sum = 0;
-  for (uint32_t i = 2; i + 1 < size; ++i) {
-    sum += packet[i];
-  }
-  return static_cast<uint8_t>(~sum);
-}
-
-/// Writes a packet's header, length and checksum.
-inline void seal(uint8_t* packet, uint32_t size) {
-  packet[0] = packet[1] = 0xFF;
-  packet[3] = static_cast<uint8_t>(size - 4);
-  packet[size - 1] = checksum(packet, size);
-}
-
 /// A whole packet, checked.
 struct Packet {
-  const uint8_t* bytes;
+  uint8_t* bytes;
 
   uint8_t id() const { return bytes[2]; }
   uint32_t size() const { return bytes[3] + 4u; }
   uint8_t instruction() const { return bytes[4]; }
   uint32_t parameter_count() const { return bytes[3] - 2u; }
-  const uint8_t* parameters() const { return bytes + 5; }
+  uint8_t* parameters() const { return bytes + 5; }
+  uint8_t checksum() const {
+    uint32_t sum = 0;
+    for (uint32_t i = 2; i + 1 < size(); ++i) {
+      sum += bytes[i];
+    }
+    return static_cast<uint8_t>(~sum);
+  }
 };
+
+/// Writes a packet's header, length and checksum.
+inline Packet sealed(uint8_t* bytes, uint32_t size) {
+  bytes[0] = bytes[1] = 0xFF;
+  bytes[3] = static_cast<uint8_t>(size - 4);
+  const Packet packet = {bytes};
+  bytes[size - 1] = packet.checksum();
+  return packet;
+}
 
 /// Takes bytes one by one and finds packets in them. After a false header the search goes on behind
 /// its first byte, so that no packet is lost to junk before it.
@@ -74,10 +74,14 @@ class Parser {
   }
   bool has_packet() const { return has_packet_; }
   bool is_empty() const { return size_ == 0; }
-  Packet packet() const { return {bytes_}; }
+  Packet packet() { return {bytes_}; }
   void drop_packet() {
     remove(packet().size());
     search();
+  }
+  void clear() {
+    size_ = 0;
+    has_packet_ = false;
   }
   /// Takes what there is of an incomplete packet for junk.
   void give_up() {
@@ -107,7 +111,7 @@ class Parser {
       if (is_header && (size_ < 4 || size_ < packet().size())) {
         return;
       }
-      has_packet_ = is_header && bytes_[packet().size() - 1] == checksum(bytes_, packet().size());
+      has_packet_ = is_header && bytes_[packet().size() - 1] == packet().checksum();
       broken += is_header && !has_packet_ ? 1 : 0;
       if (!has_packet_) {
         skip();
@@ -122,31 +126,31 @@ class Parser {
 
 /// The data of a WRITE or a SYNC WRITE: so many bytes for each servo, from one register on.
 struct Writes {
-  uint8_t first;      ///< register
-  uint32_t bytes;     ///< for each servo
-  uint32_t servos;    ///< 0: this is no such packet
-  uint32_t data;      ///< where the first servo's data are in the packet
-  uint32_t distance;  ///< to the next servo's; its id stands before them
+  uint8_t first = 0;      ///< register
+  uint32_t bytes = 0;     ///< for each servo
+  uint32_t servos = 0;    ///< 0: this is no such packet
+  uint32_t distance = 0;  ///< to the next servo's
+  const uint8_t* ids = nullptr;
+  uint8_t* data = nullptr;
 
-  uint8_t id(const Packet& of, uint32_t i) const {
-    return distance == 0 ? of.id() : of.bytes[data + i * distance - 1];
-  }
-  uint32_t at(uint32_t i) const { return data + i * distance; }
+  uint8_t id(uint32_t i) const { return ids[i * distance]; }
+  uint8_t* at(uint32_t i) const { return data + i * distance; }
 };
 
 inline Writes writes_of(const Packet& packet) {
-  const uint8_t* const parameters = packet.parameters();
+  uint8_t* const parameters = packet.parameters();
   const uint32_t count = packet.parameter_count();
   if (packet.instruction() == kWrite && packet.id() != kBroadcast && count >= 2) {
-    return {parameters[0], count - 1, 1, 6, 0};
+    return {parameters[0], count - 1, 1, 0, packet.bytes + 2, parameters + 1};
   }
   if (packet.instruction() == kSyncWrite && packet.id() == kBroadcast && count >= 4) {
-    const uint32_t bytes = parameters[1];
-    const uint32_t servos = (count - 2) / (bytes + 1);
-    const bool is_whole = bytes != 0 && servos * (bytes + 1) == count - 2;
-    return {parameters[0], bytes, is_whole ? servos : 0, 8, bytes + 1};
+    const uint32_t distance = parameters[1] + 1u;
+    if (distance > 1 && (count - 2) % distance == 0) {
+      return {parameters[0], distance - 1,   (count - 2) / distance,
+              distance,      parameters + 2, parameters + 3};
+    }
   }
-  return {kNoRegister, 0, 0, 0, 0};
+  return {};
 }
 
 /// The effect that a packet can have.
@@ -167,34 +171,36 @@ constexpr bool is_harmless(uint32_t number) {
          number == 55 || number == 85 || number == 86;
 }
 
-inline Effect effect_of(const Packet& packet) {
+/// `writes`: the packet's.
+inline Effect effect_of(const Packet& packet, const Writes& writes) {
   const uint8_t instruction = packet.instruction();
   if (instruction == kPing || instruction == kRead || instruction == kSyncRead) {
     return Effect::none;
   }
-  const Writes writes = writes_of(packet);
   if (writes.servos == 0) {
     return Effect::withheld;
   }
   const uint32_t end = writes.first + writes.bytes;
-  const bool is_goal = (writes.first == kGoal || writes.first == kGoal - 1) && end > kGoal + 1 &&
-                       end % 2 == 0 && end <= kGoalEnd;
-  bool are[2] = {writes.bytes == 1, writes.bytes == 1};  // all data are 0, 1
+  if ((writes.first == kGoal || writes.first == kGoal - 1) && end > kGoal + 1 && end % 2 == 0 &&
+      end <= kGoalEnd) {
+    return Effect::goal;
+  }
+  const uint8_t value = *writes.at(0);
+  bool is_one_value = writes.bytes == 1;
   for (uint32_t i = 0; i < writes.servos; ++i) {
-    are[0] = are[0] && packet.bytes[writes.at(i)] == 0;
-    are[1] = are[1] && packet.bytes[writes.at(i)] == 1;
+    is_one_value = is_one_value && *writes.at(i) == value;
   }
-  if ((writes.first == kTorque && are[1]) || (writes.first == kMode && are[0])) {
+  if (is_one_value && writes.first == kTorque && value < 2) {
+    return value == 1 ? Effect::enable : Effect::release;
+  }
+  if (is_one_value && writes.first == kMode && value == 0) {
     return Effect::enable;
-  }
-  if (writes.first == kTorque && are[0]) {
-    return Effect::release;
   }
   bool is_none = true;
   for (uint32_t number = writes.first; number < end; ++number) {
     is_none = is_none && is_harmless(number);
   }
-  return is_goal ? Effect::goal : is_none ? Effect::none : Effect::withheld;
+  return is_none ? Effect::none : Effect::withheld;
 }
 
 }  // namespace servo

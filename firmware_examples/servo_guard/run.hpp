@@ -26,7 +26,8 @@ void send(Bytes& bytes, Uart& uart) {
 template <class Board>
 [[noreturn]] void run(Board& board) {
   flashbvh::Guard guard(robot, state);
-  static ServoGuard servos(robot, ARM(robot_image), guard, kServos, Board::times);
+  static ServoGuard servos(robot, ARM(robot_image), guard, kServos,
+                           sizeof kServos / sizeof *kServos, Board::times);
   for (;;) {
     servos.tick(board.microseconds());
     while (board.bus.can_read()) {

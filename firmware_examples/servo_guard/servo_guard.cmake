@@ -10,7 +10,6 @@ function(servo_guard_servos name arm urdf)
   add_custom_command(OUTPUT ${header} DEPENDS ${folder}/arm.py ${folder}/${arm}.txt VERBATIM
     COMMAND Python3::Interpreter ${folder}/arm.py ${name}_arm ${folder}/${arm}.txt ${header})
   add_library(${name}_servos INTERFACE ${header})
-  target_sources(${name}_servos INTERFACE ${folder}/servo_guard.cpp ${folder}/periods.cpp)
   target_include_directories(${name}_servos INTERFACE ${folder} ${CMAKE_CURRENT_BINARY_DIR}/${name})
   target_link_libraries(${name}_servos INTERFACE ${name}_arm)
 endfunction()

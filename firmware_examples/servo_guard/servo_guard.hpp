@@ -3,43 +3,14 @@
 // A forwarder between a host and a servo bus, by itself: bytes in and out, and the time as an
 // argument. No UARTs, no heap, no floats. A board calls from_host() and from_bus() for each byte,
 // tick() in its loop, and sends what is in to_bus, to_host and text.
-//
-// Goals are what Guard::limit() grants, a step of at most the servos' speed a period. limit()
-// proves each step from the goals of the last one, so servos have to be there: a step is sent if
-// all servos are within kNear of the last goals, or if the guard proves the box of all values
-// between the last readings and all goals since, which servos that move evenly don't leave.
-//
-// While any position is unknown, stale, or of a servo without torque, no goal passes: the servos
-// keep theirs. When all servos stand still the guard starts again from where they are, and makes
-// that their goals. So it also does for servos that stand still farther than kMoved from their
-// goals.
 #pragma once
 
-#include <flashbvh/robot/guard.hpp>
+#include <flashbvh/robot/image.hpp>
 
 #include "packet.hpp"
+#include "steps.hpp"
 
 namespace servo {
-
-constexpr uint32_t kPeriod = 5'000;  ///< in microseconds, as all times
-constexpr int32_t kCounts = 4096;    ///< of a turn
-constexpr flashbvh::JointCoordinate kCount = (1 << 28) / kCounts;  ///< a count's coordinate
-constexpr int32_t kNear = 1;       ///< counts from its goal, at most, of a servo that arrived
-constexpr int32_t kSlack = 3;      ///< counts beyond a joint's limits that are taken for the limit
-constexpr int32_t kMoved = 64;     ///< counts from its goal, at least, of a servo that won't
-constexpr uint8_t kStill = 10;     ///< readings of a servo that stands still
-constexpr uint8_t kStalled = 100;  ///< readings of a servo that gave up its goal
-constexpr uint32_t kWork = 500;    ///< of each call to the guard, in units of query.hpp
-constexpr uint32_t kMaxServos = 16;
-
-/// A line of an arm's file.
-struct Servo {
-  uint8_t variable;  ///< of the robot
-  uint8_t id;
-  int32_t offset;  ///< the count at the joint's zero
-  int32_t sign;    ///< 1, or -1: counts grow as the joint's value falls
-  int32_t speed;   ///< counts a second, at most
-};
 
 /// A board's times.
 struct Times {
@@ -71,16 +42,6 @@ class Queue {
   volatile uint32_t end_ = 0;
 };
 
-enum class State : uint8_t {
-  silent,   ///< a servo's position is not known
-  loose,    ///< a servo has no torque
-  moving,   ///< a servo moves, so the guard can't start
-  refused,  ///< the guard refuses the positions: a joint is beyond its limits
-  free,     ///< goals pass
-  held,     ///< goals are shortened
-  lagging,  ///< goals wait for a servo
-};
-
 class ServoGuard {
  public:
   Queue<1024> to_host;
@@ -90,84 +51,277 @@ class ServoGuard {
   /// `image`: the robot's, for names. `servos`: one for each of the robot's variables, at most
   /// kMaxServos.
   ServoGuard(const flashbvh::Robot& robot, const void* image, flashbvh::Guard& guard,
-             const Servo* servos, const Times& times);
+             const Servo* servos, uint32_t count, const Times& times)
+      : robot_(&robot), image_(image), steps_(robot, guard, servos, count), times_(times) {}
+
+  State state() const { return steps_.state; }
 
   /// Whether from_host() takes a byte: not while a packet waits for an answer of the bus.
   bool takes_host() const { return !host_.has_packet(); }
-  void from_host(uint8_t byte);
-  void from_bus(uint8_t byte);
-  /// `now`: microseconds, modulo 2^32.
-  void tick(uint32_t now);
+  void from_host(uint8_t byte) {
+    heard_at_ = now_;
+    host_.push(byte);
+    serve();
+  }
 
-  State state() const { return state_; }
+  void from_bus(uint8_t byte) {
+    bus_at_ = now_;
+    awaited_ -= awaited_ != 0 ? 1 : 0;
+    if (!is_own_) {
+      to_host.put(byte);
+    }
+    bus_.push(byte);
+    while (bus_.has_packet()) {
+      take_answer(bus_.packet());
+      bus_.drop_packet();
+    }
+  }
+
+  /// `now`: microseconds, modulo 2^32.
+  void tick(uint32_t now) {
+    now_ = now;
+    if (!host_.is_empty() && now - heard_at_ > times_.silence) {
+      host_.give_up();
+    }
+    if (awaited_ != 0 && to_bus.is_empty() && now - bus_at_ > times_.silence) {
+      awaited_ = 0;
+      ++silences_;
+    }
+    serve();
+    if (now - period_at_ >= kPeriod) {
+      period_at_ = now;
+      polls_ = steps_.count();
+      steps_.period(now, times_.stale);
+    }
+    if (has_time_on_bus() && steps_.owes) {
+      steps_.owes = false;
+      send_goals(steps_.begin(), steps_.end());
+    } else if (has_time_on_bus() && polls_ != 0) {
+      --polls_;
+      poll(steps_.begin()[next_poll_].servo.id);
+      next_poll_ = (next_poll_ + 1) % steps_.count();
+    }
+    if (now - said_at_ >= 1'000'000) {
+      said_at_ = now;
+      say();
+    }
+  }
+
   /// On while goals pass; blinks fast while they are held, slowly while none passes.
-  bool led() const;
+  bool led() const {
+    const uint32_t half = steps_.is_guarding() ? 100'000 : 500'000;
+    return state() == State::free || now_ / half % 2 == 0;
+  }
 
  private:
-  /// A servo, in counts.
-  struct Joint {
-    int32_t lowest;  ///< limits
-    int32_t highest;
-    int32_t measured;
-    int32_t anchor;  ///< measured when it moved last
-    int32_t wanted;
-    int32_t sent;  ///< the goal
-    int32_t next;  ///< the next goal, granted
-    int32_t low;   ///< where it may be
-    int32_t high;
-    uint32_t measured_at;
-    uint8_t still;  ///< readings near the anchor
-    bool is_known;
-    bool is_loose;
-  };
+  // ---- packets of the host ----
 
-  uint32_t find(uint8_t id) const;
-  bool is_fresh(const Joint& joint) const;
-  flashbvh::JointCoordinate coordinate(uint32_t i, int32_t count) const;
-  bool has_time_on_bus() const;
-  void serve();
-  void handle(const Packet& packet);
-  void withhold(const Packet& packet);
-  void forward(const uint8_t* bytes, uint32_t size);
-  void request(const Packet& packet);
-  void send_goals(uint32_t servos);
-  bool knows_all(const Packet& packet, const Writes& writes) const;
-  void take_goals(const Packet& packet, const Writes& writes);
-  void enable(const Packet& packet, const Writes& writes);
-  void poll();
-  void answer(const Packet& packet);
-  void measure(Joint& joint, int32_t count);
-  void period();
-  void stop(State state, uint32_t i);
-  void start();
-  bool is_near() const;
-  bool is_box_free();
-  void step();
-  void say();
-  void put(const char* words);
-  void put(uint32_t number);
+  void serve() {
+    // Room for the packet, and for goals before it.
+    while (host_.has_packet() && !(is_own_ && awaited_ != 0) &&
+           to_bus.room() >= 2 * kLargestPacket) {
+      const Packet packet = host_.packet();
+      const Writes writes = writes_of(packet);
+      if (!handle(packet, writes)) {
+        ++withheld_;
+        last_withheld_[0] = packet.instruction();
+        last_withheld_[1] = packet.parameter_count() != 0 ? packet.parameters()[0] : 0;
+      }
+      host_.drop_packet();
+    }
+  }
+
+  /// False: it is withheld.
+  bool handle(const Packet& packet, const Writes& writes) {
+    switch (effect_of(packet, writes)) {
+      case Effect::goal:
+        return take_goals(packet, writes);
+      case Effect::enable:
+        return enable(packet, writes);
+      case Effect::withheld:
+        return false;
+      case Effect::release:
+        for (uint32_t i = 0; i < writes.servos; ++i) {
+          steps_.find(writes.id(i))->is_loose = true;
+        }
+        break;
+      case Effect::none:
+        break;
+    }
+    send(packet, false);
+    return true;
+  }
+
+  /// Whether all servos of the packet are the arm's, and their positions known.
+  bool knows_all(const Writes& writes) {
+    bool knows = true;
+    for (uint32_t i = 0; i < writes.servos; ++i) {
+      const Joint* const joint = steps_.find(writes.id(i));
+      knows = knows && joint != steps_.end() && joint->is_known &&
+              now_ - joint->measured_at <= times_.stale;
+    }
+    return knows;
+  }
+
+  /// The same packet, with the goals that are granted now.
+  bool take_goals(const Packet& packet, const Writes& writes) {
+    const uint32_t skipped = kGoal - writes.first;
+    bool is_valid = steps_.is_guarding() && knows_all(writes);
+    for (uint32_t i = 0; i < writes.servos; ++i) {
+      is_valid = is_valid && writes.at(i)[skipped + 1] < kCounts / 256;
+    }
+    if (!is_valid) {
+      return false;
+    }
+    ++goals_;
+    for (uint32_t i = 0; i < writes.servos; ++i) {
+      Joint& joint = *steps_.find(writes.id(i));
+      joint.wanted = joint.at(number_at(writes.at(i) + skipped));
+    }
+    steps_.step();
+    uint32_t addressed = 0;
+    for (uint32_t i = 0; i < writes.servos; ++i) {
+      const Joint& joint = *steps_.find(writes.id(i));
+      put_number(writes.at(i) + skipped, joint.count_of(joint.sent));
+      addressed |= 1u << joint.servo.variable;
+    }
+    send(sealed(packet.bytes, packet.size()), false);
+    steps_.owes = steps_.owes && addressed != (1u << steps_.count()) - 1;
+    return true;
+  }
+
+  /// Torque on: first the servo's goal becomes where it is.
+  bool enable(const Packet& packet, const Writes& writes) {
+    if (!knows_all(writes)) {
+      return false;
+    }
+    for (uint32_t i = 0; i < writes.servos; ++i) {
+      Joint& joint = *steps_.find(writes.id(i));
+      joint.sent = joint.measured;
+      joint.is_loose = false;
+      joint.still = 0;
+      steps_.stop(State::moving, joint);
+      send_goals(&joint, &joint + 1);
+    }
+    send(packet, false);
+    return true;
+  }
+
+  // ---- the bus ----
+
+  static int32_t number_at(const uint8_t* bytes) { return bytes[0] | bytes[1] << 8; }
+  static void put_number(uint8_t* bytes, int32_t number) {
+    bytes[0] = static_cast<uint8_t>(number);
+    bytes[1] = static_cast<uint8_t>(number >> 8);
+  }
+
+  /// Whether a packet of one's own may begin: no answer is due, and the host sends none, or has
+  /// been sending for a period.
+  bool has_time_on_bus() const {
+    return awaited_ == 0 && to_bus.is_empty() &&
+           (host_.is_empty() || (!host_.has_packet() && now_ - own_at_ > kPeriod));
+  }
+
+  /// Puts a packet on the bus. What comes then are the answers to it.
+  void send(const Packet& packet, bool is_own) {
+    const bool is_sync = packet.instruction() == kSyncRead;
+    const bool is_read = is_sync || packet.instruction() == kRead;
+    const uint32_t count = packet.parameter_count();
+    const uint32_t servos = is_sync && count >= 2
+                                ? count - 2
+                                : packet.id() != kBroadcast || packet.instruction() == kPing;
+    awaited_ = servos * (is_read && count >= 2 ? packet.parameters()[1] + 6u : 6u);
+    is_own_ = is_own;
+    asked_ = packet.id();
+    bus_.clear();
+    for (uint32_t i = 0; i < packet.size(); ++i) {
+      to_bus.put(packet.bytes[i]);
+    }
+    bus_at_ = now_;
+    own_at_ = is_own ? now_ : own_at_;
+  }
+
+  void send_goals(const Joint* joint, const Joint* end) {
+    uint8_t packet[8 + 3 * kMaxServos] = {0, 0, kBroadcast, 0, kSyncWrite, kGoal, 2};
+    uint32_t size = 7;
+    for (; joint != end; ++joint) {
+      packet[size] = joint->servo.id;
+      put_number(packet + size + 1, joint->count_of(joint->sent));
+      size += 3;
+    }
+    send(sealed(packet, size + 1), true);
+  }
+
+  void poll(uint8_t id) {
+    uint8_t packet[8] = {0, 0, id, 0, kRead, kPresent, 2};
+    send(sealed(packet, sizeof packet), true);
+  }
+
+  void take_answer(const Packet& packet) {
+    if (!is_own_ || packet.id() != asked_ || packet.parameter_count() != 2) {
+      return;
+    }
+    const int32_t count = number_at(packet.parameters());
+    if (count < kCounts) {  // more than a turn, or a direction: not known
+      steps_.find(asked_)->measure(count, now_, steps_.owes);
+    }
+  }
+
+  // ---- what it says ----
+
+  void put(const char* words) {
+    for (; *words != 0; ++words) {
+      text.put(static_cast<uint8_t>(*words));
+    }
+  }
+
+  void put(uint32_t number) {
+    char digits[11] = {};
+    char* first = digits + 10;
+    do {
+      *--first = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number != 0);
+    put(first);
+  }
+
+  void say() {
+    static const char* const kWords[] = {
+        " is silent", " is loose", " moves", " is beyond its limits", "free", "held", "lagging"};
+    if (!steps_.is_guarding()) {
+      put("no goal passes: servo ");
+      put(steps_.about);
+    }
+    put(kWords[static_cast<uint32_t>(state())]);
+    if (state() == State::held && steps_.pair < robot_->pair_count) {
+      put(" by ");
+      put(flashbvh::link_name(image_, robot_->pairs[steps_.pair].a));
+      put(" near ");
+      put(flashbvh::link_name(image_, robot_->pairs[steps_.pair].b));
+    }
+    const struct {
+      const char* words;
+      uint32_t number;
+    } parts[] = {{"; goals ", goals_},        {", shortened ", steps_.shortened},
+                 {", withheld ", withheld_},  {" (instruction ", last_withheld_[0]},
+                 {" at ", last_withheld_[1]}, {"), broken ", host_.broken + bus_.broken},
+                 {", junk ", host_.skipped},  {", unanswered ", silences_}};
+    for (const auto& part : parts) {
+      put(part.words);
+      put(part.number);
+    }
+    put("\n");
+  }
 
   const flashbvh::Robot* robot_;
   const void* image_;
-  flashbvh::Guard* guard_;
-  const Servo* servos_;
+  Steps steps_;
   Times times_;
-  uint32_t count_;
-  Joint joints_[kMaxServos + 1] = {};  ///< the last one: any other servo
   Parser host_;
   Parser bus_;
-  State state_ = State::silent;
-  uint8_t about_ = 0;  ///< the servo's id that `state_` is about
-  bool is_guarding_ = false;
-  bool has_stepped_ = false;  ///< in this period
-  bool is_pending_ = false;   ///< `next` is granted and not sent
-  bool owes_ = false;         ///< `sent` is not on the bus yet
-  bool is_own_ = false;       ///< the last request was this guard's
-  bool is_old_ = false;       ///< goals were sent since the last request
-  uint8_t asked_ = 0;         ///< of the last request: id,
-  uint8_t first_ = 0;         ///< register,
-  uint8_t bytes_ = 0;         ///< and number of them; 0: no reading
-  uint32_t awaited_ = 0;      ///< bytes of answers
+  bool is_own_ = false;   ///< the last packet on the bus is this guard's
+  uint8_t asked_ = 0;     ///< its id
+  uint32_t awaited_ = 0;  ///< bytes of answers
   uint32_t next_poll_ = 0;
   uint32_t polls_ = 0;  ///< left in this period
   uint32_t now_ = 0;
@@ -176,13 +330,10 @@ class ServoGuard {
   uint32_t heard_at_ = 0;  ///< the host
   uint32_t bus_at_ = 0;    ///< the last byte to the bus or from it
   uint32_t own_at_ = 0;    ///< the last packet of one's own
-  uint32_t periods_ = 0;
   uint32_t goals_ = 0;
-  uint32_t shortened_ = 0;
   uint32_t withheld_ = 0;
   uint32_t silences_ = 0;
   uint8_t last_withheld_[2] = {};  ///< instruction and register
-  uint16_t pair_ = flashbvh::kNoPair;
 };
 
 }  // namespace servo

@@ -19,61 +19,36 @@ using namespace flashbvh::tool;
 
 namespace {
 
-class Judge {
- public:
-  Judge(Drawn& drawn, double brake)
-      : drawn_(drawn), brake_(brake / drawn.cell * kFineOne), nearest(count(), HUGE_VAL) {}
-
-  void start(const Values& at) {
-    floors_.clear();
-    for (std::size_t i = 0; i < count(); ++i) {
-      floors_.push_back(distance(i, drawn_.frames(at, 1), stop(i)));
-    }
-  }
-  /// Whether no pair is too near.
-  bool allows(const Values& at) {
-    const std::vector<Transform> frames = drawn_.frames(at, 1);
+struct Judge {
+  /// Whether no pair is too near. Pairs may start inside.
+  bool allows(const Values& at, bool is_start) {
+    const std::vector<Transform> frames = drawn.frames(at, 1);
     bool allows = true;
-    for (std::size_t i = 0; i < count(); ++i) {
-      if (!drawn_.is_nearer(i, frames, stop(i) + 1)) {
-        floors_[i] = stop(i);
-        continue;
+    is_inside = false;
+    for (std::size_t i = 0; i < floors.size(); ++i) {
+      const double stop = drawn.robot.pairs[i].stop;
+      double now = stop;  // or less, to 1/64, rounded down
+      if (drawn.is_nearer(i, frames, stop)) {
+        now = 0;
+        for (double more = stop / 2; more >= stop / 64; more /= 2) {
+          now += drawn.is_nearer(i, frames, now + more) ? 0 : more;
+        }
       }
-      const double now = distance(i, frames, stop(i));
-      const double give = floors_[i] < stop(i) ? std::min(drawn_.give(i), floors_[i] / 2) : 0;
-      allows = allows && now >= floors_[i] - give - brake_;
-      floors_[i] = std::max(floors_[i], now);
-      nearest[i] = std::min(nearest[i], now);
+      floors[i] = is_start ? now : floors[i];
+      const double give = floors[i] < stop ? std::min(drawn.give(i), floors[i] / 2) : 0;
+      allows = allows && now >= floors[i] - give - brake / drawn.cell * kFineOne;
+      is_inside = is_inside || now < stop;
+      floors[i] = std::max(floors[i], now);
+      nearest = std::min(nearest, now / stop);
     }
     return allows;
   }
-  bool is_inside() const {
-    bool is = false;
-    for (std::size_t i = 0; i < count(); ++i) {
-      is = is || floors_[i] < stop(i);
-    }
-    return is;
-  }
 
- private:
-  std::size_t count() const { return drawn_.robot.pair_count; }
-  double stop(std::size_t i) const { return drawn_.robot.pairs[i].stop; }
-  /// To 1/64 of the stop distance, rounded down.
-  double distance(std::size_t i, const std::vector<Transform>& frames, double most) {
-    double least = 0;
-    while (most - least > stop(i) / 64) {
-      const double middle = (least + most) / 2;
-      (drawn_.is_nearer(i, frames, middle) ? most : least) = middle;
-    }
-    return drawn_.is_nearer(i, frames, most) ? least : most;
-  }
-
-  Drawn& drawn_;
-  double brake_;
-  std::vector<double> floors_;
-
- public:
-  std::vector<double> nearest;  ///< of each pair inside its stop distance, in 1/256 cell
+  Drawn& drawn;
+  double brake;  ///< in metres
+  std::vector<double> floors = std::vector<double>(drawn.robot.pair_count);
+  double nearest = 1;  ///< part of a stop distance
+  bool is_inside = false;
 };
 
 }  // namespace
@@ -84,12 +59,10 @@ TEST_CASE("servo judge: an arm that is sent into itself is seen") {
   for (int i = 0; i < 4; ++i) {
     const FixedArm arm(any_guarded_arm(random, 4, 5e-5));
     Drawn drawn(arm.robot(), arm.model, random);
-    Judge judge(drawn, 0);
-    const Values from = drawn.free_place();
-    judge.start(from);
-    CHECK(judge.allows(from));
-    CHECK(!judge.is_inside());
-    seen += judge.allows(drawn.any(true, 0, 0)) ? 0 : 1;
+    Judge judge{drawn, 0};
+    CHECK(judge.allows(drawn.free_place(), true));
+    CHECK(!judge.is_inside);
+    seen += judge.allows(drawn.any(true, 0, 0), false) ? 0 : 1;
   }
   CHECK(seen > 0);
 }
@@ -103,40 +76,29 @@ TEST_CASE("servo judge: the positions of FLASHBVH_JUDGE", "[.][judge]") {
   const Packages packages = packages_of({given.begin() + 4, given.end()});
   Random random = test_random();
   Drawn drawn(image.robot(), read_urdf(given[0], packages, "", warnings), random);
-  Judge judge(drawn, std::stod(given[3]));
+  Judge judge{drawn, std::stod(given[3])};
   std::ifstream file(given[2]);
   long positions = 0;
   long wrong = 0;
   long inside = 0;
   long out = 0;
   bool is_start = true;
-  bool was_inside = false;
-  for (std::string line; std::getline(file, line);) {
-    if (line == "start") {
-      is_start = true;
-      continue;
-    }
+  for (std::string line; std::getline(file, line); is_start = line == "start") {
     std::istringstream numbers(line);
     const Values at(std::istream_iterator<std::int32_t>(numbers), {});
-    if (std::exchange(is_start, false)) {
-      judge.start(at);
-      inside += judge.is_inside() ? 1 : 0;
-      was_inside = judge.is_inside();
+    if (at.empty()) {
+      continue;
     }
+    const bool was_inside = judge.is_inside;
     ++positions;
-    wrong += judge.allows(at) ? 0 : 1;
-    out += was_inside && !judge.is_inside() ? 1 : 0;
-    was_inside = judge.is_inside();
+    wrong += judge.allows(at, is_start) ? 0 : 1;
+    inside += is_start && judge.is_inside ? 1 : 0;
+    out += !is_start && was_inside && !judge.is_inside ? 1 : 0;
   }
-  std::printf("%ld positions, too near %ld, starts inside %ld, came out %ld\n", positions, wrong,
-              inside, out);
-  for (std::size_t i = 0; i < judge.nearest.size(); ++i) {
-    if (judge.nearest[i] < HUGE_VAL) {
-      std::printf("  %s: %.2f mm, stops at %.2f\n", drawn.name_of(i).c_str(),
-                  judge.nearest[i] * drawn.cell / kFineOne * 1000,
-                  drawn.robot.pairs[i].stop * drawn.cell / kFineOne * 1000);
-    }
-  }
+  std::printf(
+      "%ld positions, too near %ld, starts inside %ld, came out %ld; nearest %.2f of a stop "
+      "distance\n",
+      positions, wrong, inside, out, judge.nearest);
   CHECK(wrong == 0);
   CHECK(positions > 0);
 }

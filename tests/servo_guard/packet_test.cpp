@@ -1,4 +1,4 @@
-// Packets of servos: found in any stream, by the byte, as a scan of the whole stream finds them,
+// Packets of servos: found in any stream, byte by byte, as a scan of the whole stream finds them,
 // and classified by their effects.
 #include "packet.hpp"
 
@@ -19,9 +19,10 @@ Bytes packet(std::uint8_t id, std::uint8_t instruction, const Bytes& parameters)
   Bytes made = {0, 0, id, 0, instruction};
   made.insert(made.end(), parameters.begin(), parameters.end());
   made.push_back(0);
-  seal(made.data(), static_cast<std::uint32_t>(made.size()));
+  sealed(made.data(), static_cast<std::uint32_t>(made.size()));
   return made;
 }
+const Bytes kGoals = packet(kBroadcast, kSyncWrite, {42, 2, 1, 0, 8, 2, 0xFF, 0xFF});
 
 /// The packets of a stream that ends: a scan of all of it.
 std::vector<Bytes> scanned(const Bytes& stream) {
@@ -42,115 +43,96 @@ std::vector<Bytes> scanned(const Bytes& stream) {
   return found;
 }
 
-/// A parser and what it found; a packet may stay in it for a while, and its bytes elsewhere.
-struct Found {
-  void take() {
-    while (parser.has_packet()) {
+/// One direction: a parser and what it found.
+struct Direction {
+  explicit Direction(Bytes of) : stream(std::move(of)) {}
+  void take(std::size_t i) {
+    if (i < stream.size()) {
+      parser.push(stream[i]);
+    } else {
+      parser.give_up();
+    }
+    for (; parser.has_packet(); parser.drop_packet()) {
       const Packet at = parser.packet();
       packets.emplace_back(at.bytes, at.bytes + at.size());
-      parser.drop_packet();
+      size += at.size();
     }
   }
-  void push(std::uint8_t byte) {
-    parser.push(byte);
-    take();
-  }
-  void end() {
-    while (!parser.is_empty()) {
-      parser.give_up();
-      take();
-    }
-  }
+  Bytes stream;
   Parser parser;
   std::vector<Bytes> packets;
+  std::size_t size = 0;  ///< of packets
 };
 
-std::vector<Bytes> parsed(const Bytes& stream) {
-  Found found;
-  for (const std::uint8_t byte : stream) {
-    found.push(byte);
+/// The packets of a stream that ends, while the other direction has another one.
+std::vector<Bytes> parsed(const Bytes& stream, const Bytes& other = kGoals) {
+  Direction both[] = {Direction(stream), Direction(other)};
+  for (std::size_t i = 0; i < 2 * std::max(stream.size(), other.size()); ++i) {
+    both[0].take(i);
+    both[1].take(i);
   }
-  found.end();
-  std::size_t size = found.parser.skipped;
-  for (const Bytes& each : found.packets) {
-    size += each.size();
+  for (const Direction& each : both) {
+    REQUIRE(each.packets == scanned(each.stream));
+    REQUIRE(each.size + each.parser.skipped == each.stream.size());
   }
-  CHECK(size == stream.size());
-  return found.packets;
+  return both[0].packets;
 }
 
-Bytes random_bytes(Random& random, std::size_t size) {
-  Bytes made;
-  for (std::size_t i = 0; i < size; ++i) {  // many headers, and short lengths
-    const std::uint32_t kind = random.below(4);
-    made.push_back(static_cast<std::uint8_t>(kind == 0 ? 0xFF : random.below(kind == 1 ? 9 : 256)));
+Bytes joined(Bytes a, const Bytes& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Packets, cuts of packets, and junk with many headers and short lengths.
+Bytes random_stream(Random& random) {
+  Bytes stream;
+  for (std::uint32_t parts = random.below(6); parts != 0; --parts) {
+    Bytes part(random.below(40));
+    for (std::uint8_t& byte : part) {
+      const std::uint32_t kind = random.below(4);
+      byte = static_cast<std::uint8_t>(kind == 0 ? 0xFF : random.below(kind == 1 ? 9 : 256));
+    }
+    part = random.below(2) == 0
+               ? part
+               : packet(static_cast<std::uint8_t>(random.below(255)), kWrite, part);
+    part.resize(random.below(8) == 0 ? part.size() / 2 : part.size());
+    stream = joined(stream, part);
   }
-  return made;
+  return stream;
 }
 
-Effect effect(const Bytes& of) {
-  return effect_of({of.data()});
+Effect effect(Bytes of) {
+  const Packet packet = {of.data()};
+  return effect_of(packet, writes_of(packet));
 }
-Effect write(std::uint8_t first, Bytes data) {
-  data.insert(data.begin(), first);
-  return effect(packet(1, kWrite, data));
+Effect write(std::uint8_t first, const Bytes& data) {
+  return effect(packet(1, kWrite, joined({first}, data)));
 }
-
-const Bytes kGoals = packet(kBroadcast, kSyncWrite, {42, 2, 1, 0, 8, 2, 0xFF, 0xFF});
 
 }  // namespace
 
-TEST_CASE(
-    "servo packets: junk, cuts and false headers hide no packet, in both directions at once") {
+TEST_CASE("servo packets: junk, cuts and false headers hide none, in both directions at once") {
   Random random = test_random();
   for (int i = 0; i < 3000; ++i) {
-    Bytes stream[2];
-    Found found[2];
-    for (Bytes& of : stream) {
-      for (std::uint32_t parts = random.below(6); parts != 0; --parts) {
-        Bytes part = random_bytes(random, random.below(40));
-        if (random.below(2) == 0) {
-          part = packet(static_cast<std::uint8_t>(random.below(255)), kWrite, part);
-        }
-        const std::size_t end = random.below(8) == 0 ? part.size() / 2 : part.size();
-        of.insert(of.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(end));
-      }
-    }
-    for (std::size_t at = 0; at < std::max(stream[0].size(), stream[1].size()); ++at) {
-      for (std::size_t k = 0; k < 2; ++k) {
-        if (at < stream[k].size()) {
-          found[k].push(stream[k][at]);
-        }
-      }
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-      found[k].end();
-      REQUIRE(found[k].packets == scanned(stream[k]));
-    }
+    parsed(random_stream(random), random_stream(random));
   }
-}
-
-TEST_CASE("servo packets: every cut of a packet is no packet, and the next one is found") {
   for (std::size_t cut = 0; cut < kGoals.size(); ++cut) {
-    Bytes stream(kGoals.begin(), kGoals.begin() + static_cast<std::ptrdiff_t>(cut));
-    stream.insert(stream.end(), kGoals.begin(), kGoals.end());
-    CAPTURE(cut);
-    CHECK(parsed(stream) == scanned(stream));
-    CHECK(parsed(stream).size() == 1);
+    Bytes stream = kGoals;
+    stream.resize(cut);
+    CHECK(parsed(joined(stream, kGoals)) == std::vector<Bytes>{kGoals});
   }
+  const Bytes largest = packet(1, kWrite, Bytes(253, 0xFF));
+  CHECK(largest.size() == kLargestPacket);
+  CHECK(parsed(largest) == std::vector<Bytes>{largest});
 }
 
-TEST_CASE(
-    "servo packets: no packet with a flipped bit sets goals, and one of the next two is found") {
+TEST_CASE("servo packets: none with a flipped bit sets goals, and one of the next two is found") {
   // The sum does not see a length that is one too large before the next packet's FF.
   for (std::size_t bit = 0; bit < 8 * kGoals.size(); ++bit) {
     Bytes stream = kGoals;
     stream[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
-    stream.insert(stream.end(), kGoals.begin(), kGoals.end());
-    stream.insert(stream.end(), kGoals.begin(), kGoals.end());
     CAPTURE(bit);
-    const std::vector<Bytes> found = parsed(stream);
-    CHECK(found == scanned(stream));
+    const std::vector<Bytes> found = parsed(joined(joined(stream, kGoals), kGoals));
     CHECK(found.back() == kGoals);
     for (const Bytes& each : found) {
       CHECK((each == kGoals || effect(each) == Effect::withheld));
@@ -158,17 +140,12 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("servo packets: the largest packet fits") {
-  const Bytes largest = packet(1, kWrite, Bytes(253, 0xFF));
-  CHECK(largest.size() == kLargestPacket);
-  CHECK(parsed(largest) == std::vector<Bytes>{largest});
-}
-
 TEST_CASE("servo packets: what each can do") {
-  CHECK(effect(packet(1, kPing, {})) == Effect::none);
-  CHECK(effect(packet(kBroadcast, kPing, {})) == Effect::none);
-  CHECK(effect(packet(1, kRead, {56, 2})) == Effect::none);
-  CHECK(effect(packet(kBroadcast, kSyncRead, {56, 2, 1, 2})) == Effect::none);
+  for (const Bytes& harmless :
+       {packet(1, kPing, {}), packet(kBroadcast, kPing, {}), packet(1, kRead, {56, 2}),
+        packet(kBroadcast, kSyncRead, {56, 2, 1, 2})}) {
+    CHECK(effect(harmless) == Effect::none);
+  }
   CHECK(write(40, {1}) == Effect::enable);
   CHECK(write(33, {0}) == Effect::enable);
   CHECK(write(40, {0}) == Effect::release);
@@ -177,7 +154,6 @@ TEST_CASE("servo packets: what each can do") {
   CHECK(effect(kGoals) == Effect::goal);
   for (std::uint32_t first = 0; first < 256; ++first) {
     for (std::uint32_t end = first + 1; end < first + 20; ++end) {
-      const Bytes data(end - first, 128);
       const bool is_goal = (first == 41 || first == 42) && (end == 44 || end == 46 || end == 48);
       bool moves = false;  // or redefines
       for (std::uint32_t i = first; i < end; ++i) {
@@ -185,17 +161,19 @@ TEST_CASE("servo packets: what each can do") {
                 (i >= 42 && i <= 47) || (i > 49 && i != 55 && i != 85 && i != 86);
       }
       CAPTURE(first, end);
-      CHECK(write(static_cast<std::uint8_t>(first), data) == (is_goal ? Effect::goal
-                                                              : moves ? Effect::withheld
-                                                                      : Effect::none));
+      CHECK(write(static_cast<std::uint8_t>(first), Bytes(end - first, 128)) ==
+            (is_goal ? Effect::goal
+             : moves ? Effect::withheld
+                     : Effect::none));
     }
   }
   for (const std::uint8_t instruction : Bytes{0, 4, 5, 6, 8, 10, 11, 0x92, 255}) {
     CHECK(effect(packet(1, instruction, {42, 0, 8})) == Effect::withheld);
   }
-  CHECK(effect(packet(kBroadcast, kWrite, {42, 0, 8})) == Effect::withheld);
-  CHECK(effect(packet(kBroadcast, kSyncWrite, {42, 2, 1, 0, 8, 2, 0})) == Effect::withheld);
-  CHECK(effect(packet(kBroadcast, kSyncWrite, {42, 0, 1, 0})) == Effect::withheld);
-  CHECK(effect(packet(1, kSyncWrite, {42, 2, 1, 0, 8})) == Effect::withheld);
-  CHECK(effect(packet(1, kWrite, {42})) == Effect::withheld);
+  for (const Bytes& odd :
+       {packet(kBroadcast, kWrite, {42, 0, 8}), packet(1, kWrite, {42}),
+        packet(kBroadcast, kSyncWrite, {42, 2, 1, 0, 8, 2, 0}),
+        packet(kBroadcast, kSyncWrite, {42, 0, 1, 0}), packet(1, kSyncWrite, {42, 2, 1, 0, 8})}) {
+    CHECK(effect(odd) == Effect::withheld);
+  }
 }
