@@ -157,8 +157,7 @@ class ServoGuard {
     bool knows = true;
     for (uint32_t i = 0; i < writes.servos; ++i) {
       const Joint* const joint = steps_.find(writes.id(i));
-      knows = knows && joint != steps_.end() && joint->is_known &&
-              now_ - joint->measured_at <= times_.stale;
+      knows = knows && joint != steps_.end() && joint->is_known;
     }
     return knows;
   }

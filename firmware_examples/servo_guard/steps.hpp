@@ -143,7 +143,7 @@ class Steps {
     about = joint.servo.id;
   }
 
-  /// Every kPeriod. `oldest`: when a position has to be measured to be known.
+  /// Every kPeriod. `stale`: the age at which a position is unknown.
   void period(uint32_t now, uint32_t stale) {
     ++periods_;
     bool are_still = true;
