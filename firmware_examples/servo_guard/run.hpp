@@ -1,5 +1,4 @@
-// Common to all boards: an arm's robot and servos, and the loop. arm.hpp is written by
-// arm.py.
+// Common to all boards: an arm's robot and servos, and the loop.
 #pragma once
 
 #include <flashbvh/robot/image.hpp>
@@ -8,6 +7,13 @@
 #include "servo_guard.hpp"
 
 namespace servo {
+
+constexpr uint32_t kServoCount = sizeof kServos / sizeof *kServos;
+static_assert(kServoCount == ARM(VARIABLE_COUNT), "give each joint of the arm one servo");
+static_assert(
+    are_possible(kServos),
+    "an id is below 254, an offset below 4096, a sign 1 or -1, a speed from 1 to 100000; no "
+    "two servos have one id or joint");
 
 inline flashbvh::Mesh meshes[ARM(LINK_COUNT)];
 inline const flashbvh::Robot robot = flashbvh::view_robot_unchecked(ARM(robot_image), meshes);
@@ -26,8 +32,7 @@ void send(Bytes& bytes, Uart& uart) {
 template <class Board>
 [[noreturn]] void run(Board& board) {
   flashbvh::Guard guard(robot, state);
-  static ServoGuard servos(robot, ARM(robot_image), guard, kServos,
-                           sizeof kServos / sizeof *kServos, Board::times);
+  static ServoGuard servos(robot, ARM(robot_image), guard, kServos, kServoCount, Board::times);
   for (;;) {
     servos.tick(board.microseconds());
     while (board.bus.can_read()) {

@@ -42,7 +42,7 @@ inline JointCoordinate whole(JointCoordinate at) {
   return at & ~(kCount - 1);
 }
 
-/// A line of an arm's file.
+/// Of an arm's file.
 struct Servo {
   uint8_t variable;  ///< of the robot
   uint8_t id;
@@ -50,6 +50,21 @@ struct Servo {
   int32_t sign;    ///< 1, or -1: counts grow as the joint's value falls
   int32_t speed;   ///< counts a second, at most
 };
+
+/// Whether servos' numbers are possible, and no id or variable has two.
+template <uint32_t count>
+constexpr bool are_possible(const Servo (&servos)[count]) {
+  bool are = count <= kMaxServos;
+  for (uint32_t i = 0; i < count; ++i) {
+    const Servo& servo = servos[i];
+    are = are && servo.id < 254 && servo.offset >= 0 && servo.offset < kCounts &&
+          servo.sign * servo.sign == 1 && servo.speed > 0 && servo.speed <= 100'000;
+    for (uint32_t j = 0; j < i; ++j) {
+      are = are && servo.id != servos[j].id && servo.variable != servos[j].variable;
+    }
+  }
+  return are;
+}
 
 /// A servo and its joint: coordinates of whole counts.
 struct Joint {

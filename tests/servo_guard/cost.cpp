@@ -1,10 +1,7 @@
 // The instructions of a packet in the servo guard, from its last byte to its first one on the bus:
 // all that from_host() executes. Servos answer at once, and are late in their ways.
-#include <flashbvh/robot/image.hpp>
-
-#include "arm.hpp"
 #include "insn.hpp"
-#include "servo_guard.hpp"
+#include "run.hpp"
 #include "support/random.hpp"
 #include "text.hpp"
 
@@ -12,10 +9,6 @@ using namespace servo;
 
 namespace {
 
-constexpr uint32_t kServoCount = sizeof kServos / sizeof *kServos;
-
-flashbvh::Mesh meshes[ARM(LINK_COUNT)];
-flashbvh::GuardStateOf<ARM(JOINT_COUNT), ARM(PAIR_COUNT), ARM(PAIR_JOINT_COUNT)> state;
 int32_t at[kServoCount];     // in 1/16 count
 int32_t goals[kServoCount];  // in counts
 
@@ -69,7 +62,6 @@ struct Cost {
 }  // namespace
 
 int main() {
-  const flashbvh::Robot robot = flashbvh::view_robot_unchecked(ARM(robot_image), meshes);
   flashbvh::Guard limits(robot, state);
   static ServoGuard guard(robot, ARM(robot_image), limits, kServos, kServoCount, Times{});
   static Parser bus;

@@ -1,6 +1,7 @@
 """The servo guard's firmware in QEMU, between a simulated servo bus and a host."""
 import math
 import random
+import re
 import select
 import socket
 import subprocess
@@ -23,27 +24,21 @@ def goals(of, first=42):
 
 
 def whole_packets(stream):
-    """Takes the packets from a bytearray; junk between them vanishes."""
+    """Takes the packets from a bytearray. The guard lets nothing else through."""
     found = []
-    while len(stream) >= 4:
-        size = stream[3] + 4
-        if stream[:2] != b"\xff\xff" or stream[2] == 255 or stream[3] < 2:
-            del stream[0]
-        elif len(stream) < size:
-            break
-        elif sum(stream[2:size]) & 255 == 255:
-            found.append(bytes(stream[:size]))
-            del stream[:size]
-        else:
-            del stream[0]
+    while len(stream) >= 4 and len(stream) >= stream[3] + 4:
+        got = bytes(stream[:stream[3] + 4])
+        assert got == packet(got[2], got[4], *got[5:-1]), got
+        found.append(got)
+        del stream[:len(got)]
     return found
 
 
 class Servo:
     """Goes to its goal, ever slower near it, and at most at a speed. Each is late by its own time."""
 
-    def __init__(self, line):
-        _, self.number, self.offset, self.sign, self.speed = line[0], *map(int, line[1:])
+    def __init__(self, *line):
+        self.number, self.offset, self.sign, self.speed = map(int, line)
         self.memory = bytearray(128)
         self.late = [0.02, 0.2, 0.06][self.number % 3]  # seconds
         self.at = float(self.offset)
@@ -70,8 +65,8 @@ class Rig:
     def __init__(self, machine, firmware, arm, folder):
         """`arm`: the servos' file. `folder`: for sockets and logs."""
         with open(arm) as file:
-            lines = [line.split("#")[0].split() for line in file]
-        self.servos = {servo.number: servo for servo in (Servo(line) for line in lines if line)}
+            lines = re.findall(r"variable_\w+\), (\d+), (\d+), (-?1), (\d+)", file.read())
+        self.servos = {int(line[0]): Servo(*line) for line in lines}
         self.log = f"{folder}/text"
         self.positions = open(f"{folder}/positions", "w")
         ends = [f"{folder}/{name}" for name in ("host", "bus")]

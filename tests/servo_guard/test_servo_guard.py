@@ -53,6 +53,7 @@ class ServoGuard(unittest.TestCase):
         self.assertTrue(any(self.go(home, 4) or self.go({number: draw.randrange(TURN) for number in home}, 2)
                             for _ in range(20)))
         self.assertIn("shortened", rig.text()[-1])
+        self.assertNotIn("no goal passes", " ".join(rig.text()))
 
     def test_what_moves_nothing_passes_unchanged(self):
         rig = self.rig
