@@ -21,6 +21,20 @@ void add_fin(bake::SourceMesh& mesh, std::uint32_t p, std::uint32_t q, const Vec
   mesh.triangles.push_back({q, p, last});
 }
 
+/// Two neighbours' zones, and the verdict about their surfaces outside.
+struct Decided {
+  std::vector<JointZone> zones;
+  PairVerdict pair;
+
+  /// The only zone.
+  const JointZone& zone() const {
+    REQUIRE(zones.size() == 1);
+    return zones[0];
+  }
+  double radius() const { return zone().shape.radius; }
+  MatrixVerdict verdict() const { return pair.verdict; }
+};
+
 struct Neighbours {
   Model model;
   MatrixOptions options;
@@ -33,19 +47,14 @@ struct Neighbours {
     return joint_zones(model, arm.wholes(), kCell, options, radii).zones;
   }
   std::vector<JointZone> zones() const { return zones(BakedArm(model, kCell)); }
-  /// The only zone.
-  JointZone zone() const {
-    const std::vector<JointZone> all = zones();
-    REQUIRE(all.size() == 1);
-    return all[0];
-  }
-  PairVerdict decided() const {
+  Decided decided() const {
     const BakedArm arm(model, kCell);
-    const PairVerdict pair = arm.decide(options, zones(arm))[0];
-    if (pair.verdict == MatrixVerdict::can) {
-      CHECK(arm.intersect(0, 1, pair.witness));
+    Decided made{zones(arm), {}};
+    made.pair = arm.decide(options, made.zones)[0];
+    if (made.verdict() == MatrixVerdict::can) {
+      CHECK(arm.intersect(0, 1, made.pair.witness));
     }
-    return pair;
+    return made;
   }
 };
 
@@ -129,17 +138,15 @@ void check_parts(Random& random, const Neighbours& any, const JointZone& zone, b
 
 TEST_CASE("what touches about a joint is its zone; what lies outside is decided to 0.001 rad") {
   const double contact = angle_of_contact();
-  const Neighbours meets = hub_and_arm(contact - 0.001, 2);
-  const JointZone zone = meets.zone();
-  CHECK((zone.a == 0 && zone.b == 1 && zone.joint == 0));
-  CHECK(zone.shape.radius > 0.1);
-  CHECK(zone.shape.radius < 0.14);
-  const PairVerdict can = meets.decided();
-  CHECK(can.verdict == MatrixVerdict::can);
-  CHECK(can.reason.substr(0, 8) == "outside ");
-  CHECK(can.witness[0] < contact);
-  CHECK(can.is_guarded);
-  const PairVerdict never = hub_and_arm(contact + 0.001, 2).decided();
+  const Decided can = hub_and_arm(contact - 0.001, 2).decided();
+  CHECK((can.zone().a == 0 && can.zone().b == 1 && can.zone().joint == 0));
+  CHECK(can.radius() > 0.1);
+  CHECK(can.radius() < 0.14);
+  CHECK(can.verdict() == MatrixVerdict::can);
+  CHECK(can.pair.reason.substr(0, 8) == "outside ");
+  CHECK(can.pair.witness[0] < contact);
+  CHECK(can.pair.is_guarded);
+  const PairVerdict never = hub_and_arm(contact + 0.001, 2).decided().pair;
   CHECK(never.verdict == MatrixVerdict::never);
   CHECK_FALSE(never.is_guarded);
 }
@@ -158,26 +165,24 @@ Neighbours fins(double upper, double tip) {
 TEST_CASE("a fin that a neighbour's fin meets is outside, wherever in the range they meet") {
   for (const double upper : {1.6, 2.8}) {
     CAPTURE(upper);
-    const Neighbours meets = fins(upper, 0.5);
-    CHECK(meets.zone().shape.radius < 0.27);  // 2.25 times what the hubs need
-    CHECK(meets.decided().verdict == MatrixVerdict::can);
-    CHECK(meets.decided().share() > 0.01);
+    const Decided meets = fins(upper, 0.5).decided();
+    CHECK(meets.radius() < 0.27);  // 2.25 times what the hubs need
+    CHECK(meets.verdict() == MatrixVerdict::can);
+    CHECK(meets.pair.share() > 0.01);
   }
-  const Neighbours never = fins(1.3, 0.5);
-  CHECK(never.zone().shape.radius < 0.14);
+  const Decided never = fins(1.3, 0.5).decided();
+  CHECK(never.radius() < 0.14);
   CHECK(never.zone().hidden == 0);
-  CHECK(never.decided().verdict == MatrixVerdict::never);
+  CHECK(never.verdict() == MatrixVerdict::never);
 }
 
 TEST_CASE("hulls that touch ever farther from their joint leave it its range, and that is told") {
-  const Neighbours hulls = fins(1.6, 0.3);
-  const JointZone zone = hulls.zone();
-  CHECK(zone.shape.radius > 0.23);
-  CHECK(zone.shape.radius < 0.25);
-  CHECK(zone.hidden == Approx((1.6 - 1.44) / 1.4).margin(0.02));
-  const PairVerdict pair = hulls.decided();
-  CHECK(pair.share() == 0);
-  CHECK(pair.verdict == MatrixVerdict::never);
+  const Decided hulls = fins(1.6, 0.3).decided();
+  CHECK(hulls.radius() > 0.23);
+  CHECK(hulls.radius() < 0.25);
+  CHECK(hulls.zone().hidden == Approx((1.6 - 1.44) / 1.4).margin(0.02));
+  CHECK(hulls.pair.share() == 0);
+  CHECK(hulls.verdict() == MatrixVerdict::never);
 }
 
 TEST_CASE("a post of the same piece, beyond a gap, stays guarded") {
@@ -187,10 +192,11 @@ TEST_CASE("a post of the same piece, beyond a gap, stays guarded") {
   // Along the floor, then up: at the arm's height from 0.175 on.
   add_fin(base, 12, 14, {0, 0.25, -0.1});
   add_fin(base, 12, static_cast<std::uint32_t>(base.vertices.size() - 1), {0, 0.25, 0.1});
-  CHECK(post.zone().shape.radius < 0.14);
-  CHECK(post.zone().hidden < 0.01);
-  CHECK(post.decided().verdict == MatrixVerdict::can);
-  CHECK(post.decided().share() > 0.03);
+  const Decided is = post.decided();
+  CHECK(is.radius() < 0.14);
+  CHECK(is.zone().hidden < 0.01);
+  CHECK(is.verdict() == MatrixVerdict::can);
+  CHECK(is.pair.share() > 0.03);
 }
 
 TEST_CASE("neighbours that never touch, but pass within the stop distance, are not guarded") {
@@ -198,25 +204,28 @@ TEST_CASE("neighbours that never touch, but pass within the stop distance, are n
   bake::SourceMesh& hub = passes.model.links[0].mesh;
   hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
   append(box({0.3, -0.1, -0.2}, {0.41, 0.1, -0.023}), hub);  // 3 mm below the arm
-  CHECK(passes.zone().shape.radius < 0.14);
+  CHECK(passes.zones().at(0).shape.radius < 0.14);
   passes.options.stop = 0.005 / kCell;
-  const JointZone zone = passes.zone();
-  CHECK(zone.shape.radius > 0.4);
-  CHECK(zone.hidden == 0);
-  CHECK_FALSE(passes.decided().is_guarded);
-  CHECK(passes.decided().share() == 0);
+  const Decided are_near = passes.decided();
+  CHECK(are_near.radius() > 0.4);
+  CHECK(are_near.zone().hidden == 0);
+  CHECK_FALSE(are_near.pair.is_guarded);
+  CHECK(are_near.pair.share() == 0);
   hub.vertices.back()[2] = 0;  // a corner that the arm meets
-  CHECK(passes.zone().shape.radius < 0.14);
-  CHECK(passes.decided().share() > 0.2);
+  const Decided touch = passes.decided();
+  CHECK(touch.radius() < 0.14);
+  CHECK(touch.pair.share() > 0.2);
   // Even if they are apart everywhere else.
   passes.model.links[1].mesh = box({0.12, -0.01, -0.02}, {0.5, 0.01, 0.02});
   CHECK(passes.zones().empty());
   hub.vertices.back()[2] = -0.023;
-  CHECK(passes.zone().shape.radius > 0.4);
-  CHECK_FALSE(passes.decided().is_guarded);
+  const Decided are_apart = passes.decided();
+  CHECK(are_apart.radius() > 0.4);
+  CHECK_FALSE(are_apart.pair.is_guarded);
   passes.options.own = {{0, 1, passes.options.stop, passes.options.stop}};
-  CHECK(passes.zones().empty());
-  CHECK(passes.decided().is_guarded);
+  const Decided own = passes.decided();
+  CHECK(own.zones.empty());
+  CHECK(own.pair.is_guarded);
 }
 
 TEST_CASE("the zone that is told is exempt, and nothing else") {
@@ -224,7 +233,7 @@ TEST_CASE("the zone that is told is exempt, and nothing else") {
   Random random = test_random();
   for (const double radius : {0.05, 0.115, 0.15, 0.25}) {
     chosen.radii = {{0, radius}};
-    const JointZone zone = chosen.zone();
+    const JointZone zone = chosen.zones().at(0);
     REQUIRE(zone.bodies.size() == 1);
     for (const std::size_t side : {0u, 1u}) {
       const bake::SourceMesh& kept = side == 0 ? zone.bodies[0].mesh_a : zone.bodies[0].mesh_b;
@@ -245,12 +254,11 @@ TEST_CASE("a rib that a carriage meets at the end of its rail is outside, to a m
     return joined_by(JointType::prismatic, 0, upper, ribbed,
                      box({-0.05, -0.04, -0.001}, {0.05, 0.04, 0.2}));
   };
-  const Neighbours meets = made(0.451);
-  const JointZone zone = meets.zone();
-  CHECK(zone.shape.is_cylinder);
-  CHECK(zone.shape.radius < 0.1);
-  CHECK(meets.decided().verdict == MatrixVerdict::can);
-  CHECK(made(0.449).decided().verdict == MatrixVerdict::never);
+  const Decided meets = made(0.451).decided();
+  CHECK(meets.zone().shape.is_cylinder);
+  CHECK(meets.radius() < 0.1);
+  CHECK(meets.verdict() == MatrixVerdict::can);
+  CHECK(made(0.449).decided().verdict() == MatrixVerdict::never);
 }
 
 TEST_CASE("what touches between two looks is in the zone") {
@@ -268,15 +276,15 @@ TEST_CASE("what touches between two looks is in the zone") {
   }
   gear.model.links[0].mesh = base;
   gear.model.links[1].mesh = wheel;
-  const double radius = gear.zone().shape.radius;
-  CHECK(radius > 0.13);  // 0.121 holds the contact at the samples
-  CHECK(radius < 0.16);
-  CHECK(gear.decided().verdict == MatrixVerdict::never);
+  const Decided is = gear.decided();
+  CHECK(is.radius() > 0.13);  // 0.121 holds the contact at the samples
+  CHECK(is.radius() < 0.16);
+  CHECK(is.verdict() == MatrixVerdict::never);
 }
 
 TEST_CASE("without time there is no zone, and a guard keeps all that lies outside one") {
   Neighbours late = hub_and_arm(angle_of_contact() - 0.001, 2);
-  const JointZone zone = late.zone();
+  const JointZone zone = late.zones().at(0);
   late.options.deadline = in_seconds(Clock::now(), -1);
   CHECK(late.zones().empty());
   CHECK(late.found().late_joints == std::set<std::size_t>{0});
@@ -305,13 +313,15 @@ TEST_CASE("neighbours apart have no zone, late or not, unless they are nearer th
   Neighbours apart = hub_and_arm(0.2, 2);
   apart.model.links[1].mesh = box({0.103, -0.01, -0.02}, {0.5, 0.01, 0.02});
   apart.options.deadline = in_seconds(Clock::now(), -1);
-  CHECK(apart.found().zones.empty());
-  CHECK(apart.found().late_joints.empty());
+  const FoundZones late = apart.found();
+  CHECK(late.zones.empty());
+  CHECK(late.late_joints.empty());
   apart.options.deadline = {};
   CHECK(apart.zones().empty());
   apart.options.stop = 0.005 / kCell;
-  REQUIRE(apart.zones().size() == 1);
-  CHECK(apart.decided().verdict == MatrixVerdict::never);
+  const Decided near = apart.decided();
+  CHECK(near.zones.size() == 1);
+  CHECK(near.verdict() == MatrixVerdict::never);
   apart.options.stop = 0;
   apart.options.own = {{1, 0, 0.005 / kCell, 0.005 / kCell}};
   CHECK(apart.zones().size() == 1);
