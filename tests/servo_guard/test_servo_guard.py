@@ -57,7 +57,7 @@ class ServoGuard(unittest.TestCase):
 
     def test_what_moves_nothing_passes_unchanged(self):
         rig = self.rig
-        for sent in [packet(1, READ, 62, 3), packet(2, WRITE, 21, 16), packet(3, 1), packet(1, WRITE, 55, 1)]:
+        for sent in [packet(1, READ, 62, 3), packet(2, WRITE, 21, 16), packet(3, 1), packet(1, WRITE, 55, 1)] * 20:
             answer = rig.ask(sent)
             self.assertIn(sent, rig.heard)
             self.assertEqual(answer, packet(sent[2], 0, *rig.servos[1].memory[62:65] if sent[4] == READ else []))
