@@ -77,3 +77,41 @@ TEST_CASE("a search finds a pair of nested surfaces if there is one, wherever it
   search_nested_rings<std::uint16_t>();
   search_nested_rings<std::uint32_t>();
 }
+
+// Also if its walk is within that pair's leaves when it looks elsewhere.
+TEST_CASE("a search finds the only pair of nested surfaces, whichever triangle it has") {
+  const auto ring = [](double tube) { return torus(16, 8, 9000, tube); };
+  const auto baked = [](const bake::LatticeMesh& mesh) {
+    return bake::lay_out<std::uint16_t, Layout::post_indexed>(
+        bake::collapse(bake::build_sah(mesh, 2), 4), mesh);
+  };
+  const auto outer = baked(ring(3000));
+  const bake::LatticeMesh inner = ring(2700);
+  const bake::LatticeMesh beyond = ring(3400);
+  bake::LatticeMesh spiked = inner;  // whose triangles share no corners
+  for (std::uint32_t i = 0; i < inner.triangles.size(); ++i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      spiked.triangles[i][k] = 3 * i + k;
+    }
+  }
+  for_rounds(rounds(4, 60), 8, [&](Random& random, int) {
+    const auto any = [&] { return random.between(-100, 100); };
+    const std::int32_t by[3] = {any(), any(), any()};
+    const Quaternion turn = {20000, any(), any(), any()};
+    const Pose pose = Pose::rigid(rotation_of(turn).entry, by);
+    for (std::size_t at = 0; at < inner.triangles.size(); ++at) {
+      spiked.vertices.clear();
+      for (std::size_t i = 0; i < inner.triangles.size(); ++i) {
+        for (const std::uint32_t corner : inner.triangles[i]) {
+          spiked.vertices.push_back(inner.vertices[corner]);
+        }
+      }
+      spiked.vertices[3 * at] = beyond.vertices[inner.triangles[at][0]];
+      const auto with_spike = baked(spiked);
+      TrianglePair<std::uint16_t> found;
+      CAPTURE(at);
+      REQUIRE(first_pair<std::uint16_t>(outer.view(), with_spike.view(), pose, found).yes);
+      REQUIRE(found.b == at);
+    }
+  });
+}
