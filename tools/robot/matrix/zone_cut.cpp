@@ -14,22 +14,25 @@ Vector3 between(const Vector3& p, const Vector3& q, double part) {
   return {p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1]), p[2] + part * (q[2] - p[2])};
 }
 
-/// The part of a convex polygon where `height` is 0 or less; `crossing` of a corner where it is and
+/// The part of a convex polygon of some corners where `height` is 0 or less; `crossing` of a corner where it is and
 /// one where it is not: where the edge between them leaves that part.
 template <class Height, class Crossing>
 std::vector<Vector3> clipped(const std::vector<Vector3>& polygon, const Height& height,
                              const Crossing& crossing) {
   std::vector<Vector3> part;
+  part.reserve(polygon.size() + 1);
+  bool has_p = height(polygon.front()) <= 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector3& p = polygon[i];
     const Vector3& q = polygon[(i + 1) % polygon.size()];
-    const bool has_p = height(p) <= 0;
+    const bool has_q = height(q) <= 0;
     if (has_p) {
       part.push_back(p);
     }
-    if (has_p != (height(q) <= 0)) {
+    if (has_p != has_q) {
       part.push_back(has_p ? crossing(p, q) : crossing(q, p));
     }
+    has_p = has_q;
   }
   return part;
 }
