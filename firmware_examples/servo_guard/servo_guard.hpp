@@ -221,7 +221,7 @@ class ServoGuard {
            (host_.is_empty() || (!host_.has_packet() && now_ - own_at_ > kPeriod));
   }
 
-  /// Puts a packet on the bus. What comes then are the answers to it.
+  /// Puts a packet on the bus. The host may send packets before earlier ones are answered.
   void send(const Packet& packet, bool is_own) {
     const bool is_sync = packet.instruction() == kSyncRead;
     const bool is_read = is_sync || packet.instruction() == kRead;
@@ -229,7 +229,7 @@ class ServoGuard {
     const uint32_t servos = is_sync && count >= 2
                                 ? count - 2
                                 : packet.id() != kBroadcast || packet.instruction() == kPing;
-    awaited_ = servos * (is_read && count >= 2 ? packet.parameters()[1] + 6u : 6u);
+    awaited_ += servos * (is_read && count >= 2 ? packet.parameters()[1] + 6u : 6u);
     is_own_ = is_own;
     asked_ = packet.id();
     bus_.clear();

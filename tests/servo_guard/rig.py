@@ -23,15 +23,24 @@ def goals(of, first=42):
     return packet(ALL, SYNC_WRITE, first, size, *sum(data, []))
 
 
-def whole_packets(stream):
-    """Takes the packets from a bytearray. The guard lets nothing else through."""
-    found = []
-    while len(stream) >= 4 and len(stream) >= stream[3] + 4:
-        got = bytes(stream[:stream[3] + 4])
-        assert got == packet(got[2], got[4], *got[5:-1]), got
-        found.append(got)
-        del stream[:len(got)]
-    return found
+class Stream:
+    """Finds packets in what is received, and counts the bytes between them."""
+
+    def __init__(self):
+        self.rest, self.junk = bytearray(), 0
+
+    def packets(self, received):
+        self.rest += received
+        found = []
+        while len(self.rest) >= 4:
+            got = bytes(self.rest[:self.rest[3] + 4])
+            if got[:2] == b"\xff\xff" and len(got) < got[3] + 4:
+                break
+            is_packet = len(got) > 5 and got == packet(got[2], got[4], *got[5:-1])
+            found += [got] if is_packet else []
+            self.junk += not is_packet
+            del self.rest[:len(got) if is_packet else 1]
+        return found
 
 
 class Servo:
@@ -75,7 +84,7 @@ class Rig:
             ["qemu-system-arm", "-M", machine, "-display", "none", "-monitor", "none", "-kernel", firmware, *options,
              "-serial", f"file:{self.log}"], stderr=subprocess.DEVNULL)
         self.host, self.bus = map(self.connected, ends)
-        self.to_guard, self.from_host, self.from_bus = bytearray(), bytearray(), bytearray()
+        self.to_guard, self.to_host, self.to_bus = bytearray(), Stream(), Stream()
         self.host.setblocking(False)
         self.heard = []   # packets that the bus got
         self.answers = []  # packets that the host got
@@ -146,12 +155,10 @@ class Rig:
             if can_send:
                 del self.to_guard[:self.host.send(self.to_guard)]
             if self.bus in ready:
-                self.from_bus += self.bus.recv(4096)
-                for got in whole_packets(self.from_bus):
+                for got in self.to_bus.packets(self.bus.recv(4096)):
                     self.answer(got)
             if self.host in ready:
-                self.from_host += self.host.recv(4096)
-                self.answers += whole_packets(self.from_host)
+                self.answers += self.to_host.packets(self.host.recv(4096))
         return True
 
     def send(self, of):
