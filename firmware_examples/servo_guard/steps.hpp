@@ -1,4 +1,4 @@
-// What an arm's servos are sent: steps that the guard grants.
+// The goals that an arm's servos are sent: steps that the guard grants.
 //
 // A step is of at most the servos' speed a period. limit() proves it from the goals of the last
 // one, so servos have to be there: a step is sent if all servos are within kNear of the last goals,

@@ -17,7 +17,7 @@ void put(uint8_t* bytes, int32_t number) {
   bytes[1] = static_cast<uint8_t>(number >> 8);
 }
 
-/// What servos do with a packet of the guard's.
+/// The reaction of servos to a packet of the guard.
 void answer(ServoGuard& guard, const Packet& packet) {
   const Writes writes = writes_of(packet);
   for (uint32_t i = 0; i < kServoCount; ++i) {
