@@ -12,7 +12,7 @@ namespace {
 
 double most_sampled(const bake::SourceMesh& of, const bake::SourceMesh& to, Random& random) {
   double most = 0;
-  const int samples = is_thorough() ? 1'000'000 : 60;
+  const int samples = is_thorough() ? 1'000'000 : 150;
   for (int i = 0; i < samples; ++i) {
     most = std::max(most, distance_by_force(any_point_of(random, of), to));
   }
