@@ -33,6 +33,14 @@ enum Register : uint8_t {
 constexpr uint8_t kBroadcast = 254;
 constexpr uint32_t kLargestPacket = 4 + 255;
 
+inline int32_t number_at(const uint8_t* bytes) {
+  return bytes[0] | bytes[1] << 8;
+}
+inline void put_number(uint8_t* bytes, int32_t number) {
+  bytes[0] = static_cast<uint8_t>(number);
+  bytes[1] = static_cast<uint8_t>(number >> 8);
+}
+
 /// A whole packet, checked.
 struct Packet {
   uint8_t* bytes;

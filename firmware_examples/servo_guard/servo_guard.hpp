@@ -208,12 +208,6 @@ class ServoGuard {
 
   // ---- the bus ----
 
-  static int32_t number_at(const uint8_t* bytes) { return bytes[0] | bytes[1] << 8; }
-  static void put_number(uint8_t* bytes, int32_t number) {
-    bytes[0] = static_cast<uint8_t>(number);
-    bytes[1] = static_cast<uint8_t>(number >> 8);
-  }
-
   /// Whether a packet of one's own may begin: no answer is due, and the host sends none, or has
   /// been sending for a period.
   bool has_time_on_bus() const {

@@ -42,7 +42,7 @@ inline JointCoordinate whole(JointCoordinate at) {
   return at & ~(kCount - 1);
 }
 
-/// Of an arm's file.
+/// A servo, as an arm's file lists it.
 struct Servo {
   uint8_t variable;  ///< of the robot
   uint8_t id;

@@ -12,22 +12,16 @@ namespace {
 int32_t at[kServoCount];     // in 1/16 count
 int32_t goals[kServoCount];  // in counts
 
-void put(uint8_t* bytes, int32_t number) {
-  bytes[0] = static_cast<uint8_t>(number);
-  bytes[1] = static_cast<uint8_t>(number >> 8);
-}
-
 /// The reaction of servos to a packet of the guard.
 void answer(ServoGuard& guard, const Packet& packet) {
   const Writes writes = writes_of(packet);
   for (uint32_t i = 0; i < kServoCount; ++i) {
     for (uint32_t k = 0; k < writes.servos; ++k) {
-      const uint8_t* const goal = writes.at(k);
-      goals[i] = writes.id(k) == kServos[i].id ? goal[0] + goal[1] * 256 : goals[i];
+      goals[i] = writes.id(k) == kServos[i].id ? number_at(writes.at(k)) : goals[i];
     }
     if (packet.instruction() == kRead && packet.id() == kServos[i].id) {
       uint8_t reply[8] = {0, 0, packet.id()};
-      put(reply + 5, at[i] / 16);
+      put_number(reply + 5, at[i] / 16);
       sealed(reply, sizeof reply);
       for (const uint8_t byte : reply) {
         guard.from_bus(byte);
@@ -81,7 +75,7 @@ int main() {
       const int32_t way = (16 * goals[i] - at[i]) / static_cast<int32_t>(200 << i % 2);
       at[i] += way != 0 ? way : goals[i] * 16 > at[i] ? 1 : goals[i] * 16 < at[i] ? -1 : 0;
       if (step % 10'000 == 1000) {
-        put(write + 8 + 3 * i, random.between(0, kCounts - 1));
+        put_number(write + 8 + 3 * i, random.between(0, kCounts - 1));
       }
     }
     if (step < 1000 || step % 100 != 0) {

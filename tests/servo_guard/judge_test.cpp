@@ -36,7 +36,11 @@ struct Judge {
       }
       floors[i] = is_start ? now : floors[i];
       const double give = floors[i] < stop ? std::min(drawn.give(i), floors[i] / 2) : 0;
-      allows = allows && now >= floors[i] - give - brake / drawn.cell * kFineOne;
+      const bool is_near = now < floors[i] - give - brake / drawn.cell * kFineOne;
+      if (is_near && allows) {
+        std::printf("%s: %.2f of a stop distance\n", drawn.name_of(i).c_str(), now / stop);
+      }
+      allows = allows && !is_near;
       is_inside = is_inside || now < stop;
       floors[i] = std::max(floors[i], now);
       nearest = std::min(nearest, now / stop);

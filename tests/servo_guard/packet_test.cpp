@@ -1,9 +1,10 @@
 // Packets of servos: found in any stream, byte by byte, as a scan of the whole stream finds them,
-// and classified by their effects.
+// and classified by their effects. Tables of servos.
 #include "packet.hpp"
 
 #include <vector>
 
+#include "steps.hpp"
 #include "support/random.hpp"
 #include "support/test.hpp"
 
@@ -175,5 +176,17 @@ TEST_CASE("servo packets: what each can do") {
         packet(kBroadcast, kSyncWrite, {42, 2, 1, 0, 8, 2, 0}),
         packet(kBroadcast, kSyncWrite, {42, 0, 1, 0}), packet(1, kSyncWrite, {42, 2, 1, 0, 8})}) {
     CHECK(effect(odd) == Effect::withheld);
+  }
+}
+
+TEST_CASE("servo tables: numbers out of range, and one id or joint twice, are refused") {
+  const Servo good[] = {{0, 1, 0, 1, 1}, {1, 253, 4095, -1, 100'000}};
+  CHECK(are_possible(good));
+  const Servo any = {2, 2, 0, 1, 1};
+  CHECK(are_possible({good[0], good[1], any}));
+  for (const Servo& bad : {Servo{2, 254, 0, 1, 1}, Servo{2, 253, 0, 1, 1}, Servo{1, 2, 0, 1, 1},
+                           Servo{2, 2, -1, 1, 1}, Servo{2, 2, 4096, 1, 1}, Servo{2, 2, 0, 0, 1},
+                           Servo{2, 2, 0, 1, 0}, Servo{2, 2, 0, 1, 100'001}}) {
+    CHECK_FALSE(are_possible({good[0], good[1], bad}));
   }
 }

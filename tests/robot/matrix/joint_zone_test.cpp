@@ -21,16 +21,17 @@ void add_fin(bake::SourceMesh& mesh, std::uint32_t p, std::uint32_t q, const Vec
   mesh.triangles.push_back({q, p, last});
 }
 
+const JointZone& only(const std::vector<JointZone>& zones) {
+  REQUIRE(zones.size() == 1);
+  return zones[0];
+}
+
 /// Two neighbours' zones, and the verdict about their surfaces outside.
 struct Decided {
   std::vector<JointZone> zones;
   PairVerdict pair;
 
-  /// The only zone.
-  const JointZone& zone() const {
-    REQUIRE(zones.size() == 1);
-    return zones[0];
-  }
+  const JointZone& zone() const { return only(zones); }
   double radius() const { return zone().shape.radius; }
   MatrixVerdict verdict() const { return pair.verdict; }
 };
@@ -47,6 +48,7 @@ struct Neighbours {
     return joint_zones(model, arm.wholes(), kCell, options, radii).zones;
   }
   std::vector<JointZone> zones() const { return zones(BakedArm(model, kCell)); }
+  JointZone zone() const { return only(zones()); }
   Decided decided() const {
     const BakedArm arm(model, kCell);
     Decided made{zones(arm), {}};
@@ -204,7 +206,7 @@ TEST_CASE("neighbours that never touch, but pass within the stop distance, are n
   bake::SourceMesh& hub = passes.model.links[0].mesh;
   hub = prism(24, 0.1, 0, 0, -0.1, 0.1);
   append(box({0.3, -0.1, -0.2}, {0.41, 0.1, -0.023}), hub);  // 3 mm below the arm
-  CHECK(passes.zones().at(0).shape.radius < 0.14);
+  CHECK(passes.zone().shape.radius < 0.14);
   passes.options.stop = 0.005 / kCell;
   const Decided are_near = passes.decided();
   CHECK(are_near.radius() > 0.4);
@@ -233,7 +235,7 @@ TEST_CASE("the zone that is told is exempt, and nothing else") {
   Random random = test_random();
   for (const double radius : {0.05, 0.115, 0.15, 0.25}) {
     chosen.radii = {{0, radius}};
-    const JointZone zone = chosen.zones().at(0);
+    const JointZone zone = chosen.zone();
     REQUIRE(zone.bodies.size() == 1);
     for (const std::size_t side : {0u, 1u}) {
       const bake::SourceMesh& kept = side == 0 ? zone.bodies[0].mesh_a : zone.bodies[0].mesh_b;
@@ -284,7 +286,7 @@ TEST_CASE("what touches between two looks is in the zone") {
 
 TEST_CASE("without time there is no zone, and a guard keeps all that lies outside one") {
   Neighbours late = hub_and_arm(angle_of_contact() - 0.001, 2);
-  const JointZone zone = late.zones().at(0);
+  const JointZone zone = late.zone();
   late.options.deadline = in_seconds(Clock::now(), -1);
   CHECK(late.zones().empty());
   CHECK(late.found().late_joints == std::set<std::size_t>{0});
@@ -320,7 +322,7 @@ TEST_CASE("neighbours apart have no zone, late or not, unless they are nearer th
   CHECK(apart.zones().empty());
   apart.options.stop = 0.005 / kCell;
   const Decided near = apart.decided();
-  CHECK(near.zones.size() == 1);
+  REQUIRE(near.zones.size() == 1);
   CHECK(near.verdict() == MatrixVerdict::never);
   apart.options.stop = 0;
   apart.options.own = {{1, 0, 0.005 / kCell, 0.005 / kCell}};

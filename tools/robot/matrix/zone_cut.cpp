@@ -14,8 +14,8 @@ Vector3 between(const Vector3& p, const Vector3& q, double part) {
   return {p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1]), p[2] + part * (q[2] - p[2])};
 }
 
-/// The part of a convex polygon of some corners where `height` is 0 or less; `crossing` of a corner
-/// where it is and one where it is not: where the edge between them leaves that part.
+/// The part of a convex polygon, not an empty one, where `height` is 0 or less; `crossing` of a
+/// corner where it is and one where it is not: where the edge between them leaves that part.
 template <class Height, class Crossing>
 std::vector<Vector3> clipped(const std::vector<Vector3>& polygon, const Height& height,
                              const Crossing& crossing) {
